@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/net/spring_net.h"
+#include "core/project/project.h"
+#include "core/runtime/sim_thread.h"
+
+#include <QImage>
+#include <QString>
+#include <QWidget>
+
+#include <memory>
+#include <vector>
+
+namespace esm {
+
+enum class Colouring { None, Stiffness, Strain, Force };
+enum class Tool { Camera, Pull, Select };
+
+/// The 3D preview: the central widget. Holds a QOpenGLWidget where OpenGL 3.3 works, else a page that says
+/// so; all calls are then accepted and do nothing. GUI thread.
+class SceneView : public QWidget {
+  Q_OBJECT
+public:
+  explicit SceneView(QWidget* parent = nullptr);
+  ~SceneView() override;
+
+  /// Whether this session can show OpenGL 3.3 core, tried on an off-screen surface before any QOpenGLWidget
+  /// exists (creating one on a platform without GL ends the process). `why` gets the reason.
+  static bool openGlUsable(QString* why);
+  bool hasOpenGl() const;
+
+  // === What is shown
+  void setNet(std::shared_ptr<const SpringNet> net, std::uint64_t generation); ///< null: empty scene
+  void setSnapshot(const SimSnapshot& snapshot); ///< ignored if of another generation; schedules a repaint
+  void setParameters(std::shared_ptr<const SpringNet> net);          ///< same topology, new colours
+  void setRegions(const std::vector<Region>& regions, int selected); ///< wireframes; -1 = none selected
+  void setColouring(Colouring colouring);                            ///< legend with unit follows
+  void setShown(bool surface, bool springs);
+  void setToolForce(const Eigen::Vector3d& force); ///< arrow at the grabbed node [N]
+
+  // === Camera and tools
+  void setTool(Tool tool);
+  Tool tool() const;
+  void fit();
+  ViewSettings viewSettings() const;
+  void setViewSettings(const ViewSettings& settings);
+  QImage picture(); ///< what is on the screen, overlays included
+
+  /// The pixel (widget coordinates) where a point of the scene [m] appears, for tests and tours.
+  QPointF project(const Eigen::Vector3d& point) const;
+  /// The front-most node within 12 pixels, or kNoIndex.
+  Index nodeAt(const QPointF& pixel) const;
+
+signals:
+  void pullStarted(int node, double x, double y, double z); ///< target [m]
+  void pullMoved(double x, double y, double z);
+  void pullEnded();
+  void nodeSelected(int node);
+  void viewChanged(); ///< camera moved by the user
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace esm

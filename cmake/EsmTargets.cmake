@@ -1,0 +1,49 @@
+# SPDX-FileCopyrightText: 2026 The ESM authors
+# SPDX-License-Identifier: MIT
+
+# Linked PRIVATE into each of our targets, so that users of a header never inherit our flags.
+add_library(esm_warnings INTERFACE)
+target_compile_options(esm_warnings INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+  -ffp-contract=off # the same bits with and without FMA: golden hashes hold on every x86-64
+  $<$<BOOL:${ESM_WERROR}>:-Werror>)
+if(ESM_SANITIZE STREQUAL "address")
+  set(esm_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+elseif(ESM_SANITIZE STREQUAL "thread")
+  set(esm_sanitizers -fsanitize=thread -fno-omit-frame-pointer)
+elseif(ESM_SANITIZE)
+  message(FATAL_ERROR "ESM_SANITIZE=${ESM_SANITIZE}: use empty, address or thread")
+endif()
+if(esm_sanitizers)
+  add_compile_options(${esm_sanitizers})
+  add_link_options(${esm_sanitizers})
+  add_compile_definitions(ESM_SANITIZED=1)
+endif()
+
+# esm_library(NAME SOURCES... LINK public-dependencies... PRIVATE private-dependencies...)
+# A static library of one layer. The include root is the repository root, so that each include names
+# its layer: #include "core/net/spring_net.h". A layer of headers only becomes an INTERFACE library.
+function(esm_library name)
+  cmake_parse_arguments(arg "" "" "SOURCES;LINK;PRIVATE" ${ARGN})
+  if(arg_SOURCES)
+    add_library(${name} STATIC ${arg_SOURCES})
+    target_include_directories(${name} PUBLIC ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${name} PUBLIC ${arg_LINK} PRIVATE ${arg_PRIVATE} esm_warnings)
+  else()
+    add_library(${name} INTERFACE)
+    target_include_directories(${name} INTERFACE ${PROJECT_SOURCE_DIR})
+    target_link_libraries(${name} INTERFACE ${arg_LINK})
+  endif()
+endfunction()
+
+# esm_test(NAME SOURCES... LINK dependencies... [LABEL label])
+# One gtest program of a module; every TEST becomes a ctest of its own at test time, so that the
+# environment set by ctest also holds while the tests are listed.
+function(esm_test name)
+  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
+  add_executable(${name} ${arg_SOURCES})
+  target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gmock GTest::gtest_main esm_warnings)
+  target_compile_definitions(${name} PRIVATE
+    ESM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" ESM_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300)
+endfunction()

@@ -1,0 +1,121 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/base/file_io.h"
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+
+namespace esm {
+
+namespace {
+
+Error unwritable(const std::filesystem::path& path, int errorNumber)
+{
+  return {ErrorCode::FileUnwritable,
+          path.string() + ": cannot be written (" + std::generic_category().message(errorNumber) + ")"};
+}
+
+bool writeAll(int file, std::string_view bytes)
+{
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return false;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+/// Makes a rename in this folder survive a power cut; a file system that refuses it loses only that.
+void syncFolder(const std::filesystem::path& folder)
+{
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0) return;
+  ::fsync(descriptor);
+  ::close(descriptor);
+}
+
+} // namespace
+
+Result<std::string> readFile(const std::filesystem::path& path)
+{
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code))
+    return Error{ErrorCode::FileUnreadable, path.string() + ": is a folder, not a file"};
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0)
+    return Error{ErrorCode::FileUnreadable,
+                 path.string() + ": cannot be read (" + std::generic_category().message(errno) + ")"};
+  std::string bytes;
+  struct stat info = {};
+  if (::fstat(file, &info) == 0 && info.st_size > 0) bytes.reserve(static_cast<std::size_t>(info.st_size));
+  char buffer[1 << 16];
+  for (;;) {
+    const ssize_t count = ::read(file, buffer, sizeof buffer);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) {
+      const int reason = errno;
+      ::close(file);
+      return Error{ErrorCode::FileUnreadable,
+                   path.string() + ": cannot be read (" + std::generic_category().message(reason) + ")"};
+    }
+    if (count == 0) break;
+    bytes.append(buffer, static_cast<std::size_t>(count));
+  }
+  ::close(file);
+  return bytes;
+}
+
+Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, bool keepBackup)
+{
+  // A link is followed, so that saving through one changes the file it names and leaves the link.
+  std::error_code code;
+  std::filesystem::path target = path;
+  if (std::filesystem::is_symlink(path, code)) {
+    const auto resolved = std::filesystem::weakly_canonical(path, code);
+    if (!code) target = resolved;
+  }
+  std::string temporary = target.string() + ".XXXXXX";
+  const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
+  if (file < 0) return unwritable(path, errno);
+  const auto failed = [&](int reason) {
+    ::unlink(temporary.c_str());
+    return unwritable(path, reason);
+  };
+
+  struct stat old = {};
+  const bool exists = ::stat(target.c_str(), &old) == 0;
+  mode_t mode = old.st_mode & 07777;
+  if (!exists) {
+    const mode_t mask = ::umask(0);
+    ::umask(mask);
+    mode = 0666 & ~mask;
+  }
+  if (!writeAll(file, bytes) || ::fchmod(file, mode) != 0 || ::fsync(file) != 0) {
+    const int reason = errno;
+    ::close(file);
+    return failed(reason);
+  }
+  if (::close(file) != 0) return failed(errno);
+
+  if (exists && keepBackup) {
+    // A hard link keeps the old bytes under the new name without a moment in which `path` is absent.
+    const std::string backup = target.string() + ".bak";
+    ::unlink(backup.c_str());
+    if (::link(target.c_str(), backup.c_str()) != 0) {
+      std::filesystem::copy_file(target, backup, std::filesystem::copy_options::overwrite_existing, code);
+      if (code) return failed(code.value());
+    }
+  }
+  if (::rename(temporary.c_str(), target.c_str()) != 0) return failed(errno);
+  syncFolder(target.has_parent_path() ? target.parent_path() : std::filesystem::path("."));
+  return {};
+}
+
+} // namespace esm

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/dynamics/step_report.h"
+#include "core/forces/loads.h"
+#include "core/net/spring_net.h"
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// Positions and velocities at one instant. Plain data.
+struct NetState {
+  Eigen::Matrix3Xd position; ///< 3 x N [m]
+  Eigen::Matrix3Xd velocity; ///< 3 x N [m/s]
+  double time = 0.0;         ///< [s]
+};
+
+struct SolverSettings {
+  std::string solver = "auto"; ///< a name of solverNames(), or "auto"
+  double tolerance = 1e-3;     ///< wanted error, metric of docs/FILE_FORMAT.md (relative, RMS), > 0
+  double fixedStep = 0.0; ///< [s]; > 0 takes this substep without error control (for convergence studies)
+  int threads = 1;
+};
+
+struct Energies {
+  double kinetic = 0.0; ///< [J]
+  double elastic = 0.0; ///< springs, anchors and tool springs [J]
+  double gravity = 0.0; ///< - sum m g.p, zero at the origin [J]
+  double total() const noexcept { return kinetic + elastic + gravity; }
+};
+
+/// A net in motion: the one door to the dynamics for the command line, the window, the benches.
+/// Owns a copy of the net. One thread at a time; nothing static is shared between two Simulations.
+///
+///     auto simulation = Simulation::create(net, loads, {});
+///     while (time < 2) simulation->advance(1.0 / 60.0);
+class Simulation {
+public:
+  /// Errors: InvalidValue for a net that checkNet() refuses, loads on absent nodes, an unknown solver name.
+  static Result<Simulation> create(SpringNet net, Loads loads, SolverSettings settings);
+  Simulation(Simulation&&) noexcept;
+  Simulation& operator=(Simulation&&) noexcept;
+  ~Simulation();
+
+  /// Moves the net `interval` [s] ahead in as many substeps as stability and tolerance need. On trouble
+  /// (see StepReport::good()) the state is the last good one and why() says what happened and what helps.
+  /// @param maxSteps work limit of this call; 0 = none.
+  StepReport advance(double interval, std::int64_t maxSteps = 0);
+
+  /// Back to t = 0: rest positions and initial velocities; work and tools are cleared.
+  void reset();
+
+  // === Between steps
+  /// New stiffness, viscosity, mass, law and anchors for the same topology; the motion goes on.
+  /// Errors: InvalidValue if the topology differs or checkNet() refuses; the old parameters stay.
+  Status setParameters(const SpringNet& net);
+  void setTools(std::span<const ToolSpring> tools); ///< @pre nodes in range; replaces the former tools
+
+  // === What it knows
+  const SpringNet& net() const noexcept;
+  const Loads& loads() const noexcept;
+  const NetState& state() const noexcept;
+  Eigen::Vector3d momentum() const;        ///< sum m v [kg m/s]
+  Eigen::Vector3d angularMomentum() const; ///< about the origin [kg m^2/s]
+  Energies energies() const;
+  /// Work done on the net since t = 0 by nodal forces, prescribed motions and tools [J] (gravity is in
+  /// energies()).
+  double externalWork() const;
+  /// Energy turned into heat by viscosity and mass damping since t = 0 [J].
+  double dissipatedEnergy() const;
+  /// The force that a fixed or prescribed node's support exerts on the net [N]; zero for free nodes.
+  Eigen::Vector3d reaction(Index node) const;
+  Eigen::Vector3d toolForce(std::size_t tool) const;             ///< force of the tool on its node [N]
+  void springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const; ///< S [N], elastic + viscous, > 0 pulls
+  /// Largest substep [s] that explicit integration bears now, and the node that sets it.
+  double stableStep() const;
+  Index stiffestNode() const;
+  const std::string& solverName() const noexcept; ///< what "auto" chose
+  const std::string&
+  why() const noexcept; ///< one English sentence: the choice, or what went wrong and the cure
+
+private:
+  struct Impl;
+  explicit Simulation(std::unique_ptr<Impl> impl);
+  std::unique_ptr<Impl> m_impl;
+};
+
+/// The names that SolverSettings::solver takes, "auto" excluded; with one line on each.
+struct SolverInfo {
+  std::string name;
+  std::string description;
+};
+std::vector<SolverInfo> solverNames();
+
+} // namespace esm

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/types.h"
+
+#include <Eigen/Core>
+
+#include <optional>
+#include <vector>
+
+namespace esm {
+
+/// A vector over time, piecewise linear; before the first and after the last time the end value holds.
+struct VectorCurve {
+  std::vector<double> time; ///< [s], rising (equal neighbours make a jump: the later value holds)
+  Eigen::Matrix3Xd value;   ///< 3 x time.size()
+
+  Eigen::Vector3d at(double t) const;
+  /// Slope d value/dt at t, from the right at a corner; 0 outside the times.
+  Eigen::Vector3d slopeAt(double t) const;
+};
+
+/// The same force [N] on each of the listed nodes.
+struct NodalForce {
+  std::vector<Index> nodes;
+  VectorCurve force; ///< [N]
+};
+
+/// The listed nodes are at initial position + displacement(t) until `release`; at that instant they become
+/// free with the position and velocity they have. No release: moved to the end.
+struct PrescribedMotion {
+  std::vector<Index> nodes;
+  VectorCurve displacement;      ///< [m]
+  std::optional<double> release; ///< [s]
+};
+
+/// All that acts on a net from outside, besides anchors and tools.
+struct Loads {
+  Eigen::Vector3d gravity = Eigen::Vector3d::Zero(); ///< [m/s^2]
+  std::vector<NodalForce> forces;
+  std::vector<PrescribedMotion> motions;
+};
+
+/// A spring-damper between a node and a hand-held point: the pull tool. Not part of the net; may come,
+/// move and go between steps. Force on the node = k (target - p) + c (targetVelocity - v).
+struct ToolSpring {
+  Index node = kNoIndex;
+  Eigen::Vector3d target = Eigen::Vector3d::Zero();         ///< [m]
+  Eigen::Vector3d targetVelocity = Eigen::Vector3d::Zero(); ///< [m/s]
+  double stiffness = 0.0;                                   ///< [N/m]
+  double viscosity = 0.0;                                   ///< [N s/m]
+};
+
+} // namespace esm

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/mesh.h"
+
+namespace esm {
+
+/// What is in a mesh and what is wrong with it, before it becomes a net. Counts are of the mesh as
+/// given (weld first); lengths are in its own unit.
+struct MeshReport {
+  Index nodes = 0;     ///< vertices
+  Index springs = 0;   ///< unique edges of triangles and segments (zero-length ends excluded: a != b)
+  Index triangles = 0; ///< as given, degenerate and duplicate ones included
+  Index segments = 0;
+  Index components = 0;        ///< connected parts with at least one spring
+  Index isolatedVertices = 0;  ///< used by no spring
+  Index boundaryEdges = 0;     ///< used by exactly one triangle
+  Index nonManifoldEdges = 0;  ///< used by more than two triangles
+  Index degenerateFaces = 0;   ///< two equal corners, or zero area
+  Index duplicateFaces = 0;    ///< a later triangle over the same three vertices, whatever their order
+  Index nonFiniteVertices = 0; ///< a NaN or infinite coordinate
+  Eigen::Vector3d boxMin = Eigen::Vector3d::Zero(); ///< over finite vertices; zero if there are none
+  Eigen::Vector3d boxMax = Eigen::Vector3d::Zero();
+  double sumRestLength = 0.0; ///< over the springs with finite ends
+  bool finite = true;         ///< nonFiniteVertices == 0
+};
+
+/// O(V + F log F). Any thread. Never throws on any content with indices in range.
+MeshReport examine(const Mesh& mesh);
+
+} // namespace esm

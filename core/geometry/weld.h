@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/mesh.h"
+
+#include <vector>
+
+namespace esm {
+
+/// Joins vertices at the same place, as unwelded STL needs. Vertices keep the order of their first
+/// appearance; triangles and segments are renumbered, none is removed.
+/// @param tolerance [file unit]; 0 joins bit-equal positions only (-0 equals 0). Above 0, a vertex
+///        joins the first earlier kept vertex within `tolerance` (Euclidean). Vertices with a
+///        non-finite coordinate join nothing.
+/// @return old-to-new map: result[old vertex] = new vertex, all of them valid.
+std::vector<Index> weldVertices(Mesh& mesh, double tolerance = 0.0);
+
+} // namespace esm

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/types.h"
+#include "core/geometry/mesh.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <vector>
+
+namespace esm {
+
+/// How a spring answers its extension e [m] at rest length L [m] with the tension f [N]:
+///
+///     Linear       f = k e
+///     Cubic        f = k e (1 + a (e/L)^2)
+///     Exponential  f = k L/b (exp(b e/L) - 1)        stiffening of tissue, as in Fung's law
+///     Table        f = k L g(e/L)                    g piecewise linear, see ForceTable
+///
+/// a, b [1] are SpringNet::lawParameter. b = 0 is the linear law, the limit of the exponential one.
+enum class SpringLaw : std::uint8_t { Linear, Cubic, Exponential, Table };
+
+/// A measured curve g(strain): strictly rising strains, at least two points. Beyond the ends the end
+/// slopes go on. Scaled by k L, so one curve serves springs of every length and stiffness.
+struct ForceTable {
+  std::vector<double> strain; ///< e/L [1]
+  std::vector<double> force;  ///< f/(k L) [1]
+  bool operator==(const ForceTable&) const = default;
+};
+
+/// Where a spring comes from; tissue gives each kind its stiffness in its own way.
+enum class SpringKind : std::uint8_t { Edge, Line };
+
+/// Springs that hold nodes to fixed points in space (the cavity), alike in all directions:
+/// force on the node = -k (p - p0) - c v. A node may have none or several.
+struct AnchorSet {
+  std::vector<Index> node;             ///< A
+  Eigen::Matrix3Xd point;              ///< 3 x A, p0 [m]
+  Eigen::ArrayXd stiffness, viscosity; ///< A [N/m], A [N s/m]; all >= 0
+  Index count() const noexcept { return static_cast<Index>(node.size()); }
+};
+
+/// Topology and parameters of a spring-mass net, one array per property (struct of arrays).
+/// Plain data: copyable, no pointers, no locks. While a simulation runs it works on its own copy.
+/// checkNet() says whether the arrays fit together; everything downstream may assume that they do.
+struct SpringNet {
+  // === Nodes (N)
+  Eigen::Matrix3Xd restPosition;    ///< 3 x N, position at t = 0 [m]
+  Eigen::Matrix3Xd initialVelocity; ///< 3 x N [m/s]; 3 x 0 means all at rest
+  Eigen::ArrayXd mass;              ///< N [kg], > 0
+  Eigen::ArrayXd massDamping;       ///< N [1/s], force -alpha m v; size 0 means none
+  std::vector<std::uint8_t> fixed;  ///< N, 1 = does not move
+  std::vector<NodeId> nodeId;       ///< N, distinct
+
+  // === Springs (S)
+  SegmentMatrix ends;                    ///< 2 x S, node indices (a, b), a != b
+  Eigen::ArrayXd restLength;             ///< S [m], >= 0 (the nonlinear laws need > 0)
+  Eigen::ArrayXd stiffness, viscosity;   ///< S [N/m], S [N s/m]; all >= 0
+  std::vector<SpringLaw> law;            ///< S
+  Eigen::ArrayXd lawParameter;           ///< S, a or b [1]; for Table the index into `tables`
+  std::vector<std::uint8_t> tensionOnly; ///< S, 1 = slack while e <= 0: neither elastic nor viscous force
+  std::vector<SpringKind> kind;          ///< S
+  std::vector<SpringId> springId;        ///< S, distinct
+  std::vector<ForceTable> tables;
+
+  AnchorSet anchors;
+  TriangleMatrix triangles; ///< 3 x F, the surface: for shading, dual areas and contact
+
+  Index nodeCount() const noexcept { return static_cast<Index>(restPosition.cols()); }
+  Index springCount() const noexcept { return static_cast<Index>(ends.cols()); }
+  Index triangleCount() const noexcept { return static_cast<Index>(triangles.cols()); }
+};
+
+} // namespace esm

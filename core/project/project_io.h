@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/project/project.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace esm {
+
+/// `.esm`: one JSON document (docs/FILE_FORMAT.md, docs/project.schema.json); `.esmb`: the same as CBOR.
+/// Equal projects give equal bytes; numbers round-trip bit for bit. Any thread.
+
+std::string toJson(const Project& project);
+std::string toCbor(const Project& project);
+
+/// Reads either encoding (the content decides), or the plain net format esm-net-1. All or nothing, and
+/// what comes out has passed checkNet(), checkRuleBase() and the rest: it can be simulated.
+/// Errors: BadFormat, InvalidValue (detail: file, JSON path, what), NewerVersion.
+/// @param origin name for messages, usually the path.
+Result<Project> parseProject(std::string_view bytes, const std::string& origin);
+
+Result<Project> loadProject(const std::filesystem::path& path);
+/// Atomic; the previous version stays as `.bak`. `.esmb` writes CBOR, everything else JSON.
+Status saveProject(const Project& project, const std::filesystem::path& path);
+
+} // namespace esm

@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/triple_buffer.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+
+namespace esm {
+
+/// What crosses between the servo thread (1 kHz) and the simulation thread, by triple buffers, newest wins.
+/// Neither waits for the other. Plain data without heap, so that copying is wait-free.
+
+/// Servo to simulation: where the hand is.
+struct ToolState {
+  std::uint64_t sequence = 0;
+  double time = 0.0;                                  ///< servo clock [s]
+  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< scene coordinates [m]
+  Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< [m/s]
+};
+
+/// Simulation to servo: how the tissue answers near the tool. The servo evaluates
+///     F(x) = force - stiffness (x - position) - viscosity v
+/// on the hand each tick, so a slow frame is felt as a slightly old tissue, never as a gap.
+struct ContactModel {
+  std::uint64_t sequence = 0;
+  double time = 0.0; ///< simulated time [s]
+  bool active = false;
+  Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< tool position the model was made for [m]
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< on the hand at that position [N]
+  Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero(); ///< symmetric, positive semidefinite [N/m]
+  Eigen::Matrix3d viscosity = Eigen::Matrix3d::Zero(); ///< [N s/m]
+};
+
+} // namespace esm

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/dynamics/simulation.h"
+#include "core/runtime/hand_over.h"
+
+#include <memory>
+#include <string>
+
+namespace esm {
+
+/// How the simulation feels; the window's stability light.
+enum class Stability : std::uint8_t {
+  Idle, ///< nothing loaded
+  Good,
+  Slow,   ///< stable, but behind the wall clock: realTimeFactor < 0.95
+  Stopped ///< numerics failed; paused on the last good state, `message` says cause and cure
+};
+
+/// One picture of the running simulation. Plain data.
+struct SimSnapshot {
+  std::uint64_t sequence = 0;   ///< rises with each publish
+  std::uint64_t generation = 0; ///< of the load() whose net this is: a reader skips snapshots of an older net
+  bool playing = false;
+  double time = 0.0;           ///< simulated [s]
+  Eigen::Matrix3Xd position;   ///< 3 x N [m], finite always
+  Eigen::ArrayXd tension;      ///< S [N]
+  double realTimeFactor = 0.0; ///< simulated over wall time, smoothed; 0 while paused
+  double frameCost = 0.0;      ///< processor time per frame over frame period [1]
+  Stability stability = Stability::Idle;
+  StepReport report; ///< of the last frame
+  Energies energies;
+  std::string solver;
+  std::string message; ///< why this solver, or what went wrong and the cure (English)
+  Index grabbedNode = kNoIndex;
+  Eigen::Vector3d toolPosition = Eigen::Vector3d::Zero(); ///< [m]
+  Eigen::Vector3d toolForce = Eigen::Vector3d::Zero();    ///< on the hand [N]
+};
+
+/// The simulation in its own thread, on the wall clock at frames of 1/frameRate. All calls return at once:
+/// commands go through a queue and take effect at the next frame border, in order.
+/// @note Threads: every member is for one thread (the GUI's), except that the two buffers' other ends belong
+/// to
+///       the servo thread. The destructor joins.
+class SimThread {
+public:
+  explicit SimThread(double frameRate = 60.0);
+  ~SimThread();
+  SimThread(const SimThread&) = delete;
+  SimThread& operator=(const SimThread&) = delete;
+
+  /// Takes another net: paused at t = 0. Returns its generation. A net that Simulation::create() refuses
+  /// leaves the former one running; the next snapshot's message says why.
+  std::uint64_t load(SpringNet net, Loads loads, SolverSettings settings);
+  void setParameters(SpringNet net); ///< same topology; the motion goes on
+  void play();
+  void pause();
+  void stepOnce(); ///< one frame, then pause
+  void reset();    ///< to t = 0, playing or not as before
+  void setFrameRate(double framesPerSecond);
+
+  /// Takes hold of a node with a spring towards `target`. The spring's stiffness is chosen from the net so
+  /// that grabbing never makes it unstable, and the pull is limited to `maxForce` [N].
+  void grab(Index node, const Eigen::Vector3d& target, double maxForce = 5.0);
+  void moveGrab(const Eigen::Vector3d& target);
+  void release();
+  /// While on, the grab's target is the newest ToolState instead of moveGrab(): the hand on a device leads.
+  void followDevice(bool on);
+
+  /// The newest picture; valid until the next call. Never waits.
+  const SimSnapshot& latest();
+
+  TripleBuffer<ToolState>& toolInput() noexcept;        ///< servo thread writes
+  TripleBuffer<ContactModel>& contactOutput() noexcept; ///< servo thread reads
+
+private:
+  struct Impl;
+  std::unique_ptr<Impl> m_impl;
+};
+
+} // namespace esm

@@ -1,0 +1,38 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/fuzzy/inference.h"
+#include "core/fuzzy/rule_base.h"
+
+#include <QObject>
+#include <QString>
+
+#include <vector>
+
+namespace esm {
+
+/// What the fuzzy panels see of the document. The application implements it: every set...() pushes an undo
+/// command and the signals follow when it is executed, undone or redone. GUI thread.
+/// The inputs belong to a target, the base tissue or one region; which one is the application's affair.
+class FuzzyDocument : public QObject {
+  Q_OBJECT
+public:
+  using QObject::QObject;
+  virtual const fuzzy::RuleBase& ruleBase() const = 0;
+  virtual const std::vector<fuzzy::InputValue>& inputs() const = 0; ///< of the current target
+  virtual QString inputTargetName() const = 0;                      ///< "Base tissue", or the region's name
+  virtual Language ruleLanguage() const = 0;                        ///< follows the window's language
+
+  /// @param undoText translated, for the undo menu. The rule base must pass checkRuleBase().
+  virtual void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) = 0;
+  /// @param gesture values with the same gesture > 0 and input are one undo step (one slider drag).
+  virtual void setInput(int input, fuzzy::InputValue value, int gesture) = 0;
+
+signals:
+  void ruleBaseChanged();
+  void inputsChanged(); ///< values or target
+  void ruleLanguageChanged();
+};
+
+} // namespace esm

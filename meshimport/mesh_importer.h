@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/geometry/mesh.h"
+#include "core/geometry/mesh_report.h"
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace esm {
+
+enum class LengthUnit { Millimetre, Centimetre, Metre, Inch };
+std::optional<LengthUnit> lengthUnitFromName(std::string_view name) noexcept; ///< mm, cm, m, inch
+std::string lengthUnitName(LengthUnit unit);
+double metresPer(LengthUnit unit) noexcept;
+
+enum class UpAxis { Y, Z };
+
+struct ImportOptions {
+  bool weld = true;
+  double weldTolerance = 0.0; ///< [file unit]; 0 = bit-equal positions only
+};
+
+/// A mesh in the file's own units and axes, with what is to be said about it.
+struct ImportedMesh {
+  Mesh mesh;                       ///< welded if wished
+  MeshReport report;               ///< of `mesh`
+  std::string format;              ///< "OBJ", "STL (binary)", "PLY (ASCII)", ...
+  std::vector<Index> vertexOfFile; ///< file vertex -> vertex of `mesh`
+  std::vector<std::string> notes;  ///< what was passed over or repaired, one sentence each
+};
+
+/// Reads by content, not by the file's ending: OBJ (with `l` lines), STL (both), PLY (all three encodings) by
+/// own readers in double precision, everything else through assimp. Thread: any; no state. Errors (one
+/// sentence with file, line or byte, cause, way out): FileUnreadable, BadFormat, Unsupported, EmptyResult (a
+/// file without a triangle or line is an error, never a silent empty mesh).
+Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options = {});
+
+/// Turns file coordinates into the scene's: metres, z up (y up: (x, y, z) -> (x, -z, y)).
+void toScene(Mesh& mesh, LengthUnit unit, UpAxis up);
+
+/// One mesh format. Adding one is one file and one line in readerTable().
+struct MeshReader {
+  const char* name;
+  /// Whether the bytes look like this format (the ending is a hint where content leaves doubt).
+  bool (*recognises)(std::string_view bytes, std::string_view endingLowerCase);
+  Result<Mesh> (*read)(std::string_view bytes, const std::string& origin, std::string& format,
+                       std::vector<std::string>& notes);
+};
+const std::vector<MeshReader>& readerTable();
+
+} // namespace esm

@@ -1,0 +1,79 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/base/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <csignal>
+#include <filesystem>
+#include <sys/resource.h>
+#include <unistd.h>
+
+namespace esm {
+
+class FileIo : public ::testing::Test {
+protected:
+  void SetUp() override
+  {
+    std::string name = (std::filesystem::temp_directory_path() / "esm-file-io-XXXXXX").string();
+    ASSERT_NE(::mkdtemp(name.data()), nullptr);
+    folder = name;
+  }
+  void TearDown() override { std::filesystem::remove_all(folder); }
+  std::size_t fileCount() const
+  {
+    std::size_t count = 0;
+    for ([[maybe_unused]] const auto& entry : std::filesystem::directory_iterator(folder)) ++count;
+    return count;
+  }
+  std::filesystem::path folder;
+};
+
+TEST_F(FileIo, WhatIsWrittenIsReadBackAndThePreviousVersionStays)
+{
+  const auto path = folder / "a.esm";
+  ASSERT_TRUE(writeFileAtomically(path, std::string("old\0bytes", 9), true));
+  ASSERT_TRUE(writeFileAtomically(path, "new", true));
+  EXPECT_EQ(*readFile(path), "new");
+  EXPECT_EQ(*readFile(path.string() + ".bak"), std::string("old\0bytes", 9));
+  EXPECT_EQ(fileCount(), 2u) << "no temporary file stays behind";
+}
+
+// A disk that fills up in the middle of a save: the write fails, the old file must be untouched. RLIMIT_FSIZE
+// plays the full disk (SIGXFSZ ignored, so that write() reports EFBIG).
+TEST_F(FileIo, AFailedWriteLeavesTheOldFile)
+{
+  const auto path = folder / "a.esm";
+  ASSERT_TRUE(writeFileAtomically(path, "precious"));
+  ::signal(SIGXFSZ, SIG_IGN);
+  rlimit old{};
+  ::getrlimit(RLIMIT_FSIZE, &old);
+  rlimit small = old;
+  small.rlim_cur = 1000;
+  ::setrlimit(RLIMIT_FSIZE, &small);
+  const Status status = writeFileAtomically(path, std::string(100000, 'x'), true);
+  ::setrlimit(RLIMIT_FSIZE, &old);
+  ASSERT_FALSE(status);
+  EXPECT_EQ(status.error().code, ErrorCode::FileUnwritable);
+  EXPECT_EQ(*readFile(path), "precious");
+  EXPECT_EQ(fileCount(), 1u);
+}
+
+TEST_F(FileIo, SavingThroughALinkKeepsTheLink)
+{
+  ASSERT_TRUE(writeFileAtomically(folder / "real.esm", "1"));
+  std::filesystem::create_symlink("real.esm", folder / "link.esm");
+  ASSERT_TRUE(writeFileAtomically(folder / "link.esm", "2"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.esm"));
+  EXPECT_EQ(*readFile(folder / "real.esm"), "2");
+}
+
+TEST_F(FileIo, ErrorsNameTheFileAndTheCause)
+{
+  EXPECT_NE(readFile(folder / "none").error().detail.find("none: cannot be read (No such file"),
+            std::string::npos);
+  EXPECT_NE(readFile(folder).error().detail.find("is a folder"), std::string::npos);
+  EXPECT_FALSE(writeFileAtomically(folder / "no" / "such.esm", "x"));
+}
+
+} // namespace esm
