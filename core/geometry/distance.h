@@ -1,0 +1,21 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <Eigen/Core>
+
+#include <cmath>
+
+namespace esm {
+
+/// Euclidean distance. Squares leave the range of double beyond about 1e154 and below 1e-154; there the
+/// slower scaled norm answers, so that no spring is taken for zero long or infinitely long.
+inline double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
+{
+  const Eigen::Vector3d between = b - a;
+  const double squared = between.squaredNorm();
+  if (squared > 1e-280 && squared < 1e280) return std::sqrt(squared);
+  return between.stableNorm();
+}
+
+} // namespace esm

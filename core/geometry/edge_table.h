@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/mesh.h"
+
+#include <vector>
+
+namespace esm {
+
+/// The unique edges of a mesh: first those of the triangles in the order of their first appearance
+/// (corners 0-1, 1-2, 2-0 of triangle 0, then triangle 1, ...), then the segments that are no edge yet.
+/// Ends with a == b make no edge. Duplicate and degenerate triangles count like all others.
+struct EdgeTable {
+  SegmentMatrix ends;               ///< 2 x E, smaller vertex first
+  Index surfaceEdges = 0;           ///< so many at the front belong to triangles
+  std::vector<Index> edgeOfSide;    ///< 3 F: the edge of side c of triangle t at 3 t + c, or kNoIndex
+  std::vector<Index> triangleCount; ///< E, how many triangles use the edge
+};
+
+/// O(V + F) on a mesh, O(F log F) at worst. @pre indices in range
+EdgeTable findEdges(const Mesh& mesh);
+
+/// For each triangle the first one over the same three vertices, whatever their order. @pre as above
+std::vector<Index> firstSameTriangle(const TriangleMatrix& triangles, Index vertexCount);
+
+} // namespace esm

@@ -1,0 +1,172 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/geometry/weld.h"
+
+#include <algorithm>
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+std::uint64_t hashOf(const Eigen::Vector3d& p)
+{
+  std::uint64_t h = 0;
+  for (int k = 0; k < 3; ++k) {
+    h = (h ^ std::bit_cast<std::uint64_t>(p[k])) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
+    h ^= h >> 29;
+  }
+  return h;
+}
+
+/// Open-addressing hash from a point in space (a position, a grid cell) to a number.
+/// Grows with what it holds, so welding touches memory in proportion to the kept vertices.
+class PointTable {
+public:
+  PointTable() : m_slots(kFirstSize) {}
+
+  /// The number stored under `key`; if there was none, `value` is stored and returned.
+  Index& findOrAdd(const Eigen::Vector3d& key, Index value)
+  {
+    if (2 * m_used >= m_slots.size()) grow();
+    Slot& slot = slotOf(key);
+    if (slot.value == kNoIndex) {
+      slot = Slot{key, value};
+      ++m_used;
+    }
+    return slot.value;
+  }
+
+  /// The number stored under `key`, or kNoIndex.
+  Index find(const Eigen::Vector3d& key) { return slotOf(key).value; }
+
+private:
+  static constexpr std::size_t kFirstSize = 1024;
+  struct Slot {
+    Eigen::Vector3d key = Eigen::Vector3d::Zero();
+    Index value = kNoIndex;
+  };
+
+  Slot& slotOf(const Eigen::Vector3d& key)
+  {
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t i = hashOf(key) >> 20 & mask;
+    while (m_slots[i].value != kNoIndex && m_slots[i].key != key) i = (i + 1) & mask;
+    return m_slots[i];
+  }
+  void grow()
+  {
+    std::vector<Slot> old(2 * m_slots.size());
+    old.swap(m_slots);
+    for (const Slot& slot : old)
+      if (slot.value != kNoIndex) slotOf(slot.key) = slot;
+  }
+
+  std::vector<Slot> m_slots;
+  std::size_t m_used = 0;
+};
+
+/// Vertices kept so far, found again by equal position.
+class ExactFinder {
+public:
+  /// The kept vertex at `p`, or `next`, which is then kept there.
+  Index findOrKeep(const Eigen::Vector3d& p, Index next)
+  {
+    const Eigen::Vector3d key = p + Eigen::Vector3d::Zero(); // -0 becomes 0
+    return m_table.findOrAdd(key, next);
+  }
+
+private:
+  PointTable m_table;
+};
+
+/// Vertices kept so far, found again within a distance. Cells are four tolerances wide, so a ball touches
+/// at most two of them along each axis; the vertices of a cell form a chain, newest first, and lie further
+/// than the tolerance apart, so chains stay short.
+class NearFinder {
+public:
+  NearFinder(const Eigen::Matrix3Xd& kept, double tolerance) : m_kept(kept), m_tolerance(tolerance) {}
+
+  Index findOrKeep(const Eigen::Vector3d& p, Index next)
+  {
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(m_tolerance);
+    const Eigen::Vector3d low = cellOf(p - reach), high = cellOf(p + reach);
+    Index nearest = next;
+    for (int corner = 0; corner < 8; ++corner) {
+      Eigen::Vector3d cell = low;
+      bool repeated = false;
+      for (int k = 0; k < 3; ++k) {
+        if ((corner >> k & 1) == 0) continue;
+        repeated = repeated || high[k] == low[k];
+        cell[k] = high[k];
+      }
+      if (!repeated) nearest = std::min(nearest, firstWithin(cell, p, next));
+    }
+    if (nearest == next) keep(p, next);
+    return nearest;
+  }
+
+private:
+  Eigen::Vector3d cellOf(const Eigen::Vector3d& p) const
+  {
+    const Eigen::Vector3d scaled = p.array() / (4.0 * m_tolerance);
+    return scaled.array().floor() + 0.0; // -0 becomes 0
+  }
+  Index firstWithin(const Eigen::Vector3d& cell, const Eigen::Vector3d& p, Index none)
+  {
+    Index first = none;
+    for (Index i = m_newest.find(cell); i != kNoIndex; i = m_older[static_cast<std::size_t>(i)])
+      if ((m_kept.col(i) - p).stableNorm() <= m_tolerance) first = i; // the chain leads to earlier ones
+    return first;
+  }
+  void keep(const Eigen::Vector3d& p, Index vertex)
+  {
+    Index& newest = m_newest.findOrAdd(cellOf(p), vertex);
+    m_older.resize(static_cast<std::size_t>(vertex) + 1, kNoIndex);
+    if (newest != vertex) m_older[static_cast<std::size_t>(vertex)] = std::exchange(newest, vertex);
+  }
+
+  const Eigen::Matrix3Xd& m_kept; ///< kept vertices at their new places; not owned
+  double m_tolerance;
+  PointTable m_newest;        ///< cell -> its newest vertex
+  std::vector<Index> m_older; ///< vertex -> the one before it in the same cell
+};
+
+/// Moves kept vertices to the front of `mesh.position` and returns the old-to-new map.
+template <class Finder>
+std::vector<Index> keepFirst(Mesh& mesh, Finder& finder)
+{
+  std::vector<Index> newOf(static_cast<std::size_t>(mesh.vertexCount()));
+  Index kept = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    const Eigen::Vector3d p = mesh.position.col(v);
+    const Index place = p.allFinite() ? finder.findOrKeep(p, kept) : kept;
+    if (place == kept) mesh.position.col(kept++) = p;
+    newOf[static_cast<std::size_t>(v)] = place;
+  }
+  mesh.position.conservativeResize(Eigen::NoChange, kept);
+  return newOf;
+}
+
+} // namespace
+
+std::vector<Index> weldVertices(Mesh& mesh, double tolerance)
+{
+  std::vector<Index> newOf;
+  if (tolerance > 0.0) {
+    NearFinder finder(mesh.position, std::min(tolerance, 1e307)); // cells of infinite width have no place
+    newOf = keepFirst(mesh, finder);
+  } else {
+    ExactFinder finder;
+    newOf = keepFirst(mesh, finder);
+  }
+  const auto renumber = [&newOf](Index& vertex) { vertex = newOf[static_cast<std::size_t>(vertex)]; };
+  std::for_each(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size(), renumber);
+  std::for_each(mesh.segments.data(), mesh.segments.data() + mesh.segments.size(), renumber);
+  return newOf;
+}
+
+} // namespace esm

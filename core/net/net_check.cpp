@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/base/text_number.h"
+#include "core/net/net_builder.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <string>
+
+namespace esm {
+
+namespace {
+
+Error invalid(std::string detail)
+{
+  return Error{ErrorCode::InvalidValue, std::move(detail)};
+}
+
+template <class Id>
+std::string named(const char* what, const std::vector<Id>& ids, Index i)
+{
+  return std::string(what) + " " + std::to_string(i) + " (id " +
+         std::to_string(static_cast<Index>(ids[static_cast<std::size_t>(i)])) + ")";
+}
+
+/// "spring 12 (id 12): stiffness is -3 N/m, it must be >= 0"
+Error badNumber(const std::string& owner, const char* quantity, double value, const char* unit,
+                const char* rule)
+{
+  return invalid(owner + ": " + quantity + " is " + formatDouble(value) + (*unit ? " " : "") + unit +
+                 ", it must be " + rule);
+}
+
+struct Shape {
+  const char* name;
+  std::size_t size, wanted;
+  bool mayBeAbsent = false;
+};
+
+Status checkShapes(const SpringNet& net)
+{
+  const auto cols = [](const auto& matrix) { return static_cast<std::size_t>(matrix.cols()); };
+  const auto size = [](const auto& array) { return static_cast<std::size_t>(array.size()); };
+  const std::size_t n = cols(net.restPosition), s = cols(net.ends), a = net.anchors.node.size();
+  const Shape shapes[] = {
+    {"initialVelocity", cols(net.initialVelocity), n, true},
+    {"mass", size(net.mass), n},
+    {"massDamping", size(net.massDamping), n, true},
+    {"fixed", net.fixed.size(), n},
+    {"nodeId", net.nodeId.size(), n},
+    {"restLength", size(net.restLength), s},
+    {"stiffness", size(net.stiffness), s},
+    {"viscosity", size(net.viscosity), s},
+    {"law", net.law.size(), s},
+    {"lawParameter", size(net.lawParameter), s},
+    {"tensionOnly", net.tensionOnly.size(), s},
+    {"kind", net.kind.size(), s},
+    {"springId", net.springId.size(), s},
+    {"anchors.point", cols(net.anchors.point), a},
+    {"anchors.stiffness", size(net.anchors.stiffness), a},
+    {"anchors.viscosity", size(net.anchors.viscosity), a},
+  };
+  for (const Shape& shape : shapes)
+    if (shape.size != shape.wanted && !(shape.mayBeAbsent && shape.size == 0))
+      return invalid("the net's array " + std::string(shape.name) + " holds " + std::to_string(shape.size) +
+                     " entries, it must hold " + std::to_string(shape.wanted));
+  return {};
+}
+
+template <class Id>
+Status checkDistinct(const char* what, const std::vector<Id>& ids)
+{
+  const auto notRising = [](Id a, Id b) { return a >= b; };
+  if (std::adjacent_find(ids.begin(), ids.end(), notRising) == ids.end()) return {}; // as after an import
+  std::vector<Index> order(ids.size());
+  std::iota(order.begin(), order.end(), 0);
+  const auto id = [&ids](Index i) { return ids[static_cast<std::size_t>(i)]; };
+  std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return id(a) < id(b); });
+  for (std::size_t k = 1; k < order.size(); ++k)
+    if (id(order[k - 1]) == id(order[k]))
+      return invalid(named(what, ids, order[k]) + ": the id is already taken by " + what + " " +
+                     std::to_string(order[k - 1]));
+  return {};
+}
+
+bool notNegative(double value)
+{
+  return std::isfinite(value) && value >= 0.0;
+}
+
+Status checkNodes(const SpringNet& net)
+{
+  for (Index i = 0; i < net.nodeCount(); ++i) {
+    const auto owner = [&] { return named("node", net.nodeId, i); };
+    for (int k = 0; k < 3; ++k) {
+      if (!std::isfinite(net.restPosition(k, i)))
+        return badNumber(owner(), "rest position", net.restPosition(k, i), "m", "finite");
+      if (net.initialVelocity.cols() > 0 && !std::isfinite(net.initialVelocity(k, i)))
+        return badNumber(owner(), "initial velocity", net.initialVelocity(k, i), "m/s", "finite");
+    }
+    if (!(std::isfinite(net.mass[i]) && net.mass[i] > 0.0))
+      return badNumber(owner(), "mass", net.mass[i], "kg", "> 0");
+    if (net.massDamping.size() > 0 && !notNegative(net.massDamping[i]))
+      return badNumber(owner(), "mass damping", net.massDamping[i], "1/s", ">= 0");
+  }
+  return checkDistinct("node", net.nodeId);
+}
+
+Status checkTables(const SpringNet& net)
+{
+  for (std::size_t t = 0; t < net.tables.size(); ++t) {
+    const ForceTable& table = net.tables[t];
+    const std::string owner = "force table " + std::to_string(t);
+    if (table.strain.size() != table.force.size())
+      return invalid(owner + ": it holds " + std::to_string(table.strain.size()) + " strains but " +
+                     std::to_string(table.force.size()) + " forces");
+    if (table.strain.size() < 2) return invalid(owner + ": it must hold at least two points");
+    for (std::size_t i = 0; i < table.strain.size(); ++i) {
+      const std::string point = owner + ", point " + std::to_string(i);
+      if (!std::isfinite(table.strain[i])) return badNumber(point, "strain", table.strain[i], "", "finite");
+      if (!std::isfinite(table.force[i])) return badNumber(point, "force", table.force[i], "", "finite");
+      if (i > 0 && !(table.strain[i] > table.strain[i - 1]))
+        return badNumber(point, "strain", table.strain[i], "", "above the strain before it");
+    }
+  }
+  return {};
+}
+
+Status checkLaw(const SpringNet& net, Index s, const std::string& owner)
+{
+  const SpringLaw law = net.law[static_cast<std::size_t>(s)];
+  const double parameter = net.lawParameter[s];
+  if (law > SpringLaw::Table)
+    return badNumber(owner, "law number", static_cast<double>(law), "", "a SpringLaw");
+  if (law != SpringLaw::Linear && !(net.restLength[s] > 0.0))
+    return badNumber(owner, "rest length", net.restLength[s], "m", "> 0, for its law divides by it");
+  if (!std::isfinite(parameter)) return badNumber(owner, "law parameter", parameter, "", "finite");
+  if (law == SpringLaw::Table && !(parameter >= 0.0 && parameter == std::floor(parameter) &&
+                                   parameter < static_cast<double>(net.tables.size())))
+    return badNumber(owner, "law parameter", parameter, "", "the number of a force table of the net");
+  return {};
+}
+
+Status checkSprings(const SpringNet& net)
+{
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index a = net.ends(0, s), b = net.ends(1, s);
+    const bool inRange = std::min(a, b) >= 0 && std::max(a, b) < net.nodeCount();
+    const bool good = inRange && a != b && notNegative(net.restLength[s]) && notNegative(net.stiffness[s]) &&
+                      notNegative(net.viscosity[s]);
+    const bool simple =
+      net.law[static_cast<std::size_t>(s)] == SpringLaw::Linear && std::isfinite(net.lawParameter[s]);
+    if (good && simple) continue;
+
+    const std::string owner = named("spring", net.springId, s);
+    if (!inRange)
+      return invalid(owner + ": its ends are nodes " + std::to_string(a) + " and " + std::to_string(b) +
+                     ", they must be below " + std::to_string(net.nodeCount()));
+    if (a == b) return invalid(owner + ": both ends are node " + std::to_string(a));
+    if (!notNegative(net.restLength[s]))
+      return badNumber(owner, "rest length", net.restLength[s], "m", ">= 0");
+    if (!notNegative(net.stiffness[s])) return badNumber(owner, "stiffness", net.stiffness[s], "N/m", ">= 0");
+    if (!notNegative(net.viscosity[s]))
+      return badNumber(owner, "viscosity", net.viscosity[s], "N s/m", ">= 0");
+    if (Status status = checkLaw(net, s, owner); !status) return status;
+  }
+  return checkDistinct("spring", net.springId);
+}
+
+Status checkAnchors(const SpringNet& net)
+{
+  const AnchorSet& anchors = net.anchors;
+  for (Index i = 0; i < anchors.count(); ++i) {
+    const Index node = anchors.node[static_cast<std::size_t>(i)];
+    const std::string owner = "anchor " + std::to_string(i);
+    if (node < 0 || node >= net.nodeCount())
+      return invalid(owner + ": it holds node " + std::to_string(node) + ", the net has " +
+                     std::to_string(net.nodeCount()) + " nodes");
+    for (int k = 0; k < 3; ++k)
+      if (!std::isfinite(anchors.point(k, i)))
+        return badNumber(owner, "point", anchors.point(k, i), "m", "finite");
+    if (!notNegative(anchors.stiffness[i]))
+      return badNumber(owner, "stiffness", anchors.stiffness[i], "N/m", ">= 0");
+    if (!notNegative(anchors.viscosity[i]))
+      return badNumber(owner, "viscosity", anchors.viscosity[i], "N s/m", ">= 0");
+  }
+  return {};
+}
+
+Status checkTriangles(const SpringNet& net)
+{
+  for (Index t = 0; t < net.triangleCount(); ++t)
+    for (int k = 0; k < 3; ++k)
+      if (const Index node = net.triangles(k, t); node < 0 || node >= net.nodeCount())
+        return invalid("triangle " + std::to_string(t) + ": it uses node " + std::to_string(node) +
+                       ", the net has " + std::to_string(net.nodeCount()) + " nodes");
+  return {};
+}
+
+} // namespace
+
+Status checkNet(const SpringNet& net)
+{
+  for (const auto check : {checkShapes, checkNodes, checkTables, checkSprings, checkAnchors, checkTriangles})
+    if (Status status = check(net); !status) return status;
+  return {};
+}
+
+} // namespace esm
