@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/geometry/weld.h"
 
+#include "core/geometry/distance.h"
+
 #include <algorithm>
 #include <bit>
 #include <cmath>
@@ -119,7 +121,7 @@ private:
   {
     Index first = none;
     for (Index i = m_newest.find(cell); i != kNoIndex; i = m_older[static_cast<std::size_t>(i)])
-      if ((m_kept.col(i) - p).stableNorm() <= m_tolerance) first = i; // the chain leads to earlier ones
+      if (distance(m_kept.col(i), p) <= m_tolerance) first = i; // the chain leads to earlier ones
     return first;
   }
   void keep(const Eigen::Vector3d& p, Index vertex)
