@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/simulation.h"
+
+#include <Eigen/Core>
+
+#include <cstdint>
+#include <variant>
+
+namespace esm {
+
+/// What the window can ask of the simulation thread; one type per member function of SimThread.
+namespace command {
+
+struct Load {
+  std::uint64_t generation;
+  SpringNet net;
+  Loads loads;
+  SolverSettings settings;
+};
+struct SetParameters {
+  SpringNet net;
+};
+struct Play {};
+struct Pause {};
+struct StepOnce {};
+struct Reset {};
+struct SetFrameRate {
+  double framesPerSecond;
+};
+struct Grab {
+  Index node;
+  Eigen::Vector3d target; ///< [m]
+  double maxForce;        ///< [N]
+};
+struct MoveGrab {
+  Eigen::Vector3d target; ///< [m]
+};
+struct Release {};
+struct FollowDevice {
+  bool on;
+};
+
+} // namespace command
+
+using SimCommand = std::variant<command::Load, command::SetParameters, command::Play, command::Pause,
+                                command::StepOnce, command::Reset, command::SetFrameRate, command::Grab,
+                                command::MoveGrab, command::Release, command::FollowDevice>;
+
+} // namespace esm

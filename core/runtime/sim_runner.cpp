@@ -1,0 +1,258 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/runtime/sim_runner.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+constexpr double kLeastRate = 1.0, kMostRate = 1000.0; ///< frames per second
+constexpr std::int64_t kFirstChunk = 8, kMostChunk = 4096;
+constexpr double kChunkTime = 0.005; ///< [s] wanted between two questions
+
+double seconds(std::chrono::steady_clock::duration duration)
+{
+  return std::chrono::duration<double>(duration).count();
+}
+
+double periodOf(double framesPerSecond)
+{
+  return 1.0 / (std::isfinite(framesPerSecond) ? std::clamp(framesPerSecond, kLeastRate, kMostRate) : 60.0);
+}
+
+bool isFinite(const Energies& energies)
+{
+  return std::isfinite(energies.total());
+}
+
+} // namespace
+
+SimRunner::SimRunner(double frameRate, TripleBuffer<ToolState>& tool, TripleBuffer<ContactModel>& contact)
+  : m_tool(tool), m_contact(contact), m_period(periodOf(frameRate)), m_chunk(kFirstChunk)
+{}
+
+// === Commands
+
+void SimRunner::apply(SimCommand&& command)
+{
+  std::visit([this](auto&& content) { carryOut(std::forward<decltype(content)>(content)); },
+             std::move(command));
+}
+
+void SimRunner::carryOut(command::Load&& load)
+{
+  Result<Simulation> fresh =
+    Simulation::create(std::move(load.net), std::move(load.loads), std::move(load.settings));
+  if (!fresh) {
+    m_message = "The net was not taken, the former one goes on: " + fresh.error().detail;
+    return;
+  }
+  endContact();
+  m_grip.reset();
+  m_simulation.emplace(std::move(*fresh));
+  m_generation = load.generation;
+  m_playing = m_stepPending = m_failed = false;
+  m_chunk = kFirstChunk;
+  m_report = {};
+  m_message = m_simulation->why();
+  keepPicture();
+}
+
+void SimRunner::carryOut(command::SetParameters&& change)
+{
+  if (!m_simulation) return;
+  if (const Status status = m_simulation->setParameters(change.net); !status) {
+    m_message = "The change was not taken, the former values hold: " + status.error().detail;
+    return;
+  }
+  if (m_grip) m_grip->adapt(m_simulation->net());
+  m_failed = false;
+  m_message = m_simulation->why();
+  keepPicture();
+}
+
+void SimRunner::carryOut(command::Play)
+{
+  if (!m_simulation) return;
+  m_playing = true;
+  m_failed = false;
+}
+
+void SimRunner::carryOut(command::Pause)
+{
+  m_playing = m_stepPending = false;
+  endContact();
+}
+
+void SimRunner::carryOut(command::StepOnce)
+{
+  if (!m_simulation) return;
+  m_playing = false;
+  m_stepPending = true;
+  m_failed = false;
+  endContact();
+}
+
+void SimRunner::carryOut(command::Reset)
+{
+  if (!m_simulation) return;
+  endContact();
+  m_grip.reset();
+  m_simulation->setTools({});
+  m_simulation->reset();
+  m_failed = m_stepPending = false;
+  m_report = {};
+  m_message = m_simulation->why();
+  keepPicture();
+}
+
+void SimRunner::carryOut(const command::SetFrameRate& rate)
+{
+  m_period = periodOf(rate.framesPerSecond);
+}
+
+void SimRunner::carryOut(const command::Grab& grab)
+{
+  // The window may still show an older net than the one that runs: such a node is no fault, only too late.
+  if (!m_simulation || grab.node < 0 || grab.node >= m_simulation->net().nodeCount()) return;
+  endContact();
+  m_grip.emplace(m_simulation->net(), grab.node, grab.target, grab.maxForce);
+}
+
+void SimRunner::carryOut(const command::MoveGrab& move)
+{
+  if (m_grip && !m_followDevice) m_grip->moveTo(move.target, Eigen::Vector3d::Zero());
+}
+
+void SimRunner::carryOut(command::Release)
+{
+  endContact();
+  m_grip.reset();
+  if (m_simulation) m_simulation->setTools({});
+}
+
+void SimRunner::carryOut(const command::FollowDevice& follow)
+{
+  m_followDevice = follow.on;
+  if (!follow.on) endContact();
+}
+
+// === Motion
+
+double SimRunner::runFrame(const std::function<bool()>& enough)
+{
+  if (!wantsFrame()) return 0.0;
+  m_stepPending = false;
+  if (m_grip) {
+    if (m_followDevice) readDevice();
+    const ToolSpring tool = m_grip->spring(m_simulation->state());
+    m_simulation->setTools({&tool, 1});
+  }
+  const StepReport report = advance(m_period, enough);
+  judge(report);
+  keepPicture();
+  if (m_grip && m_followDevice && m_playing) publishContact();
+  return report.simulatedTime;
+}
+
+void SimRunner::readDevice()
+{
+  const ToolState& tool = m_tool.latest();
+  if (tool.sequence != 0) m_grip->moveTo(tool.position, tool.velocity);
+}
+
+StepReport SimRunner::advance(double interval, const std::function<bool()>& enough)
+{
+  StepReport sum;
+  double left = interval;
+  // What rounding leaves of a frame is not worth a substep.
+  while (left > 1e-9 * interval) {
+    const auto begin = std::chrono::steady_clock::now();
+    StepReport part = m_simulation->advance(left, m_chunk);
+    const double took = seconds(std::chrono::steady_clock::now() - begin);
+    const bool onlyBroken = part.stepLimit && !part.nonFinite && !part.notConverged;
+    part.stepLimit = false; // ours, not a fault
+    sum.add(part);
+    left -= part.simulatedTime;
+    if (!onlyBroken) break;
+    if (took < 0.5 * kChunkTime) m_chunk = std::min(2 * m_chunk, kMostChunk);
+    if (took > 2.0 * kChunkTime) m_chunk = std::max<std::int64_t>(m_chunk / 2, 1);
+    if (enough()) break;
+  }
+  return sum;
+}
+
+void SimRunner::judge(const StepReport& report)
+{
+  m_report = report;
+  if (!report.good() || !m_simulation->state().position.allFinite()) stopWith(m_simulation->why());
+}
+
+void SimRunner::stopWith(std::string message)
+{
+  m_failed = true;
+  m_playing = m_stepPending = false;
+  m_message = std::move(message);
+  endContact();
+}
+
+void SimRunner::keepPicture()
+{
+  const NetState& state = m_simulation->state();
+  if (!state.position.allFinite()) return;
+  m_position = state.position;
+  m_time = state.time;
+  m_tension.resize(m_simulation->net().springCount());
+  m_simulation->springTensions(m_tension);
+  if (!m_tension.allFinite()) m_tension = m_tension.isFinite().select(m_tension, 0.0);
+  if (const Energies energies = m_simulation->energies(); isFinite(energies)) m_energies = energies;
+}
+
+void SimRunner::publishContact()
+{
+  ContactModel model = m_grip->contactModel(m_simulation->net(), m_simulation->state(), m_tension);
+  if (!model.force.allFinite() || !model.stiffness.allFinite()) {
+    endContact();
+    return;
+  }
+  model.sequence = ++m_contactSequence;
+  m_contact.back() = model;
+  m_contact.publish();
+  m_contactActive = true;
+}
+
+void SimRunner::endContact()
+{
+  if (!m_contactActive) return;
+  m_contactActive = false;
+  ContactModel none;
+  none.sequence = ++m_contactSequence;
+  none.time = m_time;
+  m_contact.back() = none;
+  m_contact.publish();
+}
+
+void SimRunner::draw(SimSnapshot& picture)
+{
+  picture.generation = m_generation;
+  picture.playing = m_playing;
+  picture.time = m_time;
+  picture.position = m_position;
+  picture.tension = m_tension;
+  picture.stability = !m_simulation ? Stability::Idle : m_failed ? Stability::Stopped : Stability::Good;
+  picture.report = m_report;
+  picture.energies = m_energies;
+  picture.solver = m_simulation ? m_simulation->solverName() : std::string();
+  picture.message = m_message;
+  picture.grabbedNode = m_grip ? m_grip->node() : kNoIndex;
+  picture.toolPosition = m_grip ? m_grip->target() : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  picture.toolForce =
+    m_grip ? m_grip->forceOnHand(m_simulation->state()) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+}
+
+} // namespace esm

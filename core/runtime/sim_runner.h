@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/triple_buffer.h"
+#include "core/runtime/hand_over.h"
+#include "core/runtime/sim_command.h"
+#include "core/runtime/sim_thread.h"
+#include "core/runtime/tool_grip.h"
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace esm {
+
+/// What the simulation thread does, without the thread and without a clock: carries out commands, moves the
+/// net frame by frame, draws up pictures of it and tells the hand what it feels. Equal commands give equal
+/// bits, so tests drive it directly; SimThread adds the wall clock.
+/// @note Threads: one.
+class SimRunner {
+public:
+  /// @param tool, contact outlive the runner; it is the reader of the one, the writer of the other.
+  SimRunner(double frameRate, TripleBuffer<ToolState>& tool, TripleBuffer<ContactModel>& contact);
+
+  void apply(SimCommand&& command);
+
+  /// Whether there is motion to compute: playing, or a single step asked for.
+  bool wantsFrame() const noexcept { return m_simulation && (m_playing || m_stepPending); }
+  bool playing() const noexcept { return m_playing; }
+  double framePeriod() const noexcept { return m_period; } ///< [s]
+
+  /// Moves the net one frame ahead; returns the simulated time [s].
+  /// @param enough asked now and then: true ends the frame where it is, so that a net that is too large for
+  /// the
+  ///        frame rate moves in slow motion but still obeys. Every call gets somewhere.
+  double runFrame(const std::function<bool()>& enough);
+
+  /// Pauses as after failed numerics; for what went wrong outside the mathematics (no memory).
+  void stopWith(std::string message);
+
+  /// The state of things into `picture`, all of it but `sequence` and the two figures of the clock.
+  void draw(SimSnapshot& picture);
+
+private:
+  void carryOut(command::Load&& load);
+  void carryOut(command::SetParameters&& change);
+  void carryOut(command::Play);
+  void carryOut(command::Pause);
+  void carryOut(command::StepOnce);
+  void carryOut(command::Reset);
+  void carryOut(const command::SetFrameRate& rate);
+  void carryOut(const command::Grab& grab);
+  void carryOut(const command::MoveGrab& move);
+  void carryOut(command::Release);
+  void carryOut(const command::FollowDevice& follow);
+
+  void readDevice();
+  StepReport advance(double interval, const std::function<bool()>& enough);
+  void judge(const StepReport& report);
+  void keepPicture();
+  void publishContact();
+  void endContact();
+
+  TripleBuffer<ToolState>& m_tool;
+  TripleBuffer<ContactModel>& m_contact;
+  std::optional<Simulation> m_simulation;
+  std::optional<ToolGrip> m_grip;
+  std::uint64_t m_generation = 0;
+  std::uint64_t m_contactSequence = 0;
+  double m_period;
+  bool m_playing = false, m_stepPending = false, m_followDevice = false, m_contactActive = false;
+  bool m_failed = false; ///< numerics; stays until a command gives hope
+  std::int64_t m_chunk;  ///< substeps between two questions whether it is enough
+  StepReport m_report;
+  std::string m_message;
+  // The last finite picture, so that a NaN cannot leave even if the dynamics let one through.
+  Eigen::Matrix3Xd m_position;
+  Eigen::ArrayXd m_tension;
+  double m_time = 0.0;
+  Energies m_energies;
+};
+
+} // namespace esm
