@@ -23,6 +23,10 @@ std::string toCbor(const Project& project);
 /// @param origin name for messages, usually the path.
 Result<Project> parseProject(std::string_view bytes, const std::string& origin);
 
+/// Whether a project is one that parseProject() would take: net, loads, rule base, inputs and regions fit
+/// together. The detail names the culprit; saveProject() asks this first, so what is saved can be opened.
+Status checkProject(const Project& project);
+
 Result<Project> loadProject(const std::filesystem::path& path);
 /// Atomic; the previous version stays as `.bak`. `.esmb` writes CBOR, everything else JSON.
 Status saveProject(const Project& project, const std::filesystem::path& path);
