@@ -21,15 +21,14 @@ struct Frame {
 };
 
 /// Writes by the ending: obj (with `l` lines), ply (binary, with edge elements and per-spring parameters),
-/// stl (binary), glb (triangles and lines), vtu (springs as line cells with stiffness, viscosity,
+/// stl (binary), glb (triangles and lines), vtu (springs as line cells with stiffness, damping,
 /// rest_length, strain, force), csv (two files: NAME.csv nodes, NAME_springs.csv springs). Atomic.
 /// Errors: Unsupported (the list of endings), FileUnwritable, Numerics (a non-finite coordinate).
 Status exportFrame(const Frame& frame, const std::filesystem::path& path);
 
-/// The time series of a run: writer of `.csv` (t,id,x,y,z), `.f64` (little-endian float64, frames x nodes x
-/// 3) or
-/// `.pvd` (a ParaView collection with one .vtu per frame in NAME_frames/). The file appears when finish()
-/// succeeds, nothing half-written stays behind.
+/// The time series of a run: writer of `.csv` (t,id,x,y,z), `.f64` (little-endian float64, frames x nodes
+/// x 3) or `.pvd` (a ParaView collection with one .vtu per frame in NAME_frames/). The file appears when
+/// finish() succeeds, nothing half-written stays behind.
 class TrajectoryWriter {
 public:
   static Result<TrajectoryWriter> create(const std::filesystem::path& path);
@@ -39,8 +38,9 @@ public:
   TrajectoryWriter& operator=(TrajectoryWriter&&) noexcept;
   ~TrajectoryWriter();
 
+  struct Impl; ///< one kind of file, see trajectory_writer.cpp
+
 private:
-  struct Impl;
   explicit TrajectoryWriter(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> m_impl;
 };
