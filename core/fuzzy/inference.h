@@ -6,7 +6,9 @@
 #include "core/fuzzy/rule_base.h"
 #include "core/fuzzy/rule_text.h"
 
+#include <memory>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace esm::fuzzy {
@@ -41,24 +43,17 @@ public:
   /// @param inputs one per RuleBase::inputs, in that order. A crisp value outside the range counts as the
   /// nearer end;
   ///        a Word's degree in a term is the height of the intersection of both sets (sup-min).
-  /// @return no NaN whatever the inputs: a non-finite input counts as the variable's default.
+  ///        A missing or non-finite input or an unknown word counts as the variable's default.
+  /// @return no NaN whatever the inputs. Rules of a degree below 1e-12 count as not fired.
   Inference evaluate(std::span<const InputValue> inputs) const;
 
-  const RuleBase& ruleBase() const noexcept { return m_ruleBase; }
+  const RuleBase& ruleBase() const noexcept;
 
 private:
-  explicit Engine(RuleBase ruleBase);
-  RuleBase m_ruleBase;
-  /// Rules with ids resolved to indices; see inference.cpp.
-  struct CompiledRule;
-  std::vector<CompiledRule> m_rules;
-
-public:
-  Engine(const Engine&);
-  Engine(Engine&&) noexcept;
-  Engine& operator=(const Engine&);
-  Engine& operator=(Engine&&) noexcept;
-  ~Engine();
+  /// Rules with ids resolved; never changes after create(), so copies share it.
+  struct Compiled;
+  explicit Engine(std::shared_ptr<const Compiled> compiled) : m_compiled(std::move(compiled)) {}
+  std::shared_ptr<const Compiled> m_compiled;
 };
 
 /// The aggregated set of one output under given firings, sampled for a plot: n points of (x, mu) over the

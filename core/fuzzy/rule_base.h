@@ -5,8 +5,9 @@
 #include "core/base/result.h"
 #include "core/base/types.h"
 
+#include <cstdint>
 #include <string>
-#include <variant>
+#include <string_view>
 #include <vector>
 
 namespace esm::fuzzy {
@@ -59,8 +60,11 @@ struct Proposition {
   bool operator==(const Proposition&) const = default;
 };
 
+inline constexpr int kMaximumConditionDepth = 64;
+
 /// The condition of a rule as a flat tree: AND is the minimum, OR the maximum, NOT 1 - mu.
 /// Node 0 is the root; children come after their parent.
+/// No branch is longer than kMaximumConditionDepth nodes: deeper nesting is no sentence any more.
 struct Condition {
   enum class Kind : std::uint8_t { Proposition, And, Or, Not };
   struct Node {

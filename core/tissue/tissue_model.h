@@ -42,6 +42,18 @@ struct TissueModel {
 
 /// The rule base that a new project starts with: hardness, elasticity, shiftability in [0, 1] to
 /// youngs_modulus [Pa], viscosity [s], anchoring [Pa/m]. Names in both languages.
+///
+/// Each input has five words, such that a finding can be entered as it is spoken; hedges refine them:
+///
+///     hardness       soft, rather soft, medium, rather hard, hard
+///                    weich, ziemlich weich, mittel, ziemlich hart, hart
+///     elasticity     inelastic, a little elastic, medium, elastic, highly elastic
+///                    unelastisch, wenig elastisch, mittel, elastisch, hochelastisch
+///     shiftability   fixed, hardly shiftable, medium, shiftable, free
+///                    fest, kaum verschieblich, mittel, verschieblich, frei
+///
+/// One rule per word: harder is stiffer, more elastic is less sluggish, more shiftable is less held. Each
+/// output rises or falls with its input without a step back, and every value of the inputs fires a rule.
 fuzzy::RuleBase defaultRules();
 /// defaultRules(), inputs at their defaults, no regions.
 TissueModel defaultTissue();
@@ -94,11 +106,21 @@ struct ApplyReport {
 
 /// Writes stiffness, viscosity, law, mass and anchors of every spring and node, from the tissue at the
 /// spring's midpoint (rest) and the net's geometry:
-///   edges   k = E h A / L^2, A the area of the adjoining triangles      (Van Gelder 1998, in 2D times
-///   thickness h) lines   k = E a / L, a the mean dual area of both ends (so that the struts of a wall
-///   together have its section) nodes   m = density h A_dual;   anchors  k = anchoring A_dual, at the rest
-///   position viscosity  c = tau k everywhere
-/// Anchors of zero anchoring are left out. Topology, fixed flags, ids and tables stay.
+///
+///     edges    k = E h A / L^2           A the area of the adjoining triangles (Van Gelder 1998, in 2D times
+///                                        the thickness h)
+///     lines    k = E a / L               a the mean dual area of both ends, so that the struts of a wall
+///                                        together have its section; if one end lies off the surface the
+///                                        other's; off it altogether pi/4 h^2, a round cord as thick as the
+///                                        wall
+///     nodes    m = density h A_dual      off the surface instead density a L / 2 of each of its lines; a
+///     node
+///                                        without springs gets the smallest mass of the others
+///     anchors  k = anchoring A_dual      on the surface only, at the rest position
+///     all      c = tau k
+///
+/// Anchors that the net had are replaced; those of zero anchoring are left out. Topology, rest shape, fixed
+/// flags, ids and tables stay. Every mass is above 0.
 /// Errors: those of TissueField::create, or a surface without area (detail says what to do); `net` is then as
 /// before.
 Result<ApplyReport> applyTissue(const TissueModel& model, SpringNet& net);
