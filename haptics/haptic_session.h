@@ -4,42 +4,15 @@
 
 #include "core/base/result.h"
 #include "core/runtime/hand_over.h"
+#include "haptics/haptic_types.h"
 
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <memory>
 #include <string>
 #include <vector>
 
 namespace esm {
-
-enum class DeviceState : std::uint8_t {
-  Absent,
-  Idle,   ///< connected, exactly 0 N
-  Arming, ///< force fades in
-  Active,
-  Fading, ///< force fades out (stale model, pause, disarm)
-  Fault   ///< 0 N until the user re-arms; `reason` says why
-};
-
-struct HapticStatus {
-  DeviceState state = DeviceState::Absent;
-  std::string device;         ///< display name
-  std::string reason;         ///< why it is in this state; empty if plain
-  double rate = 0.0;          ///< servo ticks per second, smoothed
-  double worstLateness = 0.0; ///< [s] in the last second
-  std::uint64_t lateTicks = 0, ticks = 0;
-  Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< scene [m]
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();    ///< sent to the device last [N]
-  double forceLimit = 0.0;                            ///< [N] in force: the smaller of user's and profile's
-};
-
-/// One tick for plots and records.
-struct TraceSample {
-  double time = 0.0;                         ///< servo clock [s]
-  Eigen::Vector3d position, velocity, force; ///< [m], [m/s], [N]
-};
 
 /// A device with its servo thread, as the window sees it. Forces are zero until arm().
 /// @note Threads: all members on one thread (the GUI's). The destructor stops, sends zero force and joins.
@@ -53,8 +26,9 @@ public:
   ~HapticSession();
 
   void arm();
-  void disarm();        ///< fades out
-  void emergencyStop(); ///< zero force at the next tick; stays in Fault until arm()
+  void disarm(); ///< fades out
+  /// Force falls to exactly zero at the slew limit from the next tick on (5 N: 5 ms); Fault until arm().
+  void emergencyStop();
   void setForceLimit(double newtons);
   /// Simulated device: where the mouse wants the hand. The hand pulls the device there with its own spring.
   void moveHand(const Eigen::Vector3d& target);

@@ -1,0 +1,65 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "haptics/arming.h"
+
+#include <algorithm>
+
+namespace esm {
+
+void Arming::obey(std::uint32_t orderWord) noexcept
+{
+  if (orderWord == m_seen) return;
+  m_seen = orderWord;
+  switch (ForceOrders::orderOf(orderWord)) {
+  case ForceOrder::Disarm:
+    m_wanted = false;
+    break;
+  case ForceOrder::Stop:
+    fail(ServoReason::EmergencyStop);
+    break;
+  case ForceOrder::Arm:
+    if (m_fault == ServoReason::DeviceLost || m_fault == ServoReason::Closed) break;
+    m_fault = ServoReason::Plain;
+    m_silence = 0.0;
+    m_wanted = !m_needsHome;
+    break;
+  }
+}
+
+void Arming::fail(ServoReason reason) noexcept
+{
+  const bool final = reason == ServoReason::DeviceLost || reason == ServoReason::Closed;
+  if (m_fault == ServoReason::Plain || final) m_fault = reason;
+  m_wanted = false;
+  m_gain = 0.0;
+}
+
+void Arming::watch(DeviceLink link, double dt) noexcept
+{
+  m_silence = link == DeviceLink::NoReply ? m_silence + dt : 0.0;
+  if (link == DeviceLink::Lost) fail(ServoReason::DeviceLost);
+  if (m_silence > kReplyTimeout) fail(ServoReason::NoReply);
+  if (link == DeviceLink::NoReply) return;
+  m_needsHome = link == DeviceLink::NeedsHome;
+  if (m_needsHome) {
+    m_wanted = false;
+    m_gain = 0.0;
+  }
+}
+
+void Arming::advance(double dt) noexcept
+{
+  const double change = m_wanted ? dt / std::max(m_armTime, 1e-3) : -dt / kDisarmTime;
+  m_gain = std::clamp(m_gain + change, 0.0, 1.0);
+}
+
+DeviceState Arming::state(bool present, bool forceFlows) const noexcept
+{
+  if (m_fault == ServoReason::DeviceLost) return DeviceState::Absent;
+  if (m_fault != ServoReason::Plain) return DeviceState::Fault;
+  if (!m_wanted) return forceFlows ? DeviceState::Fading : DeviceState::Idle;
+  if (!present && forceFlows) return DeviceState::Fading;
+  return m_gain < 1.0 ? DeviceState::Arming : DeviceState::Active;
+}
+
+} // namespace esm

@@ -1,0 +1,83 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "haptics/haptic_device.h"
+#include "haptics/haptic_types.h"
+
+#include <atomic>
+#include <cstdint>
+
+namespace esm {
+
+enum class ForceOrder : std::uint8_t { Disarm, Arm, Stop };
+
+/// What the user wants, across to the servo thread. The newest order wins, but a stop only yields to arm().
+/// @note Threads: give() on one thread, latest() on the servo thread; wait-free.
+class ForceOrders {
+public:
+  void give(ForceOrder order) noexcept
+  {
+    if (order == ForceOrder::Disarm && m_last == ForceOrder::Stop) return;
+    m_last = order;
+    m_word.store((++m_count << 2) | static_cast<std::uint32_t>(order), std::memory_order_release);
+  }
+  /// Another number with each order.
+  std::uint32_t latest() const noexcept { return m_word.load(std::memory_order_acquire); }
+  static ForceOrder orderOf(std::uint32_t word) noexcept { return static_cast<ForceOrder>(word & 3u); }
+
+private:
+  std::atomic<std::uint32_t> m_word{0};
+  std::uint32_t m_count = 0;
+  ForceOrder m_last = ForceOrder::Disarm;
+};
+
+/// Why the servo is in its state; words for it are in haptic_session.cpp.
+enum class ServoReason : std::uint8_t {
+  Plain,
+  NeedsHome,
+  NoContact,  ///< armed, but nothing is held or the simulation is paused
+  StaleModel, ///< the simulation has not answered for a while
+  EmergencyStop,
+  BadModel, ///< the simulation sent a force that is no number
+  NoReply,
+  DeviceLost,
+  Closed
+};
+
+/// Whether force may flow. Only the user's arm() opens, anything can close.
+///
+///     Absent <-- lost -- any;   any -- fault --> Fault -- arm --> Arming --> Active
+///     Idle -- arm --> Arming;   Arming, Active -- disarm, home lost --> Fading --> Idle
+///
+/// Opening takes the profile's armTime, closing 50 ms; a fault closes at once (the limiter's slew rate then
+/// is what the arm feels).
+/// @note Threads: servo only.
+class Arming {
+public:
+  static constexpr double kDisarmTime = 0.05;   ///< [s]
+  static constexpr double kReplyTimeout = 0.02; ///< [s]
+
+  explicit Arming(double armTime) noexcept : m_armTime(armTime) {}
+
+  void obey(std::uint32_t orderWord) noexcept; ///< does nothing for a word it has seen
+  void fail(ServoReason reason) noexcept;      ///< the first reason stays until arm()
+  void watch(DeviceLink link, double dt) noexcept;
+  void advance(double dt) noexcept;
+
+  double gain() const noexcept { return m_gain; } ///< 0 ... 1
+  bool wanted() const noexcept { return m_wanted; }
+  ServoReason fault() const noexcept { return m_fault; }
+  /// @param forceFlows whether the force now sent is not zero.
+  DeviceState state(bool present, bool forceFlows) const noexcept;
+  bool needsHome() const noexcept { return m_needsHome; }
+
+private:
+  double m_armTime;
+  double m_gain = 0.0, m_silence = 0.0;
+  std::uint32_t m_seen = 0;
+  bool m_wanted = false, m_needsHome = false;
+  ServoReason m_fault = ServoReason::Plain;
+};
+
+} // namespace esm

@@ -1,0 +1,145 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "haptics/haptic_session.h"
+
+#include "haptics/device_registry.h"
+#include "haptics/hand.h"
+#include "haptics/servo_loop.h"
+
+#include <exception>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+std::string reasonText(ServoReason reason)
+{
+  switch (reason) {
+  case ServoReason::Plain:
+    return {};
+  case ServoReason::NeedsHome:
+    return "The device does not know its position yet; move its grip out and in once";
+  case ServoReason::NoContact:
+    return "Nothing is held, or the simulation is paused";
+  case ServoReason::StaleModel:
+    return "The simulation has not answered for 0.1 s";
+  case ServoReason::EmergencyStop:
+    return "Stopped by the user; arm again to go on";
+  case ServoReason::BadModel:
+    return "The simulation sent a force that is not a number; reset it, then arm again";
+  case ServoReason::NoReply:
+    return "The device does not reply; check its cable, then arm again";
+  case ServoReason::DeviceLost:
+    return "The device was unplugged; connect it and open it again";
+  case ServoReason::Closed:
+    return "The device is closed";
+  }
+  return {};
+}
+
+std::string priorityText(ServoPriority priority)
+{
+  switch (priority) {
+  case ServoPriority::RealTime:
+    return "real-time";
+  case ServoPriority::Raised:
+    return "raised";
+  case ServoPriority::Normal:
+    return "normal";
+  }
+  return {};
+}
+
+} // namespace
+
+struct HapticSession::Impl {
+  Impl(std::unique_ptr<HapticDevice> device, TripleBuffer<ToolState>& tool,
+       TripleBuffer<ContactModel>& contact)
+    : name(device->profile().name), loop(std::move(device), std::make_unique<SteadyClock>(), tool, contact)
+  {}
+
+  std::string name;
+  ServoLoop loop;
+};
+
+HapticSession::HapticSession(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
+
+HapticSession::~HapticSession() = default;
+
+std::vector<std::string> HapticSession::deviceNames()
+{
+  std::vector<std::string> names;
+  for (const DeviceKind& kind : deviceKinds()) names.emplace_back(kind.name);
+  return names;
+}
+
+Result<std::unique_ptr<HapticSession>> HapticSession::open(const std::string& device,
+                                                           TripleBuffer<ToolState>& tool,
+                                                           TripleBuffer<ContactModel>& contact)
+{
+  Result<std::unique_ptr<HapticDevice>> opened = openDevice(device);
+  if (!opened) return opened.error();
+  try {
+    auto impl = std::make_unique<Impl>(std::move(*opened), tool, contact);
+    impl->loop.start();
+    return std::unique_ptr<HapticSession>(new HapticSession(std::move(impl)));
+  } catch (const std::exception& trouble) { // no memory or no thread to be had
+    return Error{ErrorCode::NoDevice, "The device '" + device + "' could not be started: " + trouble.what()};
+  }
+}
+
+void HapticSession::arm()
+{
+  m_impl->loop.core().orders().give(ForceOrder::Arm);
+}
+
+void HapticSession::disarm()
+{
+  m_impl->loop.core().orders().give(ForceOrder::Disarm);
+}
+
+void HapticSession::emergencyStop()
+{
+  m_impl->loop.core().orders().give(ForceOrder::Stop);
+}
+
+void HapticSession::setForceLimit(double newtons)
+{
+  m_impl->loop.core().setForceLimit(newtons);
+}
+
+void HapticSession::moveHand(const Eigen::Vector3d& target)
+{
+  if (MouseHand* hand = m_impl->loop.device().mouseHand()) hand->moveTo(target);
+}
+
+void HapticSession::placeHand(const Eigen::Vector3d& position)
+{
+  if (MouseHand* hand = m_impl->loop.device().mouseHand()) hand->placeAt(position);
+}
+
+HapticStatus HapticSession::status()
+{
+  const ServoStatus& servo = m_impl->loop.core().status();
+  HapticStatus status;
+  status.state = servo.state;
+  status.device = m_impl->name;
+  status.reason = reasonText(servo.reason);
+  status.priority = priorityText(m_impl->loop.priority());
+  status.rate = servo.rate;
+  status.worstLateness = servo.worstLateness;
+  status.lateTicks = servo.lateTicks;
+  status.ticks = servo.ticks;
+  status.position = servo.position;
+  status.force = servo.force;
+  status.forceLimit = servo.forceLimit;
+  return status;
+}
+
+void HapticSession::takeTrace(std::vector<TraceSample>& samples)
+{
+  m_impl->loop.core().trace().takeNew(samples);
+}
+
+} // namespace esm
