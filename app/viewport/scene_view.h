@@ -60,7 +60,14 @@ signals:
   void nodeSelected(int node);
   void viewChanged(); ///< camera moved by the user
 
+protected:
+  void resizeEvent(QResizeEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
 private:
+  void showPlaceholder();
+  void retranslate();
+
   struct Impl;
   std::unique_ptr<Impl> m_impl;
 };

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/viewport/camera.h"
+#include "core/geometry/mesh.h"
+
+#include <optional>
+
+namespace esm {
+
+/// Distance along the ray to the triangle a, b, c [m], hit from either side; nothing if it misses or runs
+/// in the triangle's plane. (Moeller and Trumbore 1997.)
+std::optional<double> hitTriangle(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
+                                  const Eigen::Vector3d& c);
+
+/// The node that a user means with a click: it lies within `radius` pixels, no triangle hides it, it belongs
+/// to what is in front there (matters for nets of bare springs), and of those it is nearest to the click.
+/// @param position 3 x N [m]. @param triangles what can hide; 3 x 0 for nothing.
+/// Cost: O(N) projections and a few times O(F) ray tests.
+Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
+               const Eigen::Vector2d& pixel, double radius);
+
+} // namespace esm

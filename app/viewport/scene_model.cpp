@@ -1,0 +1,301 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport/scene_model.h"
+
+#include "app/viewport/picker.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+constexpr double kPickRadius = 12.0; ///< [pixels]
+
+constexpr std::pair<Colouring, const char*> kColouringNames[] = {{Colouring::None, "none"},
+                                                                 {Colouring::Stiffness, "stiffness"},
+                                                                 {Colouring::Strain, "strain"},
+                                                                 {Colouring::Force, "force"}};
+
+Eigen::AlignedBox3d boxOf(const Eigen::Matrix3Xd& points)
+{
+  Eigen::AlignedBox3d box;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (points.col(i).allFinite()) box.extend(Eigen::Vector3d(points.col(i)));
+  return box;
+}
+
+/// |l - L| / L of each spring, S [1].
+Eigen::ArrayXd strains(const SpringNet& net, const Eigen::Matrix3Xd& position)
+{
+  Eigen::ArrayXd strain(net.springCount());
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const double rest = net.restLength(s);
+    const double length = (position.col(net.ends(1, s)) - position.col(net.ends(0, s))).norm();
+    strain(s) = rest > 0.0 ? std::abs(length - rest) / rest : std::numeric_limits<double>::quiet_NaN();
+  }
+  return strain;
+}
+
+double largest(const Eigen::ArrayXd& values)
+{
+  double result = 0.0;
+  for (const double value : values)
+    if (value > result) result = value; // false for NaN
+  return result;
+}
+
+} // namespace
+
+QString colouringName(Colouring colouring)
+{
+  for (const auto& [value, name] : kColouringNames)
+    if (value == colouring) return QString::fromLatin1(name);
+  return QStringLiteral("none");
+}
+
+Colouring colouringFromName(const std::string& name)
+{
+  for (const auto& [value, known] : kColouringNames)
+    if (name == known) return value;
+  return Colouring::None;
+}
+
+bool SceneModel::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t generation)
+{
+  m_net = std::move(net);
+  m_generation = generation;
+  m_sequence = 0;
+  m_time = 0.0;
+  m_grabbed = kNoIndex;
+  m_position = m_net ? m_net->restPosition : Eigen::Matrix3Xd(3, 0);
+  m_tension = Eigen::ArrayXd::Zero(m_net ? m_net->springCount() : 0);
+  m_strainRange.reset();
+  m_forceRange.reset();
+  if (m_net) {
+    m_stiffnessRange = logRange(m_net->stiffness);
+    const Eigen::AlignedBox3d box = boxOf(m_net->restPosition);
+    m_origin = box.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(box.center());
+  }
+  dirty.topology = dirty.frame = true;
+  updateBounds();
+  if (m_autoFit) fit();
+  return true;
+}
+
+bool SceneModel::setSnapshot(const SimSnapshot& snapshot)
+{
+  if (!m_net || snapshot.generation != m_generation || snapshot.position.cols() != m_position.cols() ||
+      snapshot.sequence == m_sequence)
+    return false;
+  m_sequence = snapshot.sequence;
+  const bool fits = snapshot.tension.size() == m_tension.size();
+  if (snapshot.grabbedNode == m_grabbed && snapshot.time == m_time && snapshot.position == m_position &&
+      (!fits || (snapshot.tension == m_tension).all()))
+    return false;
+  const double elapsed = snapshot.time - m_time;
+  if (elapsed < 0.0) { // started again from t = 0
+    m_strainRange.reset();
+    m_forceRange.reset();
+  }
+  m_time = snapshot.time;
+  m_position = snapshot.position;
+  if (fits) m_tension = snapshot.tension;
+  m_grabbed =
+    snapshot.grabbedNode >= 0 && snapshot.grabbedNode < m_net->nodeCount() ? snapshot.grabbedNode : kNoIndex;
+  if (m_colouring == Colouring::Strain) m_strainRange.add(largest(springValues()), elapsed);
+  if (m_colouring == Colouring::Force) m_forceRange.add(largest(springValues()), elapsed);
+  dirty.frame = true;
+  updateBounds();
+  return true;
+}
+
+bool SceneModel::setParameters(std::shared_ptr<const SpringNet> net)
+{
+  if (!net || !m_net || net->nodeCount() != m_net->nodeCount() || net->springCount() != m_net->springCount())
+    return false;
+  m_net = std::move(net);
+  m_stiffnessRange = logRange(m_net->stiffness);
+  dirty.frame = true;
+  return true;
+}
+
+bool SceneModel::setRegions(const std::vector<Region>& regions, int selected)
+{
+  m_regions = regions;
+  m_selectedRegion = selected;
+  dirty.regions = true;
+  updateBounds();
+  return true;
+}
+
+bool SceneModel::setColouring(Colouring colouring)
+{
+  if (colouring == m_colouring) return false;
+  m_colouring = colouring;
+  m_strainRange.reset();
+  m_forceRange.reset();
+  if (m_colouring == Colouring::Strain) m_strainRange.add(largest(springValues()), 0.0);
+  if (m_colouring == Colouring::Force) m_forceRange.add(largest(springValues()), 0.0);
+  dirty.frame = true;
+  return true;
+}
+
+bool SceneModel::setShown(bool surface, bool springs)
+{
+  if (surface == m_surface && springs == m_springs) return false;
+  m_surface = surface;
+  m_springs = springs;
+  return true;
+}
+
+void SceneModel::setViewport(double width, double height)
+{
+  camera.setViewport(width, height);
+  if (m_autoFit) fit();
+}
+
+void SceneModel::fit()
+{
+  m_autoFit = true;
+  if (m_net) camera.fit(boxOf(m_net->restPosition));
+}
+
+ViewSettings SceneModel::viewSettings() const
+{
+  ViewSettings settings;
+  if (!m_autoFit) {
+    settings.target = camera.target();
+    settings.distance = camera.distance();
+  }
+  settings.azimuth = camera.azimuth();
+  settings.elevation = camera.elevation();
+  settings.colouring = colouringName(m_colouring).toStdString();
+  settings.showSurface = m_surface;
+  settings.showSprings = m_springs;
+  return settings;
+}
+
+void SceneModel::setViewSettings(const ViewSettings& settings)
+{
+  camera.setPose(settings.target, settings.distance, settings.azimuth, settings.elevation);
+  m_autoFit = !(settings.distance > 0.0);
+  if (m_autoFit) fit();
+  setColouring(colouringFromName(settings.colouring));
+  setShown(settings.showSurface, settings.showSprings);
+}
+
+ValueRange SceneModel::valueRange() const
+{
+  switch (m_colouring) {
+  case Colouring::Stiffness:
+    return m_stiffnessRange;
+  case Colouring::Strain:
+    return m_strainRange.range();
+  case Colouring::Force:
+    return m_forceRange.range();
+  case Colouring::None:
+    break;
+  }
+  return {};
+}
+
+Eigen::ArrayXd SceneModel::springValues() const
+{
+  if (!m_net) return {};
+  switch (m_colouring) {
+  case Colouring::Stiffness:
+    return m_net->stiffness;
+  case Colouring::Strain:
+    return strains(*m_net, m_position);
+  case Colouring::Force:
+    return m_tension.abs();
+  case Colouring::None:
+    break;
+  }
+  return {};
+}
+
+std::vector<float> SceneModel::springShares() const
+{
+  const Eigen::ArrayXd values = springValues();
+  const ValueRange range = valueRange();
+  std::vector<float> shares(static_cast<std::size_t>(values.size()));
+  for (Eigen::Index s = 0; s < values.size(); ++s) {
+    const double share = range.share(values(s));
+    shares[static_cast<std::size_t>(s)] =
+      std::isnan(share) ? kNoValue : static_cast<float>(std::clamp(share, 0.0, 1.0));
+  }
+  return shares;
+}
+
+Eigen::Matrix3Xd SceneModel::nodeNormals() const
+{
+  // The cross product's length is twice the area, so larger triangles weigh more.
+  Eigen::Matrix3Xd normal = Eigen::Matrix3Xd::Zero(3, m_position.cols());
+  for (Index t = 0; t < m_net->triangleCount(); ++t) {
+    const Index a = m_net->triangles(0, t), b = m_net->triangles(1, t), c = m_net->triangles(2, t);
+    const Eigen::Vector3d ab = m_position.col(b) - m_position.col(a);
+    const Eigen::Vector3d ac = m_position.col(c) - m_position.col(a);
+    const Eigen::Vector3d n = ab.cross(ac);
+    normal.col(a) += n;
+    normal.col(b) += n;
+    normal.col(c) += n;
+  }
+  for (Eigen::Index i = 0; i < normal.cols(); ++i)
+    if (const double length = normal.col(i).norm(); length > 0.0) normal.col(i) /= length;
+  return normal;
+}
+
+std::vector<NodeVertex> SceneModel::nodeVertices() const
+{
+  std::vector<NodeVertex> vertices;
+  if (!m_net) return vertices;
+  const Eigen::Matrix3Xd normal = nodeNormals();
+  const std::vector<float> shares = springShares();
+  std::vector<float> sum(static_cast<std::size_t>(m_position.cols()), 0.0f), count(sum);
+  for (std::size_t s = 0; s < shares.size(); ++s) {
+    if (shares[s] == kNoValue) continue;
+    for (int end = 0; end < 2; ++end) {
+      const auto node = static_cast<std::size_t>(m_net->ends(end, static_cast<Eigen::Index>(s)));
+      sum[node] += shares[s];
+      count[node] += 1.0f;
+    }
+  }
+  vertices.resize(sum.size());
+  for (std::size_t i = 0; i < vertices.size(); ++i) {
+    const auto col = static_cast<Eigen::Index>(i);
+    const Eigen::Vector3f relative = (m_position.col(col) - m_origin).cast<float>();
+    for (int c = 0; c < 3; ++c) {
+      vertices[i].position[c] = relative(c);
+      vertices[i].normal[c] = static_cast<float>(normal(c, col));
+    }
+    vertices[i].value = count[i] > 0.0f ? sum[i] / count[i] : kNoValue;
+  }
+  return vertices;
+}
+
+Index SceneModel::nodeAt(const Eigen::Vector2d& pixel) const
+{
+  if (!m_net) return kNoIndex;
+  static const TriangleMatrix kNone(3, 0);
+  return pickNode(camera, m_position, m_surface ? m_net->triangles : kNone, pixel, kPickRadius);
+}
+
+void SceneModel::updateBounds()
+{
+  Eigen::AlignedBox3d box = boxOf(m_position);
+  for (const Region& region : m_regions) {
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(region.ellipsoid.semiAxes.maxCoeff());
+    if (!region.ellipsoid.centre.allFinite() || !reach.allFinite()) continue;
+    box.extend(Eigen::Vector3d(region.ellipsoid.centre - reach));
+    box.extend(Eigen::Vector3d(region.ellipsoid.centre + reach));
+  }
+  if (box.isEmpty()) return;
+  m_radius = std::max(box.diagonal().norm() / 2.0, 1e-6);
+  camera.setScene(box.center(), 1.05 * m_radius);
+}
+
+} // namespace esm

@@ -1,0 +1,339 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport/scene_renderer.h"
+
+#include "app/viewport/colour_map.h"
+#include "app/viewport/region_wire.h"
+#include "app/viewport/shaders.h"
+
+#include <cstddef>
+
+namespace esm {
+
+namespace {
+
+constexpr float kSpringBias = 2e-4f; ///< lifts lines off the surface they lie on
+constexpr float kPointBias = 4e-4f;
+
+QVector3D rgb(const QColor& colour)
+{
+  return {colour.redF(), colour.greenF(), colour.blueF()};
+}
+
+QMatrix4x4 toQt(const Eigen::Matrix4d& matrix)
+{
+  const Eigen::Matrix<float, 4, 4, Eigen::RowMajor> rows = matrix.cast<float>();
+  return QMatrix4x4(rows.data());
+}
+
+template <class T>
+GLsizeiptr bytes(const std::vector<T>& data)
+{
+  return static_cast<GLsizeiptr>(data.size() * sizeof(T));
+}
+
+const void* offset(std::size_t count)
+{
+  return reinterpret_cast<const void*>(count); // OpenGL's way to say "byte offset into the buffer"
+}
+
+} // namespace
+
+SceneRenderer::Program SceneRenderer::build(const char* vertex, const char* geometry, const char* fragment,
+                                            QString* why)
+{
+  auto program = std::make_unique<QOpenGLShaderProgram>();
+  bool good = program->addShaderFromSourceCode(QOpenGLShader::Vertex, vertex);
+  if (geometry) good = good && program->addShaderFromSourceCode(QOpenGLShader::Geometry, geometry);
+  good = good && program->addShaderFromSourceCode(QOpenGLShader::Fragment, fragment) && program->link();
+  if (good) return program;
+  *why = program->log();
+  return nullptr;
+}
+
+bool SceneRenderer::create(QString* why)
+{
+  if (!initializeOpenGLFunctions()) {
+    *why = QStringLiteral("no OpenGL 3.3 functions");
+    return false;
+  }
+  m_created = true;
+  m_background = build(shaders::kBackgroundVertex, nullptr, shaders::kBackgroundFragment, why);
+  m_surface = build(shaders::kSurfaceVertex, nullptr, shaders::kSurfaceFragment, why);
+  m_line = build(shaders::kLineVertex, shaders::kLineGeometry, shaders::kLineFragment, why);
+  m_point = build(shaders::kPointVertex, nullptr, shaders::kPointFragment, why);
+  if (!m_background || !m_surface || !m_line || !m_point) return false;
+
+  for (GLuint* array : {&m_emptyArray, &m_netArray, &m_regionArray}) glGenVertexArrays(1, array);
+  for (GLuint* buffer : {&m_nodeBuffer, &m_triangleIndices, &m_springIndices, &m_fixedIndices,
+                         &m_regionBuffer, &m_placeBuffer})
+    glGenBuffers(1, buffer);
+
+  glBindVertexArray(m_netArray);
+  glBindBuffer(GL_ARRAY_BUFFER, m_nodeBuffer);
+  constexpr GLsizei stride = sizeof(NodeVertex);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(NodeVertex, position)));
+  glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, offset(offsetof(NodeVertex, normal)));
+  glVertexAttribPointer(2, 1, GL_FLOAT, GL_FALSE, stride, offset(offsetof(NodeVertex, value)));
+  for (GLuint attribute : {0u, 1u, 2u}) glEnableVertexAttribArray(attribute);
+  glBindVertexArray(m_regionArray);
+  glBindBuffer(GL_ARRAY_BUFFER, m_regionBuffer);
+  glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, 3 * sizeof(float), nullptr);
+  glEnableVertexAttribArray(0);
+  glBindVertexArray(0);
+
+  glGenTextures(1, &m_placeTexture);
+  glGenTextures(1, &m_mapTexture);
+  glBindTexture(GL_TEXTURE_2D, m_mapTexture);
+  const auto table = viridisTable();
+  glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA8, kColourMapSize, 1, 0, GL_RGBA, GL_UNSIGNED_BYTE, table.data());
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
+  glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
+  glBindTexture(GL_TEXTURE_2D, 0);
+  return true;
+}
+
+void SceneRenderer::release()
+{
+  if (!m_created) return;
+  for (Program* program : {&m_background, &m_surface, &m_line, &m_point}) program->reset();
+  for (GLuint* array : {&m_emptyArray, &m_netArray, &m_regionArray}) glDeleteVertexArrays(1, array);
+  for (GLuint* buffer : {&m_nodeBuffer, &m_triangleIndices, &m_springIndices, &m_fixedIndices,
+                         &m_regionBuffer, &m_placeBuffer})
+    glDeleteBuffers(1, buffer);
+  for (GLuint* texture : {&m_placeTexture, &m_mapTexture}) glDeleteTextures(1, texture);
+  m_created = false;
+}
+
+void SceneRenderer::uploadTopology(const SceneModel& model)
+{
+  std::vector<GLuint> triangles, springs, fixed;
+  m_springOrder.clear();
+  m_edges = m_struts = 0;
+  if (const SpringNet* net = model.net()) {
+    for (Eigen::Index i = 0; i < net->triangles.size(); ++i)
+      triangles.push_back(static_cast<GLuint>(net->triangles.data()[i]));
+    for (const SpringKind kind : {SpringKind::Edge, SpringKind::Line})
+      for (Index s = 0; s < net->springCount(); ++s)
+        if (net->kind[static_cast<std::size_t>(s)] == kind) {
+          m_springOrder.push_back(s);
+          ++(kind == SpringKind::Edge ? m_edges : m_struts);
+        }
+    for (const Index s : m_springOrder)
+      for (int end = 0; end < 2; ++end) springs.push_back(static_cast<GLuint>(net->ends(end, s)));
+    for (std::size_t i = 0; i < net->fixed.size(); ++i)
+      if (net->fixed[i]) fixed.push_back(static_cast<GLuint>(i));
+  }
+  m_triangles = static_cast<int>(triangles.size() / 3);
+  m_fixed = static_cast<int>(fixed.size());
+  glBindVertexArray(0); // an index buffer bound now belongs to no array
+  glBindBuffer(GL_ARRAY_BUFFER, m_triangleIndices);
+  glBufferData(GL_ARRAY_BUFFER, bytes(triangles), triangles.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, m_springIndices);
+  glBufferData(GL_ARRAY_BUFFER, bytes(springs), springs.data(), GL_STATIC_DRAW);
+  glBindBuffer(GL_ARRAY_BUFFER, m_fixedIndices);
+  glBufferData(GL_ARRAY_BUFFER, bytes(fixed), fixed.data(), GL_STATIC_DRAW);
+}
+
+void SceneRenderer::uploadFrame(const SceneModel& model)
+{
+  const std::vector<NodeVertex> vertices = model.nodeVertices();
+  glBindBuffer(GL_ARRAY_BUFFER, m_nodeBuffer);
+  glBufferData(GL_ARRAY_BUFFER, bytes(vertices), vertices.data(), GL_STREAM_DRAW);
+
+  const std::vector<float> shares = model.springShares();
+  std::vector<float> ordered;
+  ordered.reserve(m_springOrder.size());
+  if (!shares.empty())
+    for (const Index s : m_springOrder) ordered.push_back(shares[static_cast<std::size_t>(s)]);
+  if (ordered.empty()) ordered.push_back(kNoValue); // a buffer texture needs storage
+  glBindBuffer(GL_TEXTURE_BUFFER, m_placeBuffer);
+  glBufferData(GL_TEXTURE_BUFFER, bytes(ordered), ordered.data(), GL_STREAM_DRAW);
+  glBindTexture(GL_TEXTURE_BUFFER, m_placeTexture);
+  glTexBuffer(GL_TEXTURE_BUFFER, GL_R32F, m_placeBuffer);
+}
+
+void SceneRenderer::uploadRegions(const SceneModel& model)
+{
+  std::vector<float> vertices;
+  m_regionLines.clear();
+  for (std::size_t i = 0; i < model.regions().size(); ++i) {
+    const Region& region = model.regions()[i];
+    RegionLines lines;
+    lines.first = static_cast<int>(vertices.size() / 3);
+    appendRegionWire(region.ellipsoid, model.origin(), vertices);
+    lines.count = static_cast<int>(vertices.size() / 3) - lines.first;
+    lines.selected = static_cast<int>(i) == model.selectedRegion();
+    lines.enabled = region.enabled;
+    m_regionLines.push_back(lines);
+  }
+  glBindBuffer(GL_ARRAY_BUFFER, m_regionBuffer);
+  glBufferData(GL_ARRAY_BUFFER, bytes(vertices), vertices.data(), GL_STATIC_DRAW);
+}
+
+void SceneRenderer::setMatrices(QOpenGLShaderProgram& program, const SceneModel& model)
+{
+  Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
+  fromOrigin.topRightCorner<3, 1>() = model.origin();
+  program.setUniformValue("toView", toQt(model.camera.view() * fromOrigin));
+  program.setUniformValue("toClip", toQt(model.camera.projection()));
+}
+
+void SceneRenderer::draw(SceneModel& model, const Look& look)
+{
+  if (model.dirty.topology) uploadTopology(model);
+  if (model.dirty.topology || model.dirty.frame) uploadFrame(model);
+  if (model.dirty.topology || model.dirty.regions) uploadRegions(model);
+  model.dirty = {false, false, false};
+
+  // The overlay's QPainter shares this context and leaves its own state behind: set all that is used.
+  glDisable(GL_CULL_FACE);
+  glDisable(GL_SCISSOR_TEST);
+  glDisable(GL_STENCIL_TEST);
+  glEnable(GL_PROGRAM_POINT_SIZE);
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
+  glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  glBlendFuncSeparate(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA, GL_ZERO, GL_ONE);
+  glClearDepth(1.0);
+  glClear(GL_DEPTH_BUFFER_BIT);
+  glActiveTexture(GL_TEXTURE1);
+  glBindTexture(GL_TEXTURE_BUFFER, m_placeTexture);
+  glActiveTexture(GL_TEXTURE0);
+  glBindTexture(GL_TEXTURE_2D, m_mapTexture);
+
+  drawBackground(look);
+  glEnable(GL_DEPTH_TEST);
+  if (model.surfaceShown()) drawSurface(model, look);
+  glEnable(GL_BLEND);
+  if (model.springsShown()) drawSprings(model, look);
+  drawFixedNodes(model, look);
+  drawRegions(model, look);
+
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
+  glDisable(GL_DEPTH_TEST);
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, 0);
+  glUseProgram(0);
+}
+
+void SceneRenderer::drawBackground(const Look& look)
+{
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  m_background->bind();
+  m_background->setUniformValue("top", rgb(look.top));
+  m_background->setUniformValue("bottom", rgb(look.bottom));
+  glBindVertexArray(m_emptyArray);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+}
+
+void SceneRenderer::drawSurface(const SceneModel& model, const Look& look)
+{
+  if (m_triangles == 0) return;
+  glDisable(GL_BLEND);
+  m_surface->bind();
+  setMatrices(*m_surface, model);
+  m_surface->setUniformValue("colourMap", 0);
+  m_surface->setUniformValue("plain", rgb(look.tissue));
+  m_surface->setUniformValue("mapped", model.colouring() != Colouring::None);
+  m_surface->setUniformValue("parallel", model.camera.orthographic());
+  glBindVertexArray(m_netArray);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_triangleIndices);
+  glEnable(GL_POLYGON_OFFSET_FILL);
+  glPolygonOffset(1.0f, 1.0f);
+  glDrawElements(GL_TRIANGLES, 3 * m_triangles, GL_UNSIGNED_INT, nullptr);
+  glDisable(GL_POLYGON_OFFSET_FILL);
+}
+
+void SceneRenderer::drawSprings(const SceneModel& model, const Look& look)
+{
+  if (m_edges + m_struts == 0) return;
+  const bool onSurface = model.surfaceShown() && m_triangles > 0;
+  const auto ratio = static_cast<float>(look.pixelRatio);
+  m_line->bind();
+  setMatrices(*m_line, model);
+  m_line->setUniformValue("colourMap", 0);
+  m_line->setUniformValue("places", 1);
+  m_line->setUniformValue("plain", rgb(look.wire));
+  m_line->setUniformValue("mapped", model.colouring() != Colouring::None);
+  m_line->setUniformValue("bias", kSpringBias);
+  m_line->setUniformValue("viewport", static_cast<float>(model.camera.width()) * ratio,
+                          static_cast<float>(model.camera.height()) * ratio);
+  glBindVertexArray(m_netArray);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_springIndices);
+  const auto lines = [&](int first, int count, float width, float alpha, float brightness) {
+    if (count == 0) return;
+    m_line->setUniformValue("width", width * ratio);
+    m_line->setUniformValue("alpha", alpha);
+    m_line->setUniformValue("brightness", brightness);
+    m_line->setUniformValue("first", first);
+    glDrawElements(GL_LINES, 2 * count, GL_UNSIGNED_INT,
+                   offset(2 * sizeof(GLuint) * static_cast<std::size_t>(first)));
+  };
+  // On the surface the edges are a quiet net over its colours; bare, they carry the colours themselves.
+  if (onSurface) {
+    glDepthMask(GL_FALSE);
+    lines(0, m_edges, 1.0f, 0.45f, model.colouring() == Colouring::None ? 1.0f : 0.45f);
+    glDepthMask(GL_TRUE);
+  } else {
+    lines(0, m_edges, 1.6f, 1.0f, 1.0f);
+  }
+  lines(m_edges, m_struts, 1.8f, 1.0f, 1.0f);
+  if (onSurface) { // struts inside the organ shine through a little
+    glDepthFunc(GL_GREATER);
+    glDepthMask(GL_FALSE);
+    lines(m_edges, m_struts, 1.6f, 0.38f, 1.0f);
+    glDepthMask(GL_TRUE);
+    glDepthFunc(GL_LEQUAL);
+  }
+}
+
+void SceneRenderer::drawFixedNodes(const SceneModel& model, const Look& look)
+{
+  if (m_fixed == 0) return;
+  m_point->bind();
+  setMatrices(*m_point, model);
+  m_point->setUniformValue("size", static_cast<float>(7.0 * look.pixelRatio));
+  m_point->setUniformValue("bias", kPointBias);
+  m_point->setUniformValue("plain", rgb(look.dark ? QColor(0xd8, 0xdd, 0xe3) : QColor(0x3b, 0x42, 0x4a)));
+  m_point->setUniformValue("rim", rgb(look.dark ? QColor(0x20, 0x24, 0x28) : QColor(0xf4, 0xf6, 0xf8)));
+  glBindVertexArray(m_netArray);
+  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_fixedIndices);
+  glDrawElements(GL_POINTS, m_fixed, GL_UNSIGNED_INT, nullptr);
+}
+
+void SceneRenderer::drawRegions(const SceneModel& model, const Look& look)
+{
+  if (m_regionLines.empty()) return;
+  const auto ratio = static_cast<float>(look.pixelRatio);
+  m_line->bind();
+  setMatrices(*m_line, model);
+  m_line->setUniformValue("mapped", false);
+  m_line->setUniformValue("places", 1);
+  m_line->setUniformValue("colourMap", 0);
+  m_line->setUniformValue("brightness", 1.0f);
+  m_line->setUniformValue("first", 0);
+  m_line->setUniformValue("bias", kSpringBias);
+  m_line->setUniformValue("viewport", static_cast<float>(model.camera.width()) * ratio,
+                          static_cast<float>(model.camera.height()) * ratio);
+  glBindVertexArray(m_regionArray);
+  glDepthMask(GL_FALSE);
+  for (const bool inFront : {false, true}) { // faint where the organ hides the wire
+    glDepthFunc(inFront ? GL_LEQUAL : GL_GREATER);
+    for (const RegionLines& lines : m_regionLines) {
+      const float strength = (inFront ? 1.0f : 0.3f) * (lines.enabled ? 1.0f : 0.35f);
+      m_line->setUniformValue("plain", rgb(lines.selected ? look.selectedRegion : look.region));
+      m_line->setUniformValue("alpha", (lines.selected ? 1.0f : 0.6f) * strength);
+      m_line->setUniformValue("width", (lines.selected ? 2.0f : 1.1f) * ratio);
+      glDrawArrays(GL_LINES, lines.first, lines.count);
+    }
+  }
+  glDepthMask(GL_TRUE);
+  glDepthFunc(GL_LEQUAL);
+}
+
+} // namespace esm

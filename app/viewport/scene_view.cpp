@@ -1,0 +1,204 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport/scene_view.h"
+
+#include "app/viewport/gl_probe.h"
+#include "app/viewport/gl_view.h"
+#include "app/viewport/scene_model.h"
+#include "app/viewport/view_input.h"
+
+#include <QEvent>
+#include <QLabel>
+#include <QVBoxLayout>
+
+#include <utility>
+
+namespace esm {
+
+/// The model always exists, so that view settings survive a session without OpenGL; canvas and input only
+/// where the picture can be shown.
+struct SceneView::Impl {
+  SceneModel model;
+  ViewInput* input = nullptr;    ///< child of the view, or null
+  GlView* canvas = nullptr;      ///< child of the view, or null
+  QLabel* placeholder = nullptr; ///< child of the view, or null
+  QString why;                   ///< there is no picture
+  Tool tool = Tool::Camera;
+
+  void repaintIf(bool changed) const
+  {
+    if (changed && canvas) canvas->update();
+  }
+};
+
+bool SceneView::openGlUsable(QString* why)
+{
+  const GlProbe& probe = glProbe();
+  if (why) *why = probe.why;
+  return probe.usable;
+}
+
+SceneView::SceneView(QWidget* parent) : QWidget(parent), m_impl(std::make_unique<Impl>())
+{
+  setObjectName("view3d");
+  setFocusPolicy(Qt::StrongFocus);
+  setMinimumSize(160, 120);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  if (!openGlUsable(&m_impl->why)) {
+    showPlaceholder();
+    return;
+  }
+  m_impl->input = new ViewInput(this, &m_impl->model);
+  m_impl->canvas = new GlView(&m_impl->model, m_impl->input, this);
+  layout->addWidget(m_impl->canvas);
+  connect(m_impl->input, &ViewInput::repaintNeeded, this, [this] { m_impl->repaintIf(true); });
+  connect(m_impl->input, &ViewInput::cameraMoved, this, &SceneView::viewChanged);
+  connect(m_impl->input, &ViewInput::pullStarted, this, &SceneView::pullStarted);
+  connect(m_impl->input, &ViewInput::pullMoved, this, &SceneView::pullMoved);
+  connect(m_impl->input, &ViewInput::pullEnded, this, &SceneView::pullEnded);
+  connect(m_impl->input, &ViewInput::nodeSelected, this, &SceneView::nodeSelected);
+  connect(m_impl->canvas, &GlView::failed, this, [this](const QString& why) {
+    m_impl->why = why;
+    removeEventFilter(m_impl->input);
+    std::exchange(m_impl->canvas, nullptr)->deleteLater();
+    std::exchange(m_impl->input, nullptr)->deleteLater();
+    showPlaceholder();
+  });
+  retranslate();
+}
+
+SceneView::~SceneView()
+{
+  // Both look at the model, which goes before QWidget would delete its children.
+  delete m_impl->canvas;
+  delete m_impl->input;
+}
+
+void SceneView::showPlaceholder()
+{
+  auto* label = new QLabel(this);
+  label->setObjectName("view3dPlaceholder");
+  label->setAlignment(Qt::AlignCenter);
+  label->setWordWrap(true);
+  label->setTextFormat(Qt::PlainText);
+  label->setMargin(24);
+  layout()->addWidget(label);
+  m_impl->placeholder = label;
+  retranslate();
+}
+
+void SceneView::retranslate()
+{
+  setAccessibleName(tr("3D preview"));
+  if (!m_impl->placeholder) {
+    setAccessibleDescription(
+      tr("Keys: F fits, 1, 3 and 7 look from the front, the right and the top, arrows turn, + and - zoom."));
+    return;
+  }
+  const QString text = tr("3D preview needs OpenGL 3.3; everything else works.");
+  m_impl->placeholder->setText(m_impl->why.isEmpty() ? text
+                                                     : text + "\n\n" + tr("Here %1.").arg(m_impl->why));
+  setAccessibleDescription(m_impl->placeholder->text());
+}
+
+bool SceneView::hasOpenGl() const
+{
+  return m_impl->canvas != nullptr;
+}
+
+void SceneView::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t generation)
+{
+  if (m_impl->input) m_impl->input->netReplaced();
+  m_impl->repaintIf(m_impl->model.setNet(std::move(net), generation));
+}
+
+void SceneView::setSnapshot(const SimSnapshot& snapshot)
+{
+  m_impl->repaintIf(m_impl->model.setSnapshot(snapshot));
+}
+
+void SceneView::setParameters(std::shared_ptr<const SpringNet> net)
+{
+  m_impl->repaintIf(m_impl->model.setParameters(std::move(net)));
+}
+
+void SceneView::setRegions(const std::vector<Region>& regions, int selected)
+{
+  m_impl->repaintIf(m_impl->model.setRegions(regions, selected));
+}
+
+void SceneView::setColouring(Colouring colouring)
+{
+  m_impl->repaintIf(m_impl->model.setColouring(colouring));
+}
+
+void SceneView::setShown(bool surface, bool springs)
+{
+  m_impl->repaintIf(m_impl->model.setShown(surface, springs));
+}
+
+void SceneView::setToolForce(const Eigen::Vector3d& force)
+{
+  if (m_impl->canvas) m_impl->canvas->setToolForce(force);
+}
+
+void SceneView::setTool(Tool tool)
+{
+  m_impl->tool = tool;
+  if (m_impl->input) m_impl->input->setTool(tool);
+}
+
+Tool SceneView::tool() const
+{
+  return m_impl->tool;
+}
+
+void SceneView::fit()
+{
+  m_impl->model.fit();
+  m_impl->repaintIf(true);
+}
+
+ViewSettings SceneView::viewSettings() const
+{
+  return m_impl->model.viewSettings();
+}
+
+void SceneView::setViewSettings(const ViewSettings& settings)
+{
+  m_impl->model.setViewSettings(settings);
+  m_impl->repaintIf(true);
+}
+
+QImage SceneView::picture()
+{
+  return m_impl->canvas ? m_impl->canvas->grabFramebuffer() : grab().toImage();
+}
+
+QPointF SceneView::project(const Eigen::Vector3d& point) const
+{
+  const Eigen::Vector2d pixel = m_impl->model.camera.project(point).pixel;
+  return {pixel.x(), pixel.y()};
+}
+
+Index SceneView::nodeAt(const QPointF& pixel) const
+{
+  return m_impl->model.nodeAt({pixel.x(), pixel.y()});
+}
+
+void SceneView::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  m_impl->model.setViewport(width(), height());
+}
+
+void SceneView::changeEvent(QEvent* event)
+{
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) retranslate();
+  m_impl->repaintIf(event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange ||
+                    event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange);
+}
+
+} // namespace esm
