@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "meshimport/mesh_importer.h"
+
+#include <CLI/CLI.hpp>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+/// Arguments with numbers. The parser library reads numbers by the locale (under de_DE "0.25" fails), so it
+/// gets them as text and core/base/text_number.h reads them. A bad one is a usage fault, exit 2.
+namespace esm::cli {
+
+enum class NumberRange { Any, NotNegative, Positive };
+
+/// The text as a finite number; throws the parser's ValidationError.
+double numberArgument(const std::string& option, const std::string& text,
+                      NumberRange range = NumberRange::Any);
+
+/// "x,y,z,...": as many numbers as `least` to `most`.
+std::vector<double> numbersArgument(const std::string& option, const std::string& text, std::size_t least,
+                                    std::size_t most);
+
+CLI::Option* addNumber(CLI::App& command, const std::string& name, std::optional<double>& value,
+                       const std::string& help, NumberRange range = NumberRange::Any);
+CLI::Option* addInteger(CLI::App& command, const std::string& name, std::optional<int>& value,
+                        const std::string& help, int least, int most);
+
+CLI::Option* addJsonFlag(CLI::App& command, bool& json);
+
+/// --weld-tolerance and --no-weld, for commands that read a mesh.
+void addWeldOptions(CLI::App& command, ImportOptions& options);
+
+} // namespace esm::cli

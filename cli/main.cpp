@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "cli/commands.h"
+
+#include <CLI/CLI.hpp>
+
+#include <iostream>
+
+namespace {
+
+using namespace esm::cli;
+
+constexpr const char* kFooter =
+  "Examples:\n"
+  "  esm inspect uterus.obj\n"
+  "  esm import uterus.obj --unit mm -o uterus.esm\n"
+  "  esm apply uterus.esm -o soft.esm --region \"0,0,0.03,0.02,0.02,0.02\" --set \"hardness=very soft\"\n"
+  "  esm simulate soft.esm --duration 2 --frames 60 -o motion.pvd\n"
+  "  esm export soft.esm -o soft.ply\n"
+  "\n"
+  "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the numerics failed, 4 internal.\n"
+  "Lengths are metres, forces newtons, times seconds; numbers take a point in every locale.";
+
+Exit run(int argc, char** argv)
+{
+  CLI::App program("esm - the Elastodynamic Shape Modeler without a window", "esm");
+  program.set_version_flag("--version", "esm " ESM_VERSION);
+  program.require_subcommand(1);
+  program.footer(kFooter);
+  Work work;
+  for (const auto add :
+       {addInspect, addImport, addInfo, addValidate, addApply, addSimulate, addExport, addSolvers})
+    add(program, work);
+  try {
+    program.parse(argc, argv);
+  } catch (const CLI::ParseError& fault) {
+    if (fault.get_exit_code() == 0) return static_cast<Exit>(program.exit(fault)); // --help, --version
+    const auto chosen = program.get_subcommands();
+    say(std::string(fault.what()) + "; see esm " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
+        "--help");
+    return Exit::WrongUsage;
+  }
+  return work();
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  try {
+    return static_cast<int>(run(argc, argv));
+  } catch (const std::bad_alloc&) {
+    say("not enough memory");
+  } catch (const std::exception& fault) {
+    say(std::string("internal error: ") + fault.what());
+  }
+  return static_cast<int>(Exit::Internal);
+}

@@ -1,0 +1,137 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "cli/arguments.h"
+#include "cli/commands.h"
+#include "cli/json_line.h"
+#include "cli/simulate_run.h"
+#include "core/base/file_io.h"
+#include "core/base/text_number.h"
+#include "core/project/project_io.h"
+
+#include <algorithm>
+
+namespace esm::cli {
+
+namespace {
+
+struct SimulateOptions {
+  std::string file, report;
+  std::optional<std::string> solver;
+  std::optional<double> duration, frameRate, tolerance, fixedStep;
+  std::optional<int> threads;
+  RunOutputs outputs;
+  bool json = false;
+};
+
+JsonLine jsonOf(const RunSummary& summary, const Project& project)
+{
+  JsonLine line;
+  line.add("integration_seconds", summary.integrationSeconds);
+  line.add("steps", summary.steps.steps);
+  line.add("rejected_steps", summary.steps.rejectedSteps);
+  line.add("springs_evaluated", summary.steps.springsEvaluated);
+  line.add("factorizations", summary.steps.factorizations);
+  line.add("newton_iterations", summary.steps.newtonIterations);
+  line.add("smallest_step", summary.steps.smallestStep);
+  line.add("solver", summary.solver);
+  line.add("reason", summary.reason);
+  line.add("energy", summary.energies.total());
+  line.add("kinetic_energy", summary.energies.kinetic);
+  line.add("elastic_energy", summary.energies.elastic);
+  line.add("external_work", summary.externalWork);
+  line.add("dissipated_energy", summary.dissipated);
+  line.add("largest_force", summary.largestForce);
+  line.add("finite", !summary.steps.nonFinite);
+  line.add("good", summary.steps.good());
+  line.add("simulated_time", summary.steps.simulatedTime);
+  line.add("frames", summary.frames);
+  line.add("nodes", project.net.nodeCount());
+  line.add("springs", project.net.springCount());
+  return line;
+}
+
+/// What the command line says instead of the project.
+void override(SimulationSettings& settings, const SimulateOptions& options)
+{
+  settings.duration = options.duration.value_or(settings.duration);
+  settings.frameRate = options.frameRate.value_or(settings.frameRate);
+  settings.solver.solver = options.solver.value_or(settings.solver.solver);
+  settings.solver.tolerance = options.tolerance.value_or(settings.solver.tolerance);
+  settings.solver.fixedStep = options.fixedStep.value_or(settings.solver.fixedStep);
+  settings.solver.threads = options.threads.value_or(settings.solver.threads);
+}
+
+Exit simulate(const SimulateOptions& options)
+{
+  Result<Project> project = loadProject(options.file);
+  if (!project) return fail(project.error());
+  override(project->simulation, options);
+  if (project->simulation.duration * project->simulation.frameRate > 1e9)
+    return fail(
+      {ErrorCode::InvalidValue, options.file + ": more than 1e9 frames; use less --duration or --frames"});
+
+  const Result<RunSummary> summary = runSimulation(*project, options.outputs);
+  if (!summary) return fail(summary.error());
+  const std::string json = jsonOf(*summary, *project).text();
+  if (!options.report.empty())
+    if (const Status written = writeFileAtomically(options.report, json + "\n"); !written)
+      return fail(written.error());
+  const bool good = summary->steps.good();
+  if (good)
+    say(std::to_string(summary->frames) + " frames, " + std::to_string(summary->steps.steps) +
+        " steps with " + summary->solver + " in " + formatDouble(summary->integrationSeconds, 3) +
+        " s of processor time");
+  else
+    say(options.file + ": stopped after " + std::to_string(summary->frames) + " frames: " + summary->reason);
+  if (options.json) print(json);
+  return good ? Exit::Done : Exit::Numerics;
+}
+
+/// A solver's name, or the list of them as a usage fault.
+void addSolverOption(CLI::App& command, SimulateOptions& options)
+{
+  const auto read = [&options](const std::string& name) {
+    std::string known = "auto";
+    bool found = name == "auto";
+    for (const SolverInfo& solver : solverNames()) {
+      known += ", " + solver.name;
+      found |= solver.name == name;
+    }
+    if (!found) throw CLI::ValidationError("--solver", "\"" + name + "\" is not one of " + known);
+    options.solver = name;
+  };
+  command.add_option_function<std::string>("--solver", read, "auto, or a name of `esm solvers`")
+    ->type_name("NAME");
+}
+
+} // namespace
+
+void addSimulate(CLI::App& program, Work& work)
+{
+  auto options = std::make_shared<SimulateOptions>();
+  CLI::App* command = program.add_subcommand("simulate", "Move a net and write its motion");
+  command->add_option("PROJECT", options->file, ".esm, .esmb or net.json")->required();
+  addNumber(*command, "--duration", options->duration, "[s] (default: the project's)",
+            NumberRange::NotNegative);
+  addNumber(*command, "--frames", options->frameRate, "frames per second (default: the project's)",
+            NumberRange::Positive);
+  addSolverOption(*command, *options);
+  addNumber(*command, "--tolerance", options->tolerance, "wanted relative error (default: the project's)",
+            NumberRange::Positive);
+  addNumber(*command, "--step", options->fixedStep, "fixed substep [s] without error control; 0: automatic",
+            NumberRange::NotNegative);
+  addInteger(*command, "--threads", options->threads, "threads to compute with", 1, 1024);
+  command->add_option("-o,--output", options->outputs.motion,
+                      "the motion: .csv (t,id,x,y,z), .f64 (float64, frames x nodes x 3) or .pvd (ParaView)");
+  command->add_option("--report", options->report, "what it cost and came to, as JSON");
+  command->add_option("--force-curve", options->outputs.forceCurve,
+                      "CSV: t, applied force, reaction force [N], displacement of the loaded nodes [m]");
+  command->add_option("--mesh", options->outputs.mesh,
+                      "the deformed net at the end: obj, ply, stl, glb, vtu or csv");
+  addJsonFlag(*command, options->json);
+  command->footer("Example:\n  esm simulate poked.esm --duration 2 --frames 60 -o motion.pvd "
+                  "--report report.json");
+  command->callback([options, &work] { work = [options] { return simulate(*options); }; });
+}
+
+} // namespace esm::cli

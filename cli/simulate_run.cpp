@@ -1,0 +1,168 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "cli/simulate_run.h"
+
+#include "cli/messages.h"
+#include "core/base/file_io.h"
+#include "core/base/text_number.h"
+#include "core/project/export.h"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+#include <set>
+
+namespace esm::cli {
+
+namespace {
+
+/// Adds the processor time that passes in its life to `seconds`.
+class ProcessorClock {
+public:
+  explicit ProcessorClock(double& seconds) : m_seconds(seconds), m_start(now()) {}
+  ~ProcessorClock() { m_seconds += now() - m_start; }
+  ProcessorClock(const ProcessorClock&) = delete;
+  ProcessorClock& operator=(const ProcessorClock&) = delete;
+
+private:
+  static double now()
+  {
+    timespec time = {};
+    ::clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+    return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+  }
+  double& m_seconds;
+  double m_start;
+};
+
+/// Force against time, as a device would feel it: `t,applied_force,reaction_force,displacement`.
+///   applied_force   |sum of all nodal forces| [N]
+///   reaction_force  |sum of what the supports of fixed and moved nodes exert| [N]
+///   displacement    |mean displacement| of the nodes that are pushed or moved [m]
+class ForceCurve {
+public:
+  explicit ForceCurve(const Simulation& simulation) : m_start(simulation.state().position)
+  {
+    const SpringNet& net = simulation.net();
+    for (const NodalForce& force : simulation.loads().forces)
+      m_loaded.insert(force.nodes.begin(), force.nodes.end());
+    for (const PrescribedMotion& motion : simulation.loads().motions) {
+      m_loaded.insert(motion.nodes.begin(), motion.nodes.end());
+      m_supported.insert(motion.nodes.begin(), motion.nodes.end());
+    }
+    for (Index node = 0; node < net.nodeCount(); ++node)
+      if (net.fixed[static_cast<std::size_t>(node)]) m_supported.insert(node);
+  }
+
+  void add(const Simulation& simulation)
+  {
+    const NetState& state = simulation.state();
+    Eigen::Vector3d applied = Eigen::Vector3d::Zero(), reaction = applied, displacement = applied;
+    for (const NodalForce& force : simulation.loads().forces)
+      applied += static_cast<double>(force.nodes.size()) * force.force.at(state.time);
+    for (const Index node : m_supported) reaction += simulation.reaction(node);
+    for (const Index node : m_loaded) displacement += state.position.col(node) - m_start.col(node);
+    if (!m_loaded.empty()) displacement /= static_cast<double>(m_loaded.size());
+    for (const double value : {state.time, applied.norm(), reaction.norm(), displacement.norm()}) {
+      if (m_text.back() != '\n') m_text += ',';
+      appendDouble(m_text, value);
+    }
+    m_text += '\n';
+  }
+
+  const std::string& text() const noexcept { return m_text; }
+
+private:
+  Eigen::Matrix3Xd m_start;
+  std::set<Index> m_loaded, m_supported;
+  std::string m_text = "t,applied_force,reaction_force,displacement\n";
+};
+
+/// The files of a run, all opened before the first step, so that a bad path costs no computing.
+class RunFiles {
+public:
+  static Result<RunFiles> create(const RunOutputs& outputs, const Simulation& simulation)
+  {
+    RunFiles files(outputs);
+    if (!outputs.motion.empty()) {
+      Result<TrajectoryWriter> writer = TrajectoryWriter::create(outputs.motion);
+      if (!writer) return writer.error();
+      files.m_motion = std::move(*writer);
+    }
+    if (!outputs.forceCurve.empty()) files.m_curve.emplace(simulation);
+    return files;
+  }
+
+  Status add(const Simulation& simulation)
+  {
+    if (m_curve) m_curve->add(simulation);
+    return m_motion ? m_motion->addFrame(frameOf(simulation)) : Status{};
+  }
+
+  Status finish(const Simulation& simulation)
+  {
+    Status status;
+    if (m_motion) status = m_motion->finish();
+    if (status && m_curve) status = writeFileAtomically(m_outputs.forceCurve, m_curve->text());
+    if (status && !m_outputs.mesh.empty()) status = exportFrame(frameOf(simulation), m_outputs.mesh);
+    return status;
+  }
+
+private:
+  explicit RunFiles(const RunOutputs& outputs) : m_outputs(outputs) {}
+
+  Frame frameOf(const Simulation& simulation)
+  {
+    m_tension.resize(simulation.net().springCount());
+    simulation.springTensions(m_tension);
+    const NetState& state = simulation.state();
+    return {&simulation.net(), &state.position, &state.velocity, &m_tension, state.time};
+  }
+
+  RunOutputs m_outputs;
+  std::optional<TrajectoryWriter> m_motion;
+  std::optional<ForceCurve> m_curve;
+  Eigen::ArrayXd m_tension;
+};
+
+} // namespace
+
+Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outputs)
+{
+  RunSummary summary;
+  const auto timed = [&](auto&& work) {
+    const ProcessorClock clock(summary.integrationSeconds);
+    return work();
+  };
+  const SimulationSettings& settings = project.simulation;
+  Result<Simulation> created =
+    timed([&] { return Simulation::create(project.net, project.loads, settings.solver); });
+  if (!created) return created.error();
+  Simulation& simulation = *created;
+  Result<RunFiles> files = RunFiles::create(outputs, simulation);
+  if (!files) return files.error();
+
+  const long long last = std::llround(settings.duration * settings.frameRate);
+  Progress progress("simulating");
+  if (const Status added = files->add(simulation); !added) return added.error();
+  summary.frames = 1;
+  while (summary.frames <= last && summary.steps.good()) {
+    // From the frame's number, so that rounding does not add up over the frames.
+    const double time = static_cast<double>(summary.frames) / settings.frameRate;
+    const StepReport step = timed([&] { return simulation.advance(time - simulation.state().time); });
+    summary.steps.add(step);
+    summary.largestForce = std::max(summary.largestForce, step.largestForce);
+    if (!step.good()) break;
+    if (const Status added = files->add(simulation); !added) return added.error();
+    progress.show(summary.frames++, last);
+  }
+  summary.energies = simulation.energies();
+  summary.externalWork = simulation.externalWork();
+  summary.dissipated = simulation.dissipatedEnergy();
+  summary.solver = simulation.solverName();
+  summary.reason = simulation.why();
+  if (const Status finished = files->finish(simulation); !finished) return finished.error();
+  return summary;
+}
+
+} // namespace esm::cli
