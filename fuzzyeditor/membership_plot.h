@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/fuzzy/inference.h"
+
+#include <QPolygonF>
+#include <QWidget>
+
+namespace esm {
+
+class FuzzyEvaluation;
+
+/// The terms of one variable over its range, with what is the case now: for an input its value and how far it
+/// belongs to each term, for an output the set that the rules add up to and its centroid. Corners are drawn
+/// where they are, not where a sample falls; a logarithmic variable has a logarithmic axis.
+class MembershipPlot : public QWidget {
+  Q_OBJECT
+public:
+  /// @param evaluation not owned, outlives this.
+  explicit MembershipPlot(FuzzyEvaluation* evaluation, QWidget* parent = nullptr);
+
+  void setVariable(bool output, int index);
+  bool showsOutput() const { return m_output; }
+  int variableIndex() const { return m_index; }
+  QSize sizeHint() const override { return {360, 200}; }
+  QSize minimumSizeHint() const override { return {200, 120}; }
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+  void changeEvent(QEvent* event) override;
+
+private:
+  const fuzzy::Variable* variable() const;
+  void describe();
+  double axisValue(double plain) const; ///< log10 on a logarithmic variable
+  QPointF toPixel(double axis, double mu) const;
+  QPolygonF termCurve(const fuzzy::Term& term) const;
+  void paintAxes(QPainter& painter, const fuzzy::Variable& variable) const;
+  void paintTerms(QPainter& painter, const fuzzy::Variable& variable) const;
+  void paintInput(QPainter& painter, const fuzzy::Variable& variable) const;
+  void paintOutput(QPainter& painter, const fuzzy::Variable& variable) const;
+  void paintValueLine(QPainter& painter, const fuzzy::Variable& variable, double plain) const;
+  void paintSet(QPainter& painter, QPolygonF outline) const;
+
+  FuzzyEvaluation* m_evaluation;
+  bool m_output = false;
+  int m_index = 0;
+  QRectF m_area;                ///< of the curves
+  double m_low = 0, m_high = 1; ///< axis range
+};
+
+} // namespace esm
