@@ -15,8 +15,8 @@ const Eigen::Vector3d& ForceLimiter::limit(const Eigen::Vector3d& wish, double m
   const Eigen::Vector3d change = goal - m_force;
   const double size = change.norm();
   const double step = m_slew * tick;
-  if (size <= step)
-    m_force = goal; // exactly, so that zero is zero
+  if (size <= step * (1.0 + 1e-12)) // the last step may be long by rounding
+    m_force = goal;                 // exactly, so that zero is zero
   else
     m_force += change * (step / size);
   return m_force;

@@ -42,7 +42,9 @@ void ServoCore::tick(double now, double dt) noexcept
 
   const DeviceProfile& profile = m_device.profile();
   const double limit = std::min(profile.maxForce, m_userLimit.load(std::memory_order_relaxed));
-  const Eigen::Vector3d& force = m_limiter.limit(wish, limit, std::min(dt, profile.period));
+  // A late tick earns no larger step, one that follows it closely only a part; a clock's rounding is neither.
+  const double slewTime = dt < 0.999 * profile.period ? dt : profile.period;
+  const Eigen::Vector3d& force = m_limiter.limit(wish, limit, slewTime);
   if (!m_device.write(force) && link != DeviceLink::Lost) m_arming.fail(ServoReason::NoReply);
   report(now, limit);
 }

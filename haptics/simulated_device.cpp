@@ -76,15 +76,20 @@ void SimulatedDevice::integrate(double step, double time) noexcept
     stiffness = m_settings.handStiffness;
     damping = m_settings.handDamping;
   }
-  // Implicit Euler: (m + h (b + c) + h^2 k) v' = m v + h (F + k (target - x))
+  // Hand and damping as they are at the end of the step, the position with the mean velocity, which is exact
+  // for the held force (the end velocity would be as if the servo looked an eighth of a tick ahead):
+  //     x' = x + h (v + v')/2,   (m + h (b + c) + h^2 k/2) v' = m v + h (F + k (target - x - h v/2))
   const double mass = m_settings.mass;
-  const double inertia = mass + step * (m_settings.damping + damping) + step * step * stiffness;
-  m_velocity = (mass * m_velocity + step * (m_force + stiffness * (target - m_position))) / inertia;
+  const double inertia = mass + step * (m_settings.damping + damping) + 0.5 * step * step * stiffness;
+  const Eigen::Vector3d before = m_velocity;
+  const Eigen::Vector3d pull = stiffness * (target - m_position - 0.5 * step * before);
+  m_velocity = (mass * before + step * (m_force + pull)) / inertia;
   const double speed = m_velocity.norm();
   const double brake = step * m_settings.coulomb / inertia;
   m_velocity *= speed > brake ? 1.0 - brake / speed : 0.0;
-  m_position += step * m_velocity;
-  m_handWork += step * m_velocity.dot(stiffness * (target - m_position) - damping * m_velocity);
+  const Eigen::Vector3d way = 0.5 * step * (before + m_velocity);
+  m_position += way;
+  m_handWork += way.dot(stiffness * (target - m_position) - damping * m_velocity);
 }
 
 Eigen::Vector3d SimulatedDevice::reported() noexcept

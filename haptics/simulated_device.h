@@ -28,7 +28,7 @@ struct SimulatedDeviceSettings {
 ///     m a = F + k_h (target - x) - c_h v - b v - F_c v/|v|
 ///
 /// F is the servo's force, held between two ticks; the hand is a spring-damper to where it wants to be.
-/// Integrated at 4 kHz or finer, implicitly in hand and damping and with the friction as an impulse that
+/// Integrated at 4 kHz or finer, implicitly in hand and damping, with the friction as an impulse that
 /// never reverses the motion, so no setting makes the device itself gain energy.
 class SimulatedDevice final : public HapticDevice {
 public:

@@ -1,0 +1,12 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+namespace esm {
+
+/// How often this thread has called operator new so far.
+std::uint64_t allocationsOfThisThread() noexcept;
+
+} // namespace esm
