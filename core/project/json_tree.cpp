@@ -94,7 +94,7 @@ Result<Json> parse(std::string_view bytes, const std::string& origin, Json::inpu
 
 // === Writing
 
-constexpr std::size_t kLineLength = 110;
+constexpr std::size_t kLineLength = 170;  // so that a term and most rules are one line each
 constexpr std::size_t kItemsPerLine = 12; // four points, four triangles, six springs
 
 void appendScalar(std::string& out, const Json& value)
@@ -175,7 +175,7 @@ void appendValue(std::string& out, const Json& value, std::size_t indent, bool t
     return;
   }
   std::string line;
-  if (!top && !scalars && appendCompact(line, value, kLineLength - std::min(indent, kLineLength / 2))) {
+  if (!top && !scalars && appendCompact(line, value, kLineLength - std::min(indent, kLineLength))) {
     out += line;
     return;
   }
