@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/folder_files.h"
+
+#include "core/base/file_io.h"
+
+#include <algorithm>
+#include <cstring>
+
+namespace esm {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// Bytes in memory, to be read only.
+class MemoryStream : public Assimp::IOStream {
+public:
+  explicit MemoryStream(std::string_view bytes) : m_bytes(bytes) {}
+  explicit MemoryStream(std::string&& owned) : m_owned(std::move(owned)), m_bytes(m_owned) {}
+
+  size_t Read(void* buffer, size_t size, size_t count) override
+  {
+    if (size == 0) return 0;
+    const size_t items = std::min(count, (m_bytes.size() - m_at) / size);
+    std::memcpy(buffer, m_bytes.data() + m_at, items * size);
+    m_at += items * size;
+    return items;
+  }
+  size_t Write(const void*, size_t, size_t) override { return 0; }
+  aiReturn Seek(size_t offset, aiOrigin origin) override
+  {
+    const size_t from = origin == aiOrigin_SET ? 0 : origin == aiOrigin_CUR ? m_at : m_bytes.size();
+    const size_t to = origin == aiOrigin_END ? from - offset : from + offset; // as assimp's own streams
+    if (to > m_bytes.size()) return aiReturn_FAILURE;
+    m_at = to;
+    return aiReturn_SUCCESS;
+  }
+  size_t Tell() const override { return m_at; }
+  size_t FileSize() const override { return m_bytes.size(); }
+  void Flush() override {}
+
+private:
+  std::string m_owned;
+  std::string_view m_bytes;
+  size_t m_at = 0;
+};
+
+} // namespace
+
+FolderFiles::FolderFiles(const fs::path& model, std::string_view bytes, std::string_view ending)
+  : m_bytes(bytes)
+{
+  std::error_code code;
+  m_folder = fs::weakly_canonical(fs::absolute(model, code).parent_path(), code);
+  m_model = m_folder / model.filename();
+  if (!ending.empty()) m_model.replace_extension(ending);
+}
+
+bool FolderFiles::isModel(const fs::path& file) const
+{
+  return file == m_model || file == m_model.filename();
+}
+
+fs::path FolderFiles::inside(const fs::path& file) const
+{
+  std::error_code code;
+  const fs::path whole = fs::weakly_canonical(file.is_absolute() ? file : m_folder / file, code);
+  if (code) return {};
+  const auto [folder, rest] = std::mismatch(m_folder.begin(), m_folder.end(), whole.begin(), whole.end());
+  return folder == m_folder.end() && fs::is_regular_file(whole, code) ? whole : fs::path{};
+}
+
+bool FolderFiles::Exists(const char* file) const
+{
+  return isModel(file) || !inside(file).empty();
+}
+
+Assimp::IOStream* FolderFiles::Open(const char* file, const char* mode)
+{
+  if (std::strpbrk(mode, "wa+")) return nullptr;
+  if (isModel(file)) return new MemoryStream(m_bytes);
+  const fs::path whole = inside(file);
+  if (whole.empty()) return nullptr;
+  Result<std::string> bytes = readFile(whole);
+  return bytes ? new MemoryStream(std::move(*bytes)) : nullptr;
+}
+
+} // namespace esm

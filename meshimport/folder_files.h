@@ -1,0 +1,39 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <assimp/IOStream.hpp>
+#include <assimp/IOSystem.hpp>
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace esm {
+
+/// The files that assimp may see: the model itself, from memory, and for reading what lies in its folder
+/// or below. A glTF may name "../../etc/passwd" as its buffer; symbolic links are followed before the check.
+class FolderFiles : public Assimp::IOSystem {
+public:
+  /// @param model its path; `name()` is what assimp must be asked for
+  /// @param bytes of the model; not owned, outlives this
+  /// @param ending to give the model in place of its own, empty to keep it
+  FolderFiles(const std::filesystem::path& model, std::string_view bytes, std::string_view ending);
+
+  std::string name() const { return m_model.string(); }
+
+  bool Exists(const char* file) const override;
+  char getOsSeparator() const override { return '/'; }
+  Assimp::IOStream* Open(const char* file, const char* mode) override;
+  void Close(Assimp::IOStream* stream) override { delete stream; }
+
+private:
+  bool isModel(const std::filesystem::path& file) const;
+  /// The file to open, empty if it lies outside.
+  std::filesystem::path inside(const std::filesystem::path& file) const;
+
+  std::filesystem::path m_folder, m_model;
+  std::string_view m_bytes;
+};
+
+} // namespace esm

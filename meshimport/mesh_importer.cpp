@@ -1,0 +1,170 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/mesh_importer.h"
+
+#include "core/base/file_io.h"
+#include "core/geometry/weld.h"
+#include "meshimport/assimp_reader.h"
+#include "meshimport/content.h"
+#include "meshimport/obj_reader.h"
+#include "meshimport/off_reader.h"
+#include "meshimport/ply_reader.h"
+#include "meshimport/raw_mesh.h"
+#include "meshimport/stl_reader.h"
+#include "meshimport/text_cursor.h"
+
+#include <algorithm>
+#include <new>
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+struct NamedUnit {
+  LengthUnit unit;
+  const char* name;
+  double metres;
+};
+
+constexpr NamedUnit kUnits[] = {{LengthUnit::Millimetre, "mm", 1e-3},
+                                {LengthUnit::Centimetre, "cm", 1e-2},
+                                {LengthUnit::Metre, "m", 1.0},
+                                {LengthUnit::Inch, "inch", 0.0254}};
+
+const NamedUnit& named(LengthUnit unit)
+{
+  return *std::find_if(std::begin(kUnits), std::end(kUnits),
+                       [unit](const auto& u) { return u.unit == unit; });
+}
+
+/// File names and words out of files may hold line breaks; a message is one line.
+Error onOneLine(Error error)
+{
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; };
+  std::replace_if(error.detail.begin(), error.detail.end(), isControl, '?');
+  return error;
+}
+
+std::string endingOf(const std::filesystem::path& path)
+{
+  const std::string ending = lowerCase(path.extension().string());
+  return ending.empty() ? ending : ending.substr(1);
+}
+
+Result<std::string> readRegularFile(const std::filesystem::path& path)
+{
+  std::error_code code;
+  const std::filesystem::file_status status = std::filesystem::status(path, code);
+  if (std::filesystem::is_other(status) || std::filesystem::is_fifo(status))
+    return fault(ErrorCode::FileUnreadable, path.string(), 0, "it is a device, not a file");
+  Result<std::string> bytes = readFile(path);
+  if (!bytes) return bytes;
+  if (bytes->empty()) return fault(ErrorCode::EmptyResult, path.string(), 0, "the file is empty (0 bytes)");
+  if (isBlankContent(*bytes))
+    return fault(ErrorCode::EmptyResult, path.string(), 0,
+                 "the file holds nothing but blanks (" + std::to_string(bytes->size()) + " bytes)");
+  return bytes;
+}
+
+Error unrecognised(std::string_view bytes, const std::string& origin)
+{
+  return fault(ErrorCode::Unsupported, origin, 0,
+               "this is " + describeContent(bytes) +
+                 ", not a mesh that can be read; choose an OBJ, STL, PLY, OFF, glTF or other mesh file");
+}
+
+/// "scan.stl" with an OBJ inside is read as what it is, and that is said.
+void noteWrongName(const MeshReader& reader, const std::string& ending, std::vector<std::string>& notes)
+{
+  const std::string usual = lowerCase(reader.name);
+  const std::string_view known[] = {"obj", "stl", "ply", "off"};
+  const bool claims = std::find(std::begin(known), std::end(known), ending) != std::end(known);
+  if (claims && usual != ending)
+    notes.push_back("The file is named ." + ending + ", but its content is " + reader.name +
+                    "; it was read as that.");
+}
+
+Result<ImportedMesh> importChecked(const std::filesystem::path& path, const ImportOptions& options)
+{
+  const Result<std::string> bytes = readRegularFile(path);
+  if (!bytes) return bytes.error();
+  const std::string ending = endingOf(path), origin = path.string();
+  const std::vector<MeshReader>& readers = readerTable();
+  const auto reader = std::find_if(readers.begin(), readers.end(),
+                                   [&](const MeshReader& r) { return r.recognises(*bytes, ending); });
+  if (reader == readers.end()) return unrecognised(*bytes, origin);
+
+  ImportedMesh imported;
+  noteWrongName(*reader, ending, imported.notes);
+  Result<Mesh> mesh = reader->read(*bytes, origin, imported.format, imported.notes);
+  if (!mesh) return mesh.error();
+  imported.mesh = std::move(*mesh);
+
+  const Index before = imported.mesh.vertexCount();
+  if (options.weld) {
+    imported.vertexOfFile = weldVertices(imported.mesh, options.weldTolerance);
+    if (const Index joined = before - imported.mesh.vertexCount(); joined > 0)
+      imported.notes.push_back(std::to_string(joined) +
+                               " vertices were joined with others at the same place.");
+  } else {
+    imported.vertexOfFile.resize(static_cast<std::size_t>(before));
+    std::iota(imported.vertexOfFile.begin(), imported.vertexOfFile.end(), 0);
+  }
+  imported.report = examine(imported.mesh);
+  if (imported.report.springs == 0)
+    return fault(ErrorCode::EmptyResult, origin, 0,
+                 "no face or line in it has two corners apart from each other, so no spring comes out");
+  return imported;
+}
+
+} // namespace
+
+std::optional<LengthUnit> lengthUnitFromName(std::string_view name) noexcept
+{
+  for (const NamedUnit& unit : kUnits)
+    if (name == unit.name) return unit.unit;
+  return std::nullopt;
+}
+
+std::string lengthUnitName(LengthUnit unit)
+{
+  return named(unit).name;
+}
+
+double metresPer(LengthUnit unit) noexcept
+{
+  return named(unit).metres;
+}
+
+Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options)
+{
+  try {
+    Result<ImportedMesh> imported = importChecked(path, options);
+    if (!imported) return onOneLine(imported.error());
+    return imported;
+  } catch (const std::bad_alloc&) {
+    return onOneLine(fault(ErrorCode::Unsupported, path.string(), 0,
+                           "there is not enough memory to read it; simplify the mesh first"));
+  } catch (const std::exception& error) {
+    return onOneLine(fault(ErrorCode::Internal, path.string(), 0, error.what()));
+  }
+}
+
+void toScene(Mesh& mesh, LengthUnit unit, UpAxis up)
+{
+  mesh.position *= metresPer(unit);
+  if (up == UpAxis::Z) return;
+  mesh.position.row(1).swap(mesh.position.row(2));           // (x, y, z) -> (x, z, y)
+  mesh.position.row(1) = 0.0 - mesh.position.row(1).array(); // -> (x, -z, y): a turn, nothing is mirrored
+}
+
+const std::vector<MeshReader>& readerTable()
+{
+  // The surest signs first; assimp takes what is left.
+  static const std::vector<MeshReader> table{plyReader(), offReader(), stlReader(), objReader(),
+                                             assimpReader()};
+  return table;
+}
+
+} // namespace esm

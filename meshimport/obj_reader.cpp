@@ -1,0 +1,179 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/obj_reader.h"
+
+#include "meshimport/content.h"
+#include "meshimport/raw_mesh.h"
+#include "meshimport/text_cursor.h"
+
+#include <algorithm>
+#include <array>
+
+namespace esm {
+
+namespace {
+
+constexpr unsigned kRules = TextCursor::HashComments | TextCursor::BackslashJoins;
+
+/// Statements without geometry of ours.
+bool isOrdinaryKeyword(std::string_view word)
+{
+  constexpr std::array<std::string_view, 19> kWords{
+    "vt",  "vn",     "vp",       "o",        "g",     "s",          "mg",        "mtllib", "usemtl", "maplib",
+    "lod", "usemap", "c_interp", "d_interp", "bevel", "shadow_obj", "trace_obj", "call",   "csh"};
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+/// Points, curves and surfaces: geometry that a net cannot take.
+bool isPassedOverGeometry(std::string_view word)
+{
+  constexpr std::array<std::string_view, 15> kWords{"p",    "cstype", "deg",  "bmat", "step",
+                                                    "curv", "curv2",  "surf", "parm", "trim",
+                                                    "hole", "scrv",   "sp",   "end",  "con"};
+  return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
+}
+
+class ObjParser {
+public:
+  ObjParser(std::string_view bytes, const std::string& origin) : m_cursor(bytes, kRules), m_origin(origin) {}
+
+  Result<Mesh> run(std::vector<std::string>& notes)
+  {
+    while (!m_cursor.atEnd()) {
+      if (!m_cursor.atLineEnd())
+        if (Status status = statement(); !status) return status.error();
+      m_cursor.nextLine();
+      if (m_raw.coordinates.size() + m_raw.corners.size() + m_raw.segments.size() > kMostItems)
+        return tooManyError(m_origin);
+    }
+    for (const Forward& forward : m_forward)
+      if (forward.vertex >= m_raw.vertexCount()) return outOfRange(forward.vertex + 1, forward.line);
+    if (m_raw.faceEnd.empty() && m_raw.segments.empty())
+      return fault(ErrorCode::EmptyResult, m_origin, 0,
+                   "it holds " + std::to_string(m_raw.vertexCount()) +
+                     " vertices but no face (f) and no line (l); is it cut short, or no OBJ mesh at all?");
+    tellNotes(notes);
+    return finishMesh(std::move(m_raw), m_origin, notes);
+  }
+
+private:
+  struct Forward {
+    long long vertex;
+    long line;
+  };
+
+  Status statement()
+  {
+    const long line = m_cursor.line();
+    const std::string_view word = m_cursor.word();
+    if (word == "v") return vertex(line);
+    if (word == "f" || word == "fo" || word == "l") return element(line, word != "l");
+    if (isOrdinaryKeyword(word)) return {};
+    if (isPassedOverGeometry(word)) {
+      ++m_passedOver;
+    } else if (m_unknown++ == 0) {
+      m_firstUnknown = line;
+    }
+    return {};
+  }
+
+  Status vertex(long line)
+  {
+    double p[3];
+    for (double& coordinate : p) {
+      if (m_cursor.number(coordinate)) continue;
+      if (m_cursor.atLineEnd())
+        return fault(ErrorCode::BadFormat, m_origin, line,
+                     "a vertex needs three coordinates; is the file cut short?");
+      return fault(ErrorCode::BadFormat, m_origin, line,
+                   "'" + m_cursor.wordForMessage() + "' is no coordinate (numbers are written with a point)");
+    }
+    m_raw.addVertex(p[0], p[1], p[2], line);
+    return {};
+  }
+
+  /// A face or a polyline.
+  Status element(long line, bool isFace)
+  {
+    m_corners.clear();
+    while (!m_cursor.atLineEnd()) {
+      long long number = 0;
+      if (!m_cursor.corner(number))
+        return fault(ErrorCode::BadFormat, m_origin, line,
+                     "'" + m_cursor.wordForMessage() + "' is no corner (as 7, 7/1, 7//3 or 7/1/3)");
+      const long long vertex = number > 0 ? number - 1 : m_raw.vertexCount() + number;
+      if (number == 0 || vertex < 0 || vertex >= static_cast<long long>(kMostItems))
+        return outOfRange(number, line);
+      if (vertex >= m_raw.vertexCount()) m_forward.push_back({vertex, line});
+      m_corners.push_back(static_cast<Index>(vertex));
+    }
+    const std::size_t wanted = isFace ? 3 : 2;
+    if (m_corners.size() < wanted && m_cursor.inLastLine())
+      return fault(ErrorCode::BadFormat, m_origin, line, "the file ends in the middle of a statement");
+    if (!isFace) {
+      m_raw.addPolyline(m_corners);
+    } else if (!m_raw.addFace(m_corners)) {
+      ++m_thinFaces;
+    }
+    return {};
+  }
+
+  Error outOfRange(long long number, long line) const
+  {
+    return fault(ErrorCode::InvalidValue, m_origin, line,
+                 "there is no vertex " + std::to_string(number) + ", the file has " +
+                   std::to_string(m_raw.vertexCount()) + " of them up to here; is it cut short?");
+  }
+
+  void tellNotes(std::vector<std::string>& notes) const
+  {
+    if (m_thinFaces > 0)
+      notes.push_back(std::to_string(m_thinFaces) +
+                      " faces with fewer than three corners were read as lines.");
+    if (m_passedOver > 0)
+      notes.push_back(std::to_string(m_passedOver) +
+                      " statements for points, curves or free-form surfaces were passed over.");
+    if (m_unknown > 0)
+      notes.push_back(std::to_string(m_unknown) +
+                      " lines with unknown keywords were passed over, the first is line " +
+                      std::to_string(m_firstUnknown) + ".");
+  }
+
+  TextCursor m_cursor;
+  const std::string& m_origin;
+  RawMesh m_raw;
+  std::vector<Index> m_corners; ///< of the current statement
+  std::vector<Forward> m_forward;
+  std::size_t m_thinFaces = 0, m_passedOver = 0, m_unknown = 0;
+  long m_firstUnknown = 0;
+};
+
+/// A vertex statement with three numbers near the start; or text that calls itself OBJ.
+bool recognises(std::string_view bytes, std::string_view ending)
+{
+  if (!looksLikeText(bytes)) return false;
+  if (ending == "obj") return describeForeign(bytes).empty();
+  TextCursor cursor(bytes.substr(0, 1 << 16), kRules);
+  for (; !cursor.atEnd(); cursor.nextLine()) {
+    if (cursor.word() != "v") continue;
+    double x;
+    if (cursor.number(x) && cursor.number(x) && cursor.number(x)) return true;
+  }
+  return false;
+}
+
+Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
+                  std::vector<std::string>& notes)
+{
+  format = "OBJ";
+  return ObjParser(bytes, origin).run(notes);
+}
+
+} // namespace
+
+MeshReader objReader()
+{
+  return {"OBJ", recognises, read};
+}
+
+} // namespace esm

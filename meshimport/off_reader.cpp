@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/off_reader.h"
+
+#include "meshimport/content.h"
+#include "meshimport/raw_mesh.h"
+#include "meshimport/text_cursor.h"
+
+namespace esm {
+
+namespace {
+
+/// [ST][C][N]OFF; the variants with a fourth coordinate or n of them are other geometry.
+bool isMagic(std::string_view word)
+{
+  if (word.substr(0, 2) == "ST") word.remove_prefix(2);
+  if (word.substr(0, 1) == "C") word.remove_prefix(1);
+  if (word.substr(0, 1) == "N") word.remove_prefix(1);
+  return word == "OFF";
+}
+
+class OffParser {
+public:
+  OffParser(std::string_view bytes, const std::string& origin)
+    : m_cursor(bytes, TextCursor::HashComments), m_origin(origin)
+  {}
+
+  Result<Mesh> run(std::vector<std::string>& notes)
+  {
+    if (Status status = header(); !status) return status.error();
+    if (Status status = vertices(); !status) return status.error();
+    if (Status status = faces(); !status) return status.error();
+    if (m_raw.faceEnd.empty() && m_raw.segments.empty())
+      return fault(ErrorCode::EmptyResult, m_origin, 0,
+                   "it holds " + std::to_string(m_vertices) + " vertices but no face");
+    return finishMesh(std::move(m_raw), m_origin, notes);
+  }
+
+private:
+  Error wrong(const char* text) { return fault(ErrorCode::BadFormat, m_origin, m_cursor.line(), text); }
+
+  void skipToWord()
+  {
+    while (!m_cursor.atEnd() && m_cursor.atLineEnd()) m_cursor.nextLine();
+  }
+
+  Status header()
+  {
+    skipToWord();
+    m_cursor.word(); // the magic; the counts may follow it on the same line
+    skipToWord();
+    if (equalsNoCase(m_cursor.rest().substr(0, 6), "binary"))
+      return fault(ErrorCode::Unsupported, m_origin, m_cursor.line(),
+                   "binary OFF is not read; save it as text or as PLY");
+    if (!m_cursor.integer(m_vertices) || !m_cursor.integer(m_faces) || m_vertices < 0 || m_faces < 0)
+      return wrong("an OFF file begins with the counts of vertices and faces");
+    m_cursor.nextLine(); // the count of edges is often 0 or missing
+    // A vertex takes at least "0 0 0\n", a face "1 0\n".
+    const auto left = static_cast<long long>(m_cursor.rest().size()) + 1;
+    if (m_vertices > left / 6 || m_faces > (left - 6 * m_vertices) / 4)
+      return wrong("the counts promise more than the file has room for; it is cut short, fetch it again");
+    return {};
+  }
+
+  Status vertices()
+  {
+    m_raw.coordinates.reserve(3 * static_cast<std::size_t>(m_vertices));
+    for (long long v = 0; v < m_vertices; ++v, m_cursor.nextLine()) {
+      skipToWord();
+      double p[3];
+      for (double& coordinate : p)
+        if (!m_cursor.number(coordinate))
+          return wrong("a vertex needs three coordinates, written with a point; is the file cut short?");
+      m_raw.addVertex(p[0], p[1], p[2], m_cursor.line());
+      if (m_raw.coordinates.size() > kMostItems) return tooManyError(m_origin);
+    }
+    return {};
+  }
+
+  Status faces()
+  {
+    std::vector<Index> corners;
+    for (long long f = 0; f < m_faces; ++f, m_cursor.nextLine()) {
+      skipToWord();
+      long long count = 0;
+      if (!m_cursor.integer(count) || count < 0)
+        return wrong("a face begins with the number of its corners; is the file cut short?");
+      corners.clear();
+      for (long long k = 0; k < count; ++k) {
+        long long vertex = 0;
+        if (!m_cursor.integer(vertex))
+          return wrong("a face has fewer corners than it says; is the file cut short?");
+        if (vertex < 0 || vertex >= m_vertices)
+          return fault(ErrorCode::InvalidValue, m_origin, m_cursor.line(),
+                       "there is no vertex " + std::to_string(vertex) + ", the file has vertices 0 to " +
+                         std::to_string(m_vertices - 1));
+        corners.push_back(static_cast<Index>(vertex));
+      }
+      m_raw.addFace(corners);
+      if (m_raw.corners.size() > kMostItems) return tooManyError(m_origin);
+    }
+    return {};
+  }
+
+  TextCursor m_cursor;
+  const std::string& m_origin;
+  RawMesh m_raw;
+  long long m_vertices = 0, m_faces = 0;
+};
+
+bool recognises(std::string_view bytes, std::string_view)
+{
+  if (!looksLikeText(bytes)) return false;
+  TextCursor cursor(bytes, TextCursor::HashComments);
+  while (!cursor.atEnd() && cursor.atLineEnd()) cursor.nextLine();
+  return isMagic(cursor.word());
+}
+
+Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
+                  std::vector<std::string>& notes)
+{
+  format = "OFF";
+  return OffParser(bytes, origin).run(notes);
+}
+
+} // namespace
+
+MeshReader offReader()
+{
+  return {"OFF", recognises, read};
+}
+
+} // namespace esm

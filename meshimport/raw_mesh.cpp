@@ -1,0 +1,104 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/raw_mesh.h"
+
+#include "meshimport/triangulate.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <span>
+
+namespace esm {
+
+namespace {
+
+/// The first non-finite vertex that something uses, if any.
+const RawMesh::NonFinite* usedNonFinite(const RawMesh& raw)
+{
+  if (raw.nonFinite.empty()) return nullptr;
+  std::vector<std::uint8_t> used(raw.coordinates.size() / 3, 0);
+  for (const Index vertex : raw.corners) used[static_cast<std::size_t>(vertex)] = 1;
+  for (const Index vertex : raw.segments) used[static_cast<std::size_t>(vertex)] = 1;
+  const auto found = std::find_if(raw.nonFinite.begin(), raw.nonFinite.end(), [&](const auto& bad) {
+    return used[static_cast<std::size_t>(bad.vertex)] != 0;
+  });
+  return found == raw.nonFinite.end() ? nullptr : &*found;
+}
+
+} // namespace
+
+void RawMesh::addVertex(double x, double y, double z, long line)
+{
+  if (!(std::isfinite(x) && std::isfinite(y) && std::isfinite(z))) nonFinite.push_back({vertexCount(), line});
+  coordinates.insert(coordinates.end(), {x, y, z});
+}
+
+void RawMesh::addPolyline(const std::vector<Index>& vertices)
+{
+  for (std::size_t i = 1; i < vertices.size(); ++i)
+    segments.insert(segments.end(), {vertices[i - 1], vertices[i]});
+}
+
+bool RawMesh::addFace(const std::vector<Index>& vertices)
+{
+  if (vertices.size() < 3) {
+    addPolyline(vertices);
+    return false;
+  }
+  corners.insert(corners.end(), vertices.begin(), vertices.end());
+  faceEnd.push_back(static_cast<Index>(corners.size()));
+  return true;
+}
+
+Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<std::string>& notes)
+{
+  if (const RawMesh::NonFinite* bad = usedNonFinite(raw))
+    return fault(ErrorCode::InvalidValue, origin, bad->line,
+                 "vertex " + std::to_string(bad->vertex + 1) +
+                   " has a coordinate that is not a finite number (NaN or infinite), and a face or line "
+                   "uses it; mend the file in the program that wrote it");
+  if (!raw.nonFinite.empty())
+    notes.push_back(std::to_string(raw.nonFinite.size()) +
+                    " vertices that nothing uses have coordinates that are not finite numbers.");
+  if (raw.corners.size() + raw.segments.size() + raw.coordinates.size() > kMostItems)
+    return tooManyError(origin);
+
+  Mesh mesh;
+  mesh.position = Eigen::Map<const Eigen::Matrix3Xd>(raw.coordinates.data(), 3, raw.vertexCount());
+  raw.coordinates = {};
+  std::vector<Index> triangles;
+  if (raw.corners.size() == 3 * raw.faceEnd.size()) {
+    triangles = std::move(raw.corners); // nothing but triangles
+  } else {
+    Index begin = 0;
+    std::size_t polygons = 0;
+    for (const Index end : raw.faceEnd) {
+      const std::span face(raw.corners.data() + begin, static_cast<std::size_t>(end - begin));
+      triangulate(mesh.position, face, triangles);
+      if (face.size() > 3) ++polygons;
+      begin = end;
+    }
+    notes.push_back(std::to_string(polygons) +
+                    " faces with more than three corners were cut into triangles.");
+  }
+  mesh.triangles =
+    Eigen::Map<const TriangleMatrix>(triangles.data(), 3, static_cast<Eigen::Index>(triangles.size() / 3));
+  mesh.segments = Eigen::Map<const SegmentMatrix>(raw.segments.data(), 2,
+                                                  static_cast<Eigen::Index>(raw.segments.size() / 2));
+  return mesh;
+}
+
+Error fault(ErrorCode code, const std::string& origin, long line, const std::string& text)
+{
+  return Error{code, origin + ": " + (line > 0 ? "line " + std::to_string(line) + ": " : "") + text};
+}
+
+Error tooManyError(const std::string& origin)
+{
+  return fault(ErrorCode::Unsupported, origin, 0,
+               "the mesh has more vertices and corners than this program can count (" +
+                 std::to_string(kMostItems) + "); simplify it first");
+}
+
+} // namespace esm

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/text_cursor.h"
+
+#include <algorithm>
+#include <charconv>
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+bool isBlank(char c)
+{
+  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+}
+
+bool isLineBreak(char c)
+{
+  return c == '\n' || c == '\r';
+}
+
+char toLower(char c)
+{
+  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
+}
+
+/// What std::from_chars found beyond the range of double: endless or nothing?
+double beyondRange(std::string_view digits)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  const bool negative = digits.front() == '-';
+  const std::size_t exponent = digits.find_first_of("eE");
+  const std::size_t significant = digits.find_first_of("123456789");
+  const bool small = exponent != std::string_view::npos && exponent + 1 < digits.size()
+                       ? digits[exponent + 1] == '-'
+                       : significant > digits.find('.');
+  if (small) return negative ? -0.0 : 0.0;
+  return negative ? -kInfinity : kInfinity;
+}
+
+/// std::from_chars knows no leading '+', which many exporters write.
+const char* skipPlus(const char* at, const char* end)
+{
+  const bool plus = at + 1 < end && *at == '+' && at[1] != '-';
+  return plus ? at + 1 : at;
+}
+
+} // namespace
+
+TextCursor::TextCursor(std::string_view text, unsigned rules)
+  : m_at(text.data()), m_end(text.data() + text.size()), m_rules(rules)
+{
+  if (text.substr(0, 3) == "\xEF\xBB\xBF") m_at += 3;
+}
+
+/// Just behind the line end at `at`, or null if there is none.
+const char* TextCursor::behindLineEnd(const char* at) const
+{
+  if (at == m_end || !isLineBreak(*at)) return nullptr;
+  const bool pair = *at == '\r' && at + 1 != m_end && at[1] == '\n';
+  return at + (pair ? 2 : 1);
+}
+
+void TextCursor::skipBlanks()
+{
+  for (;;) {
+    while (m_at != m_end && isBlank(*m_at)) ++m_at;
+    if ((m_rules & BackslashJoins) == 0 || m_at == m_end || *m_at != '\\') return;
+    const char* next = behindLineEnd(m_at + 1);
+    if (!next) return;
+    m_at = next;
+    ++m_line;
+  }
+}
+
+bool TextCursor::atLineEnd()
+{
+  skipBlanks();
+  return m_at == m_end || isLineBreak(*m_at) || ((m_rules & HashComments) && *m_at == '#');
+}
+
+bool TextCursor::inLastLine() const
+{
+  return std::none_of(m_at, m_end, isLineBreak);
+}
+
+void TextCursor::nextLine()
+{
+  while (m_at != m_end && !isLineBreak(*m_at)) ++m_at;
+  if (const char* next = behindLineEnd(m_at)) {
+    m_at = next;
+    ++m_line;
+  }
+}
+
+bool TextCursor::breaksHere(const char* at) const
+{
+  if (at == m_end || isBlank(*at) || isLineBreak(*at)) return true;
+  if (*at == '#') return (m_rules & HashComments) != 0;
+  return *at == '\\' && (m_rules & BackslashJoins) && behindLineEnd(at + 1);
+}
+
+std::string_view TextCursor::word()
+{
+  skipBlanks();
+  const char* from = m_at;
+  while (!breaksHere(m_at)) ++m_at;
+  return {from, static_cast<std::size_t>(m_at - from)};
+}
+
+bool TextCursor::number(double& value)
+{
+  skipBlanks();
+  const char* from = skipPlus(m_at, m_end);
+  const auto [to, code] = std::from_chars(from, m_end, value);
+  if (code == std::errc::invalid_argument || !breaksHere(to)) return false;
+  if (code == std::errc::result_out_of_range)
+    value = beyondRange({from, static_cast<std::size_t>(to - from)});
+  m_at = to;
+  return true;
+}
+
+bool TextCursor::integer(long long& value)
+{
+  skipBlanks();
+  const auto [to, code] = std::from_chars(skipPlus(m_at, m_end), m_end, value);
+  if (code != std::errc{} || !breaksHere(to)) return false;
+  m_at = to;
+  return true;
+}
+
+bool TextCursor::corner(long long& value)
+{
+  skipBlanks();
+  auto [to, code] = std::from_chars(skipPlus(m_at, m_end), m_end, value);
+  if (code != std::errc{}) return false;
+  if (to != m_end && *to == '/')
+    while (to != m_end && ((*to >= '0' && *to <= '9') || *to == '/' || *to == '-' || *to == '+')) ++to;
+  if (!breaksHere(to)) return false;
+  m_at = to;
+  return true;
+}
+
+std::string TextCursor::wordForMessage()
+{
+  std::string text(word().substr(0, 30));
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; };
+  std::replace_if(text.begin(), text.end(), isControl, '?');
+  return text;
+}
+
+std::string lowerCase(std::string_view text)
+{
+  std::string lower(text);
+  std::transform(lower.begin(), lower.end(), lower.begin(), toLower);
+  return lower;
+}
+
+bool equalsNoCase(std::string_view word, std::string_view keyword)
+{
+  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
+                    [](char a, char b) { return toLower(a) == b; });
+}
+
+} // namespace esm
