@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/step_bound.h"
+#include "core/dynamics/step_report.h"
+#include "core/dynamics/system.h"
+
+#include <memory>
+#include <span>
+#include <string_view>
+
+namespace esm {
+
+enum class StepResult { Done, NonFinite, NotConverged };
+
+/// One way to move a system through one step. Keeps only what speeds up the next step; the motion itself is
+/// in MotionState, so that methods can be exchanged between two steps without a jump.
+class Integrator {
+public:
+  virtual ~Integrator() = default;
+
+  /// Sizes all buffers; after any change of net, constraints or tools. May allocate, step() of the explicit
+  /// methods does not.
+  virtual void prepare(const System& system) = 0;
+  /// The state, the loads' lines or the parameters have changed from outside: forget the last step.
+  virtual void restart() noexcept = 0;
+  /// Nodes have become free or held.
+  virtual void constraintsChanged(const System& /*system*/) { restart(); }
+  /// From state.time to `end` = state.time + h, no event in between. If the result is not Done, `state` is
+  /// untouched.
+  virtual StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) = 0;
+
+  virtual int order() const noexcept = 0;
+  /// Largest stable step for such motions [s]; infinity for an implicit method.
+  virtual double stableStep(const FastestMode& mode) const noexcept = 0;
+  /// How exactly an implicit method must solve for positions [m].
+  virtual void setSolveTolerance(double /*tolerance*/) noexcept {}
+  /// Cost of a step in spring evaluations.
+  virtual double stepCost(const System& system) = 0;
+};
+
+/// A line of the table of methods: adding one is adding one file and one line in integrators.cpp.
+struct IntegratorEntry {
+  std::string_view name, description;
+  std::unique_ptr<Integrator> (*make)();
+};
+std::span<const IntegratorEntry> integratorTable() noexcept;
+std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for an unknown name
+
+std::unique_ptr<Integrator> makeVerlet();
+std::unique_ptr<Integrator> makeRungeKutta4();
+std::unique_ptr<Integrator> makeImplicit();
+
+/// Whether all numbers are finite.
+bool allFinite(const NodeArray& x, const NodeArray& v) noexcept;
+
+} // namespace esm

@@ -1,0 +1,47 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/system.h"
+
+namespace esm {
+
+/// Upper bounds of the fastest motion that the net can make now: every mode obeys s'' + g s' + w2 s = 0 with
+/// w2 <= stiffness and g <= damping.
+struct FastestMode {
+  double stiffness = 0.0;       ///< of M^-1 K [1/s^2]
+  double damping = 0.0;         ///< of M^-1 D [1/s]
+  Index node = kNoIndex;        ///< who sets the larger of the two rates
+  double springStiffness = 0.0; ///< sum over that node's springs, anchors and tools [N/m]
+};
+
+/// Finds FastestMode from the springs' tangents at the present positions.
+///
+/// With B the matrix of spring directions, the axial part of M^-1 K has the eigenvalues of the S x S matrix
+/// G(e, f) = sqrt(k_e k_f) u_e.u_f (+-1/m of the shared node); Gershgorin's row sums of |G| are a bound that
+/// sees the directions, about 2/3 of the row sums over nodes in a triangle net. The part of the tension
+/// across the springs, anchors, tools and mass damping are added with their row sums over nodes. The smaller
+/// of this and the plain row sums over nodes counts. Cost: a few force passes.
+class StepBound {
+public:
+  void prepare(const System& system); ///< after any change of springs; allocates
+  FastestMode compute(const System& system, const NodeArray& x);
+
+private:
+  void sumNodes(const System& system);
+  void sumSprings(const System& system);
+
+  std::vector<std::size_t> m_first; ///< springs of node i: m_incident[m_first[i] .. m_first[i + 1])
+  std::vector<std::uint32_t> m_incident;
+  std::vector<SpringTangent> m_tangents;
+  std::vector<double> m_rootStiffness, m_rootViscosity; ///< per active spring
+  std::vector<double> m_rowStiffness, m_rowViscosity;   ///< per active spring
+  struct NodeSums {
+    double axial = 0.0, lateral = 0.0, viscous = 0.0; ///< row sums over springs, over the node's mass
+    double stiffness = 0.0, damping = 0.0;            ///< the diagonal alone: anchors, tools, mass damping
+    double total = 0.0;                               ///< [N/m]
+  };
+  std::vector<NodeSums> m_nodes;
+};
+
+} // namespace esm

@@ -1,0 +1,216 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// The part of StepDriver that chooses the method and says why.
+#include "core/base/text_number.h"
+#include "core/dynamics/step_driver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace esm {
+namespace {
+
+constexpr double kFrame = 1.0 / 60.0;
+/// Spring evaluations per frame that `auto` may spend on accuracy, about half a second of one core: 30 times
+/// slower than real time.
+constexpr double kMostEvaluations = 1e8;
+/// Implicit steps per frame to begin with; measured from then on.
+constexpr double kImplicitGuess = 4.0;
+
+std::string microseconds(double seconds)
+{
+  return formatDouble(seconds * 1e6, 3) + " us";
+}
+
+/// A length that positions are small or large against [m]: the net's diagonal, or how far its anchors pull.
+double extentOf(const System& system, const NodeArray& x)
+{
+  if (x.empty()) return 1.0;
+  Lanes low = x[0], high = x[0];
+  for (const Lanes& position : x)
+    for (int lane = 0; lane < 3; ++lane) {
+      low[lane] = std::min(low[lane], position[lane]);
+      high[lane] = std::max(high[lane], position[lane]);
+    }
+  double square = dot(high - low, high - low);
+  for (const ForceModel::Anchor& anchor : system.forces().anchors()) {
+    const Lanes reach = anchor.point - x[static_cast<std::size_t>(anchor.node)];
+    square = std::max(square, dot(reach, reach));
+  }
+  return square > 0.0 && std::isfinite(square) ? std::sqrt(square) : 1.0;
+}
+
+} // namespace
+
+StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings))
+{
+  m_auto = m_settings.solver == "auto";
+  const auto table = integratorTable();
+  for (std::size_t i = 0; i < kMethods; ++i) {
+    m_candidates[i].integrator = table[i].make();
+    if (table[i].name == m_settings.solver) m_method = static_cast<Method>(i);
+  }
+}
+
+void StepDriver::begin(System& system, const MotionState& state)
+{
+  m_rest = state.x;
+  m_start = state;
+  m_coarse = state.x;
+  m_extent = extentOf(system, state.x);
+  m_displacement = m_squareOverTime = 0.0;
+  m_speed = m_topSpeed = 0.0;
+  parametersChanged(system, state);
+}
+
+void StepDriver::parametersChanged(System& system, const MotionState& state)
+{
+  for (Candidate& candidate : m_candidates) candidate.prepared = false;
+  m_candidates[kVerlet].accurateStep = m_candidates[kRungeKutta].accurateStep =
+    std::numeric_limits<double>::infinity();
+  m_candidates[kImplicit].accurateStep = kFrame / kImplicitGuess;
+  m_untilCheck = 0;
+  m_checkGap = 1;
+  m_settled = 0;
+  m_toleranceGivenUp = false;
+  m_bound.prepare(system);
+  m_mode = m_bound.compute(system, state.x);
+  m_stepsSinceBound = 0;
+  choose(system, state);
+}
+
+void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
+{
+  for (Candidate& candidate : m_candidates)
+    if (candidate.prepared) candidate.integrator->restart();
+  if (sameNodes) return; // a moving hand: the checks go on in their rhythm
+  m_mode = m_bound.compute(system, state.x);
+  m_stepsSinceBound = 0;
+  m_untilCheck = 0;
+  m_checkGap = 1;
+}
+
+void StepDriver::prepare(Method method, const System& system)
+{
+  Candidate& candidate = m_candidates[method];
+  if (candidate.prepared) {
+    candidate.integrator->restart();
+    return;
+  }
+  candidate.integrator->prepare(system);
+  candidate.prepared = true;
+}
+
+void StepDriver::use(Method method, const System& system)
+{
+  m_method = method;
+  prepare(method, system);
+  m_untilCheck = 0;
+  m_checkGap = 1;
+}
+
+/// Spring evaluations per frame at the step that the method can take now, as far as known.
+double StepDriver::cost(Method method, const System& system)
+{
+  if (method == kImplicit) prepare(method, system);
+  Candidate& candidate = m_candidates[method];
+  const double step =
+    std::min({0.95 * candidate.integrator->stableStep(m_mode), candidate.accurateStep, kFrame});
+  return candidate.integrator->stepCost(system) * kFrame / step;
+}
+
+bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
+{
+  const auto springs = static_cast<double>(system.forces().activeSprings());
+  return springs * kFrame / m_candidates[kVerlet].integrator->stableStep(m_mode) > kMostEvaluations;
+}
+
+void StepDriver::choose(System& system, const MotionState&)
+{
+  if (m_auto) {
+    m_method = kVerlet;
+    m_toleranceGivenUp = false;
+    // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
+    const double steps = kFrame / m_candidates[kVerlet].integrator->stableStep(m_mode);
+    if (steps > 500.0 &&
+        (toleranceIsTooDear(system) || cost(kVerlet, system) > 2.0 * cost(kImplicit, system)))
+      m_method = kImplicit;
+    m_toleranceGivenUp = m_method == kImplicit && toleranceIsTooDear(system);
+  }
+  use(m_method, system);
+  explain(system);
+}
+
+/// After a check: would another method have done it for less?
+void StepDriver::reconsider(System& system)
+{
+  if (!m_auto || --m_settled > 0) return;
+  const Method before = m_method;
+  const bool tooDear = toleranceIsTooDear(system);
+  Candidate& implicit = m_candidates[kImplicit];
+  if (before == kImplicit) {
+    if (!tooDear && cost(kImplicit, system) > 1.5 * cost(kVerlet, system)) m_method = kVerlet;
+  } else if (before == kVerlet) {
+    const double accurate = m_candidates[kVerlet].accurateStep;
+    const double stable = m_candidates[kVerlet].integrator->stableStep(m_mode);
+    const double fourth = m_candidates[kRungeKutta].integrator->stableStep(m_mode);
+    if (accurate < 0.95 * stable && 4.0 * accurate < 0.5 * fourth) m_method = kRungeKutta;
+    if (kFrame / stable > 500.0 && accurate > 4.0 * stable) {
+      implicit.accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
+      if (tooDear || cost(kVerlet, system) > 3.0 * cost(kImplicit, system)) m_method = kImplicit;
+    }
+  }
+  m_toleranceGivenUp = tooDear && m_method == kImplicit;
+  if (m_method == before) return;
+  use(m_method, system);
+  m_settled = 16;
+  explain(system);
+}
+
+void StepDriver::explain(const System& system)
+{
+  m_name = integratorTable()[m_method].name;
+  const double step = m_candidates[kVerlet].integrator->stableStep(m_mode);
+  const bool bounded = std::isfinite(step) && m_mode.node != kNoIndex;
+  const std::string need = bounded ? "springs at node " + std::to_string(m_mode.node) + " (" +
+                                       formatDouble(m_mode.springStiffness, 3) + " N/m on " +
+                                       formatDouble(system.mass()[static_cast<std::size_t>(m_mode.node)], 3) +
+                                       " kg) need explicit steps of " + microseconds(step)
+                                   : "no spring limits the step";
+  if (!m_auto)
+    m_why = m_name + " as asked; " + need;
+  else if (m_toleranceGivenUp)
+    m_why = need + "; the engine went implicit and stays bounded, but the tolerance may not hold";
+  else if (m_method == kImplicit)
+    m_why = need + "; the engine went implicit";
+  else if (m_method == kRungeKutta)
+    m_why = need + "; the tolerance asks for fourth order";
+  else
+    m_why = need + "; explicit steps are cheapest";
+}
+
+void StepDriver::giveUp(Run failure, StepReport& report)
+{
+  const std::string place =
+    m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(m_mode.node) + ")";
+  if (failure == Run::Limit) {
+    report.stepLimit = true;
+    m_why = "the work limit of " + std::to_string(m_maxSteps) +
+            " steps was reached before the end of the interval; allow more steps or a larger tolerance" +
+            place;
+  } else if (failure == Run::NonFinite) {
+    report.nonFinite = true;
+    m_why = std::string("numbers became infinite") + place + "; the last good state is kept: " +
+            (m_settings.fixedStep > 0.0 ? "take a smaller fixed step, at most " +
+                                            microseconds(explicitStep(m_mode)) + ", or automatic steps"
+                                        : "lower the stiffness or the loads, or raise the masses");
+  } else {
+    report.notConverged = true;
+    m_why = "the " + m_name + " solver found no step small enough" + place +
+            "; the last good state is kept: lower the stiffness or the loads, or take a larger tolerance";
+  }
+}
+
+} // namespace esm

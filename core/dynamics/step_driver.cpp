@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/step_driver.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace esm {
+namespace {
+
+constexpr double kFrame = 1.0 / 60.0; ///< longest stretch [s]
+constexpr double kErrorHorizon = 1.0; ///< motion over which errors may add up to the tolerance [s]
+constexpr double kSafety = 0.5;       ///< share of the tolerance that is spent on purpose
+constexpr int kMostAttempts = 24;     ///< of one stretch
+constexpr int kLongestCheckGap = 32;  ///< stretches
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+double rms(const NodeArray& a, const NodeArray& b) noexcept
+{
+  Lanes sum = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Lanes d = a[i] - b[i];
+    sum += d * d;
+  }
+  return std::sqrt(sumLanes(sum) / static_cast<double>(std::max<std::size_t>(a.size(), 1)));
+}
+
+double rms(const NodeArray& a) noexcept
+{
+  Lanes sum = {0, 0, 0, 0};
+  for (const Lanes& value : a) sum += value * value;
+  return std::sqrt(sumLanes(sum) / static_cast<double>(std::max<std::size_t>(a.size(), 1)));
+}
+
+} // namespace
+
+StepReport StepDriver::advance(System& system, MotionState& state, double interval, std::int64_t maxSteps)
+{
+  StepReport report;
+  system.springsEvaluated = 0;
+  m_maxSteps = maxSteps;
+  const double begin = state.time;
+  double end = begin + interval;
+  while (state.time < end) {
+    const double event = system.nextEvent(state.time);
+    // An event a rounding error away from the end of the interval is the end.
+    if (std::abs(event - end) <= 1e-9 * interval) end = event;
+    const double target = std::min(event, end);
+    const double stretches = std::ceil((target - state.time) / kFrame * (1.0 - 1e-9));
+    const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
+    const bool done = m_settings.fixedStep > 0.0 ? stretchFixed(system, state, stretchEnd, report)
+                                                 : stretchControlled(system, state, stretchEnd, report);
+    if (!done) break;
+    if (state.time != event) continue;
+    if (system.enter(state, false)) {
+      for (Candidate& candidate : m_candidates)
+        if (candidate.prepared) candidate.integrator->constraintsChanged(system);
+      m_untilCheck = 0;
+      m_checkGap = 1;
+      m_stepsSinceBound = std::numeric_limits<std::int64_t>::max() / 2;
+    } else {
+      current().restart();
+      m_untilCheck = std::min(m_untilCheck, 2);
+    }
+  }
+  report.simulatedTime = state.time - begin;
+  report.springsEvaluated = system.springsEvaluated;
+  report.largestForce = system.forces().largestTension(state.x.data(), state.v.data());
+  return report;
+}
+
+StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, std::int64_t steps,
+                                StepReport& report)
+{
+  const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
+  for (std::int64_t i = 1; i <= steps; ++i) {
+    if (m_maxSteps > 0 && report.steps >= m_maxSteps) return Run::Limit;
+    const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
+    const StepResult result = current().step(system, state, h, stepEnd, report);
+    if (result == StepResult::NonFinite) return Run::NonFinite;
+    if (result == StepResult::NotConverged) return Run::NotConverged;
+  }
+  report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
+  m_stepsSinceBound += steps;
+  return Run::Done;
+}
+
+bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
+{
+  current().setSolveTolerance(1e-12 * m_extent);
+  const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
+  const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
+  if (result != Run::Done) giveUp(result, report);
+  return result == Run::Done;
+}
+
+/// The step that is both stable and accurate.
+double StepDriver::controlledStep(double length) noexcept
+{
+  // The bound is exact only for a frozen net; stiffening springs get a margin until the next look.
+  const double stable = 0.95 * current().stableStep(m_mode);
+  const double floor = m_toleranceGivenUp && m_method == kImplicit ? kFrame / 64.0 : 0.0;
+  return std::min({stable, std::max(m_candidates[m_method].accurateStep, floor), length});
+}
+
+bool StepDriver::stretchControlled(System& system, MotionState& state, double end, StepReport& report)
+{
+  const double length = end - state.time;
+  refreshBound(system, state);
+  m_start = state;
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    const double step = controlledStep(length);
+    const double count = std::ceil(length / step * (1.0 - 1e-9));
+    if (!(count < 1e12)) return giveUp(Run::NotConverged, report), false;
+    const auto steps = static_cast<std::int64_t>(count);
+    const double budget = budgetFor(m_start, length);
+    current().setSolveTolerance(std::max(0.02 * budget / count, 1e-13 * m_extent));
+    Run result = run(system, state, end, steps, report);
+    if (result == Run::Limit) return giveUp(result, report), false;
+    if (result == Run::Done) {
+      if (!checkDue(system, state, rms(state.v))) {
+        --m_untilCheck;
+        measure(state, length);
+        return true;
+      }
+      m_coarse = state.x;
+      state = m_start;
+      current().restart();
+      result = run(system, state, end, 2 * steps, report);
+      if (result == Run::Limit) return giveUp(result, report), false;
+    }
+    if (result != Run::Done) {
+      if (!retreat(system, state, result, attempt, report)) return false;
+      continue;
+    }
+    const double ratio = current().order() == 4 ? 16.0 : 4.0; // of the errors at h and h/2
+    const double coarseError = rms(m_coarse, state.x) * ratio / (ratio - 1.0);
+    // Kept is the finer run; at the floor step it is kept as it is.
+    const double allowed = budgetFor(state, length);
+    const bool accepted = coarseError / ratio <= allowed || (m_toleranceGivenUp && m_method == kImplicit);
+    learn(system, coarseError, allowed, length / count, length);
+    if (accepted) {
+      measure(state, length);
+      reconsider(system);
+      return true;
+    }
+    report.rejectedSteps += 3 * steps;
+    state = m_start;
+    current().restart();
+  }
+  giveUp(Run::NotConverged, report);
+  return false;
+}
+
+/// After a failed run: back to the start of the stretch with a smaller step. @return false to give up.
+bool StepDriver::retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report)
+{
+  ++report.rejectedSteps;
+  const double tried = controlledStep(kFrame);
+  state = m_start;
+  if (attempt + 1 >= kMostAttempts) return giveUp(failure, report), false;
+  m_candidates[m_method].accurateStep = tried / 4.0;
+  m_untilCheck = 0;
+  m_checkGap = 1;
+  if (m_auto && m_method != kImplicit && attempt >= 4) {
+    use(kImplicit, system);
+    m_settled = 64;
+    explain(system);
+  }
+  current().restart();
+  return true;
+}
+
+bool StepDriver::checkDue(const System&, const MotionState&, double speed) const noexcept
+{
+  return m_untilCheck <= 0 || !(speed <= 2.0 * m_topSpeed); // twice as fast as ever: look closer
+}
+
+/// From the error of steps of size `step` to the step that would just spend the budget.
+void StepDriver::learn(const System&, double error, double budget, double step, double length)
+{
+  const double order = current().order();
+  const double gain = error > 0.0 ? std::pow(budget / error, 1.0 / order) : 8.0;
+  double& accurate = m_candidates[m_method].accurateStep;
+  accurate = step * std::clamp(0.9 * gain, 0.1, 8.0);
+  const bool relaxed = accurate > 1.5 * step || accurate >= length;
+  const bool tight = accurate < step;
+  m_checkGap = relaxed ? std::min(2 * m_checkGap, kLongestCheckGap) : tight ? 1 : std::min(2 * m_checkGap, 4);
+  m_untilCheck = m_checkGap;
+}
+
+/// Error that a stretch may add [m], RMS over nodes.
+double StepDriver::budgetFor(const MotionState& state, double length) const noexcept
+{
+  double scale = std::max(m_displacement, rms(state.x, m_rest));
+  if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_squareOverTime / state.time));
+  // In the first moments the displacement is not yet what the motion will make of it.
+  if (state.time < 6.0 * kFrame) scale = std::max(scale, std::max(m_speed, rms(state.v)) * kFrame);
+  return kSafety * m_settings.tolerance * std::max(scale, 1e-6 * m_extent) *
+         std::min(1.0, length / kErrorHorizon);
+}
+
+void StepDriver::measure(const MotionState& state, double length) noexcept
+{
+  m_displacement = rms(state.x, m_rest);
+  m_squareOverTime += m_displacement * m_displacement * length;
+  m_speed = rms(state.v);
+  m_topSpeed = std::max(m_topSpeed, m_speed);
+}
+
+void StepDriver::refreshBound(const System& system, const MotionState& state)
+{
+  const std::int64_t patience = m_method == kImplicit ? 32 : 64;
+  if (m_stepsSinceBound < patience) return;
+  m_mode = m_bound.compute(system, state.x);
+  m_stepsSinceBound = 0;
+}
+
+FastestMode StepDriver::fastestMode(const System& system, const MotionState& state)
+{
+  return m_bound.compute(system, state.x);
+}
+
+double StepDriver::explicitStep(const FastestMode& mode) const noexcept
+{
+  const Method method = m_method == kRungeKutta ? kRungeKutta : kVerlet;
+  return std::min(m_candidates[method].integrator->stableStep(mode), kInfinity);
+}
+
+} // namespace esm

@@ -1,0 +1,99 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/integrator.h"
+#include "core/dynamics/simulation.h"
+
+#include <array>
+
+namespace esm {
+
+/// Chooses method and step, and takes the steps.
+///
+/// Time is cut at the loads' events, and between them into stretches of at most a frame (1/60 s) with equal
+/// steps. The step is the smaller of what is stable (StepBound) and what is accurate. Accuracy is measured,
+/// not estimated from single steps: now and then a stretch is done twice, the second time with half the step,
+/// and the distance of the two ends tells the error. Single steps say much about fast modes whose error dies
+/// out before the next frame; whole stretches say what a frame shows. The second result is kept. The share of
+/// the error that a stretch may spend is its share of one second of motion, so errors that add up reach the
+/// tolerance after about two seconds at worst.
+///
+/// `auto` compares costs: explicit steps at their limit against implicit ones at the accurate step. If even
+/// explicit steps would be too many, it goes implicit with a smallest step and says that the tolerance may
+/// not hold: bounded rather than exact.
+class StepDriver {
+public:
+  explicit StepDriver(SolverSettings settings);
+
+  /// After creation and reset.
+  void begin(System& system, const MotionState& state);
+  /// Parameters or masses have changed.
+  void parametersChanged(System& system, const MotionState& state);
+  /// Tools have come, moved or gone.
+  void toolsChanged(System& system, const MotionState& state, bool sameNodes);
+
+  StepReport advance(System& system, MotionState& state, double interval, std::int64_t maxSteps);
+
+  /// Where the net is stiffest now, and the largest explicit step there.
+  FastestMode fastestMode(const System& system, const MotionState& state);
+  double explicitStep(const FastestMode& mode) const noexcept;
+
+  const std::string& solverName() const noexcept { return m_name; }
+  const std::string& why() const noexcept { return m_why; }
+
+private:
+  enum Method : std::size_t { kVerlet, kRungeKutta, kImplicit, kMethods };
+  struct Candidate {
+    std::unique_ptr<Integrator> integrator; ///< null until first used
+    double accurateStep = 0.0;              ///< [s]
+    bool prepared = false;
+  };
+
+  Integrator& current() noexcept { return *m_candidates[m_method].integrator; }
+  void use(Method method, const System& system);
+  void prepare(Method method, const System& system);
+  void choose(System& system, const MotionState& state);
+  void reconsider(System& system);
+  double cost(Method method, const System& system);
+  void refreshBound(const System& system, const MotionState& state);
+  bool toleranceIsTooDear(const System& system) const noexcept;
+
+  bool stretchFixed(System& system, MotionState& state, double end, StepReport& report);
+  bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
+  enum class Run { Done, Limit, NonFinite, NotConverged };
+  Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
+  bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
+  void learn(const System& system, double error, double budget, double step, double length);
+  double controlledStep(double length) noexcept;
+  double budgetFor(const MotionState& state, double length) const noexcept;
+  void measure(const MotionState& state, double length) noexcept;
+  void giveUp(Run failure, StepReport& report);
+  void explain(const System& system);
+
+  SolverSettings m_settings;
+  bool m_auto = false;
+  Method m_method = kVerlet;
+  std::string m_name, m_why;
+  std::array<Candidate, kMethods> m_candidates;
+  StepBound m_bound;
+  FastestMode m_mode;
+  std::int64_t m_stepsSinceBound = 0;
+  bool m_toleranceGivenUp = false;
+  int m_settled = 0;    ///< stretches before the method may change again
+  int m_untilCheck = 0; ///< stretches until the next one that is done twice
+  int m_checkGap = 1;
+  std::int64_t m_maxSteps = 0;
+
+  // What the error is measured against
+  NodeArray m_rest;                       ///< positions at t = 0 [m]
+  double m_extent = 1.0;                  ///< of the net [m]
+  double m_displacement = 0.0;            ///< RMS over nodes, now [m]
+  double m_squareOverTime = 0.0;          ///< integral of its square [m^2 s]
+  double m_speed = 0.0, m_topSpeed = 0.0; ///< RMS over nodes, now and so far [m/s]
+  MotionState m_start;                    ///< of the present stretch
+  NodeArray m_coarse;                     ///< end of the first of two runs
+};
+
+} // namespace esm

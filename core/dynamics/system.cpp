@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/system.h"
+
+#include "core/base/assert.h"
+
+namespace esm {
+
+System::System(const SpringNet& net, const Loads& loads) : m_schedule(loads, net.restPosition, net.fixed)
+{
+  setParameters(net, loads.gravity);
+}
+
+void System::setParameters(const SpringNet& net, const Eigen::Vector3d& gravity)
+{
+  m_forces = ForceModel(net, gravity);
+  m_mass.assign(net.mass.begin(), net.mass.end());
+  m_fixed = net.fixed;
+  m_inverseMass.resize(m_mass.size());
+  for (std::size_t i = 0; i < m_mass.size(); ++i) m_inverseMass[i] = m_fixed[i] ? 0.0 : 1.0 / m_mass[i];
+  updateConstraints();
+}
+
+bool System::updateConstraints() noexcept
+{
+  bool changed = false;
+  for (const LoadSchedule::PrescribedNode& node : m_schedule.prescribedNodes()) {
+    const auto i = static_cast<std::size_t>(node.node);
+    const double inverse = m_schedule.isActive(node) ? 0.0 : 1.0 / m_mass[i];
+    changed = changed || inverse != m_inverseMass[i];
+    m_inverseMass[i] = inverse;
+  }
+  return changed;
+}
+
+double System::setTools(std::span<const ToolSpring> tools, const NodeArray& x)
+{
+  const double before = toolEnergy(x);
+  m_tools.assign(tools.begin(), tools.end());
+  return toolEnergy(x) - before;
+}
+
+bool System::enter(MotionState& state, bool silent)
+{
+  const auto total = [&] {
+    return kineticEnergy(state.v) + elasticEnergy(state.x) + m_forces.gravityEnergy(state.x.data());
+  };
+  const bool counts = !silent && m_schedule.anyMotion();
+  const double before = counts ? total() : 0.0;
+  m_schedule.enter(state.time);
+  place(state.time, state.x, state.v);
+  const bool changed = updateConstraints();
+  // A corner of a motion is a blow, a jump is a stretch in no time: the support does both.
+  if (counts) state.work += total() - before;
+  return changed;
+}
+
+Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force) noexcept
+{
+  place(t, x, v);
+  Rates rates;
+  const SpringSums sums = m_forces.computeForces(x.data(), v.data(), force.data());
+  springsEvaluated += m_forces.activeSprings();
+  rates.heat = sums.heat;
+  rates.work = m_schedule.addForces(t, v.data(), force.data());
+  for (std::size_t i = 0; i < m_tools.size(); ++i) {
+    const ToolSpring& tool = m_tools[i];
+    const auto node = static_cast<std::size_t>(tool.node);
+    const Eigen::Vector3d slip = tool.targetVelocity - toVector(v[node]);
+    force[node] += toLanes(toolForce(i, x, v));
+    rates.heat += tool.viscosity * slip.squaredNorm();
+    rates.work += tool.viscosity * slip.dot(tool.targetVelocity);
+  }
+  for (const LoadSchedule::PrescribedNode& node : m_schedule.prescribedNodes())
+    if (m_schedule.isActive(node)) {
+      const auto i = static_cast<std::size_t>(node.node);
+      rates.work -= dot(force[i], v[i]);
+    }
+  return rates;
+}
+
+double System::kineticEnergy(const NodeArray& v) const noexcept
+{
+  double energy = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i) energy += 0.5 * m_mass[i] * dot(v[i], v[i]);
+  return energy;
+}
+
+double System::toolEnergy(const NodeArray& x) const noexcept
+{
+  double energy = 0.0;
+  for (const ToolSpring& tool : m_tools)
+    energy +=
+      0.5 * tool.stiffness * (tool.target - toVector(x[static_cast<std::size_t>(tool.node)])).squaredNorm();
+  return energy;
+}
+
+double System::elasticEnergy(const NodeArray& x) const noexcept
+{
+  return m_forces.elasticEnergy(x.data()) + toolEnergy(x);
+}
+
+Eigen::Vector3d System::toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept
+{
+  ESM_ASSERT(tool < m_tools.size());
+  const ToolSpring& spring = m_tools[tool];
+  const auto node = static_cast<std::size_t>(spring.node);
+  return spring.stiffness * (spring.target - toVector(x[node])) +
+         spring.viscosity * (spring.targetVelocity - toVector(v[node]));
+}
+
+} // namespace esm

@@ -1,0 +1,74 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/forces/force_model.h"
+#include "core/forces/load_schedule.h"
+
+#include <span>
+
+namespace esm {
+
+/// What changes with each step. The energies are sums over the trajectory, integrated with the step's own
+/// quadrature.
+struct MotionState {
+  NodeArray x, v; ///< N [m], N [m/s]
+  double time = 0.0;
+  double work = 0.0; ///< done by nodal forces, motions and tools since t = 0 [J]
+  double heat = 0.0; ///< [J]
+};
+
+/// Powers at one instant [W].
+struct Rates {
+  double work = 0.0, heat = 0.0;
+};
+
+/// The equations of motion m a = f(t, x, v): the net's own forces, the loads and the tools, and who is free.
+/// A node that is fixed or prescribed has inverse mass 0; its entry in the force array is what the net and
+/// the loads do to it, and the support answers with the opposite.
+class System {
+public:
+  System() = default;
+  System(const SpringNet& net, const Loads& loads);
+  /// New parameters for the same nodes; loads, tools and constraints stay.
+  void setParameters(const SpringNet& net, const Eigen::Vector3d& gravity);
+  /// @return the energy that the exchange adds to the tool springs at positions x [J].
+  double setTools(std::span<const ToolSpring> tools, const NodeArray& x);
+
+  std::size_t nodeCount() const noexcept { return m_mass.size(); }
+  const ForceModel& forces() const noexcept { return m_forces; }
+  const std::vector<ToolSpring>& tools() const noexcept { return m_tools; }
+  const std::vector<double>& mass() const noexcept { return m_mass; }
+  const std::vector<double>& inverseMass() const noexcept { return m_inverseMass; } ///< [1/kg]
+  bool isFree(std::size_t node) const noexcept { return m_inverseMass[node] > 0.0; }
+  double nextEvent(double t) const noexcept { return m_schedule.nextEvent(t); }
+
+  /// Takes the loads' lines and the constraints that hold from state.time on; puts prescribed nodes where
+  /// they belong. Work done by a jump goes to state.work unless `silent` (the start).
+  /// @return whether nodes have become free or held.
+  bool enter(MotionState& state, bool silent);
+
+  /// Forces at t into `force` (N entries). Prescribed nodes are first put to their place in x and v.
+  /// Does not allocate.
+  Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force) noexcept;
+  /// Prescribed nodes to their place.
+  void place(double t, NodeArray& x, NodeArray& v) const noexcept { m_schedule.place(t, x.data(), v.data()); }
+
+  double kineticEnergy(const NodeArray& v) const noexcept;
+  double elasticEnergy(const NodeArray& x) const noexcept; ///< springs, anchors, tools [J]
+  Eigen::Vector3d toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept;
+
+  std::int64_t springsEvaluated = 0; ///< since the caller set it to 0
+
+private:
+  double toolEnergy(const NodeArray& x) const noexcept;
+  bool updateConstraints() noexcept; ///< whether anything changed
+
+  ForceModel m_forces;
+  LoadSchedule m_schedule;
+  std::vector<ToolSpring> m_tools;
+  std::vector<double> m_mass, m_inverseMass;
+  std::vector<std::uint8_t> m_fixed;
+};
+
+} // namespace esm

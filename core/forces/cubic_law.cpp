@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/forces/spring_pass.h"
+
+namespace esm {
+namespace {
+
+/// f = k e (1 + a (e/L)^2)
+struct Cubic {
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, const Lanes& rest,
+                                 Lanes& f) noexcept
+  {
+    Lanes k, a;
+    detail::loadLanes(&batch.stiffness[i], k);
+    detail::loadLanes(&batch.parameter[i], a);
+    const Lanes strain = e / rest;
+    f = k * e * (1.0 + a * (strain * strain));
+  }
+};
+
+ESM_CPU_CLONES SpringSums pass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                               Lanes* force) noexcept
+{
+  return detail::springPass<Cubic>(batch, x, v, force);
+}
+
+class CubicLaw final : public SpringLawKernel {
+public:
+  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                       Lanes* force) const noexcept override
+  {
+    return pass(batch, x, v, force);
+  }
+
+  SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override
+  {
+    const double k = batch.stiffness[i];
+    const double strain = e / batch.restLength[i];
+    const double stiffening = batch.parameter[i] * (strain * strain);
+    return {k * e * (1.0 + stiffening), k * (1.0 + 3.0 * stiffening),
+            0.5 * k * e * e * (1.0 + 0.5 * stiffening)};
+  }
+};
+
+} // namespace
+
+const SpringLawKernel& cubicLaw() noexcept
+{
+  static const CubicLaw law;
+  return law;
+}
+
+} // namespace esm

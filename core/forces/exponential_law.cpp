@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/forces/spring_pass.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+/// Beyond this exponent, either way, exp() goes on along its tangent: e^100 is far past any tissue, and the
+/// force stays a number that the step control can reject.
+constexpr double kLargestExponent = 100.0;
+
+/// exp(s) - 1 for |s| <= kLargestExponent, with plain arithmetic only: the C library's exp() has other last
+/// bits on CPUs with FMA. s = n ln 2 + r with |r| <= ln 2 / 2; the Taylor series of exp(r) - 1 to r^13 leaves
+/// 4e-18; exp(s) - 1 = 2^n (exp(r) - 1) + (2^n - 1) loses nothing near 0.
+ESM_INLINE void expMinusOne(const Lanes& s, Lanes& result) noexcept
+{
+  constexpr double kRound = 0x1.8p52; // adding it rounds to an integer, which then stands in the low bits
+  constexpr double kLn2High = 0x1.62e42fefa3800p-1;
+  constexpr double kLn2Low = 0x1.ef35793c76730p-45;
+  const Lanes shifted = s * 0x1.71547652b82fep+0 + kRound;
+  const Lanes n = shifted - kRound;
+  const Lanes r = (s - n * kLn2High) - n * kLn2Low;
+  Lanes p = r * (1.0 / 6227020800.0) + (1.0 / 479001600.0);
+  p = p * r + (1.0 / 39916800.0);
+  p = p * r + (1.0 / 3628800.0);
+  p = p * r + (1.0 / 362880.0);
+  p = p * r + (1.0 / 40320.0);
+  p = p * r + (1.0 / 5040.0);
+  p = p * r + (1.0 / 720.0);
+  p = p * r + (1.0 / 120.0);
+  p = p * r + (1.0 / 24.0);
+  p = p * r + (1.0 / 6.0);
+  p = p * r + 0.5;
+  p = p * (r * r) + r;
+  LaneBits bits;
+  __builtin_memcpy(&bits, &shifted, sizeof(bits));
+  bits = (bits + 1023) << 52; // the high bits of kRound leave on the left
+  Lanes power;
+  __builtin_memcpy(&power, &bits, sizeof(power));
+  result = power * p + (power - 1.0);
+}
+
+/// f = k L/b (exp(b e/L) - 1)
+struct Exponential {
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, const Lanes& rest,
+                                 Lanes& f) noexcept
+  {
+    Lanes k, b, growth;
+    detail::loadLanes(&batch.stiffness[i], k);
+    detail::loadLanes(&batch.parameter[i], b);
+    const Lanes s = b * e / rest;
+    const Lanes most = Lanes{0, 0, 0, 0} + kLargestExponent;
+    const Lanes belowMost = s > most ? most : s;
+    const Lanes inside = belowMost < -most ? -most : belowMost;
+    expMinusOne(inside, growth);
+    growth += (growth + 1.0) * (s - inside);
+    f = k * rest / b * growth;
+  }
+};
+
+ESM_CPU_CLONES SpringSums pass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                               Lanes* force) noexcept
+{
+  return detail::springPass<Exponential>(batch, x, v, force);
+}
+
+/// exp(s) - 1 - s, without cancellation near 0.
+double expMinusLine(double s) noexcept
+{
+  if (std::abs(s) > 0.1) return std::expm1(s) - s;
+  double term = 0.5 * s * s, sum = term; // s^2/2! + s^3/3! + ...; s^12/12! is 2e-21
+  for (int n = 3; n <= 12; ++n) sum += term *= s / n;
+  return sum;
+}
+
+class ExponentialLaw final : public SpringLawKernel {
+public:
+  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                       Lanes* force) const noexcept override
+  {
+    return pass(batch, x, v, force);
+  }
+
+  SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override
+  {
+    const double k = batch.stiffness[i], b = batch.parameter[i], scale = batch.restLength[i] / b;
+    const double s = e / scale;
+    const double inside = std::min(std::max(s, -kLargestExponent), kLargestExponent);
+    const double outside = s - inside; // along the tangent
+    const double growth = std::expm1(inside), slope = growth + 1.0;
+    SpringResponse response;
+    response.tension = k * scale * (growth + slope * outside);
+    response.tangent = k * slope;
+    response.energy =
+      k * scale * scale * (expMinusLine(inside) + growth * outside + 0.5 * slope * outside * outside);
+    return response;
+  }
+};
+
+} // namespace
+
+const SpringLawKernel& exponentialLaw() noexcept
+{
+  static const ExponentialLaw law;
+  return law;
+}
+
+} // namespace esm

@@ -1,0 +1,76 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/forces/spring_law.h"
+
+namespace esm {
+
+/// How a spring's force on its end a changes with the ends, u its direction, w the ends' relative velocity:
+///
+///     dFa/dxb = axial u u^T + lateral (I - u u^T),   dFa/dvb = viscous u u^T
+///
+/// and the same with the other sign for xa, va and for Fb. The change of the viscous force with position is
+/// left out: it is not symmetric, and vanishes at rest. All zero for a slack or zero-length spring.
+struct SpringTangent {
+  Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< u [1]
+  double axial = 0.0;                                  ///< df/de [N/m]
+  double lateral = 0.0;                                ///< f/l [N/m], negative in a pressed spring
+  double viscous = 0.0;                                ///< c [N s/m]
+};
+
+/// All forces that a net has by itself: springs, anchors, weight and mass damping, compiled from a SpringNet
+/// for speed. Springs are sorted by law (see SpringBatch); what is absent costs nothing: a law without
+/// springs, springs with neither stiffness nor viscosity, viscosity that is zero, gravity, mass damping.
+/// Holds no state; any thread may call the const functions at the same time.
+class ForceModel {
+public:
+  ForceModel() = default;
+  ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity);
+
+  std::size_t nodeCount() const noexcept { return m_weight.size(); }
+  /// Springs that one addForces() evaluates.
+  std::int64_t activeSprings() const noexcept { return m_activeSprings; }
+  bool isNonlinear() const noexcept { return m_nonlinear; }
+
+  /// Sets `force` (N entries) to the weight plus all other forces of the net. Does not allocate.
+  SpringSums computeForces(const Lanes* x, const Lanes* v, Lanes* force) const noexcept;
+
+  double elasticEnergy(const Lanes* x) const noexcept; ///< springs and anchors [J]
+  double gravityEnergy(const Lanes* x) const noexcept; ///< - sum m g.p [J]
+  /// Elastic + viscous tension of every spring of the net [N]; `tension` has S entries.
+  void springTensions(const Lanes* x, const Lanes* v, double* tension) const noexcept;
+  double largestTension(const Lanes* x, const Lanes* v) const noexcept; ///< absolute [N]
+
+  /// The tangents of the active springs, in their order here; ends by springEnds().
+  void springTangents(const Lanes* x, std::vector<SpringTangent>& tangents) const;
+  struct Ends {
+    Index a, b;
+  };
+  const std::vector<Ends>& springEnds() const noexcept { return m_ends; }
+
+  // What acts on single nodes, as the implicit solver and the step bound need it.
+  struct Anchor {
+    Index node;
+    Lanes point;
+    double stiffness, viscosity;
+  };
+  const std::vector<Anchor>& anchors() const noexcept { return m_anchors; }
+  /// alpha m of every node [kg/s]; empty without mass damping.
+  const std::vector<double>& massDrag() const noexcept { return m_massDrag; }
+
+private:
+  template <class Visit>
+  void forEachSpring(const Lanes* x, const Visit& visit) const;
+
+  std::vector<SpringBatch> m_batches;
+  std::vector<Ends> m_ends;
+  std::int64_t m_activeSprings = 0;
+  std::size_t m_springCount = 0; ///< of the net, idle ones included
+  bool m_nonlinear = false;
+  NodeArray m_weight; ///< m g [N]
+  std::vector<Anchor> m_anchors;
+  std::vector<double> m_massDrag;
+};
+
+} // namespace esm

@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/forces/spring_pass.h"
+
+namespace esm {
+namespace {
+
+/// f = k e
+struct Linear {
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e,
+                                 const Lanes& /*rest*/, Lanes& f) noexcept
+  {
+    Lanes k;
+    detail::loadLanes(&batch.stiffness[i], k);
+    f = k * e;
+  }
+};
+
+ESM_CPU_CLONES SpringSums pass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                               Lanes* force) noexcept
+{
+  return detail::springPass<Linear>(batch, x, v, force);
+}
+
+class LinearLaw final : public SpringLawKernel {
+public:
+  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                       Lanes* force) const noexcept override
+  {
+    return pass(batch, x, v, force);
+  }
+
+  SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override
+  {
+    const double k = batch.stiffness[i];
+    return {k * e, k, 0.5 * k * e * e};
+  }
+};
+
+} // namespace
+
+const SpringLawKernel& linearLaw() noexcept
+{
+  static const LinearLaw law;
+  return law;
+}
+
+} // namespace esm

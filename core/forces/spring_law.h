@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/forces/node_array.h"
+#include "core/net/spring_net.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace esm {
+
+/// A spring shorter than this [m] (a hundredth of an atom) has no direction: it gives no force, neither
+/// elastic nor viscous, and is counted.
+inline constexpr double kMinSpringLength = 1e-12;
+
+/// The springs of one law, with or without dampers, tension-only or not: one call serves them all. One array
+/// per property, padded to whole groups of four by springs from node 0 to itself, which are too short to
+/// pull.
+struct SpringBatch {
+  SpringLaw law = SpringLaw::Linear;
+  bool damped = false;
+  bool tensionOnly = false;
+  std::size_t count = 0;                                ///< without the padding
+  std::vector<Index> a, b;                              ///< ends
+  std::vector<double> restLength, stiffness, viscosity; ///< [m] [N/m] [N s/m]
+  std::vector<double> parameter;                        ///< a, b of the law, or the index of the table [1]
+  std::vector<Index> spring;                            ///< place in the SpringNet, `count` entries
+  std::vector<ForceTable> tables;                       ///< copy of the net's, for the table law only
+
+  std::size_t paddedCount() const noexcept { return a.size(); }
+};
+
+/// What a pass over springs found besides the forces.
+struct SpringSums {
+  double heat = 0.0;           ///< power that the dampers turn into heat [W]
+  std::int64_t degenerate = 0; ///< springs without direction
+};
+
+/// A spring's answer to one extension.
+struct SpringResponse {
+  double tension = 0.0; ///< f(e) [N]
+  double tangent = 0.0; ///< df/de [N/m]
+  double energy = 0.0;  ///< integral of f from 0 to e [J]
+};
+
+/// One elastic law. Implementations are stateless and live for ever; see springLawKernel() for the table.
+class SpringLawKernel {
+public:
+  virtual ~SpringLawKernel() = default;
+
+  /// Adds the forces of a whole batch to `force`. With d = x[b] - x[a], l = |d|, e = l - L, w = v[b] - v[a]:
+  ///
+  ///     T = f(e) + c (w.d)/l,   force[a] += T d/l,   force[b] -= T d/l
+  ///
+  /// @param x, v, force  N entries each; contributions are added, the caller clears `force`.
+  /// @note Any thread. Never throws or allocates. Springs are summed in array order and each lane computes
+  ///       what a single spring would, so equal input gives equal bits with and without AVX2.
+  virtual SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                               Lanes* force) const noexcept = 0;
+
+  /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents,
+  /// energies and tests.
+  virtual SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept = 0;
+};
+
+const SpringLawKernel& springLawKernel(SpringLaw law) noexcept;
+
+// The implementations, one file each.
+const SpringLawKernel& linearLaw() noexcept;
+const SpringLawKernel& cubicLaw() noexcept;
+const SpringLawKernel& exponentialLaw() noexcept;
+const SpringLawKernel& tableLaw() noexcept;
+
+} // namespace esm

@@ -1,0 +1,115 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/forces/spring_law.h"
+
+/// Put before a function that deserves a second version for CPUs with AVX2; the loader chooses. Off under
+/// sanitizers, which cannot run before the choice is made, and where there is no such choice.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(ESM_SANITIZED) &&            \
+  !defined(ESM_NO_CLONES)
+#define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3")))
+#else
+#define ESM_CPU_CLONES
+#endif
+
+namespace esm::detail {
+
+#define ESM_INLINE [[gnu::always_inline]] inline
+
+ESM_INLINE void squareRoot(Lanes& value) noexcept
+{
+  for (int lane = 0; lane < 4; ++lane) value[lane] = __builtin_sqrt(value[lane]);
+}
+
+/// Four nodes' (x, y, z, 0) to four springs' x, y, z.
+ESM_INLINE void transpose(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3, Lanes& x,
+                          Lanes& y, Lanes& z) noexcept
+{
+  const Lanes low = __builtin_shuffle(r0, r1, LaneBits{0, 4, 1, 5});  // x0 x1 y0 y1
+  const Lanes high = __builtin_shuffle(r2, r3, LaneBits{0, 4, 1, 5}); // x2 x3 y2 y3
+  const Lanes lowZ = __builtin_shuffle(r0, r1, LaneBits{2, 6, 3, 7});
+  const Lanes highZ = __builtin_shuffle(r2, r3, LaneBits{2, 6, 3, 7});
+  x = __builtin_shuffle(low, high, LaneBits{0, 1, 4, 5});
+  y = __builtin_shuffle(low, high, LaneBits{2, 3, 6, 7});
+  z = __builtin_shuffle(lowZ, highZ, LaneBits{0, 1, 4, 5});
+}
+
+ESM_INLINE void loadLanes(const double* from, Lanes& to) noexcept
+{
+  __builtin_memcpy(&to, from, sizeof(to));
+}
+
+/// The pass that all laws share. `Law::tension(batch, i, e, f)` gives f(e) of springs i .. i+3.
+template <class Law, bool damped, bool tensionOnly>
+ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                 Lanes* force) noexcept
+{
+  const Index* endA = batch.a.data();
+  const Index* endB = batch.b.data();
+  const Lanes zero = {0, 0, 0, 0};
+  const Lanes one = {1, 1, 1, 1};
+  const Lanes shortest = one * (kMinSpringLength * kMinSpringLength);
+  Lanes heat = zero;
+  LaneBits degenerate = {0, 0, 0, 0};
+  const std::size_t count = batch.paddedCount();
+  for (std::size_t i = 0; i < count; i += 4) {
+    const Index a0 = endA[i], a1 = endA[i + 1], a2 = endA[i + 2], a3 = endA[i + 3];
+    const Index b0 = endB[i], b1 = endB[i + 1], b2 = endB[i + 2], b3 = endB[i + 3];
+    const Lanes d0 = x[b0] - x[a0], d1 = x[b1] - x[a1], d2 = x[b2] - x[a2], d3 = x[b3] - x[a3];
+    Lanes dx, dy, dz, length, restLength, tension;
+    transpose(d0, d1, d2, d3, dx, dy, dz);
+    const Lanes square = dx * dx + dy * dy + dz * dz;
+    length = square;
+    squareRoot(length);
+    const LaneBits tooShort = square < shortest; // all bits set where true; false for NaN, which must spread
+    degenerate -= tooShort;
+    const Lanes inverse = one / (tooShort ? one : length);
+    loadLanes(&batch.restLength[i], restLength);
+    const Lanes e = length - restLength;
+    Law::tension(batch, i, e, restLength, tension);
+    if constexpr (damped) {
+      const Lanes w0 = v[b0] - v[a0], w1 = v[b1] - v[a1], w2 = v[b2] - v[a2], w3 = v[b3] - v[a3];
+      Lanes wx, wy, wz, viscosity;
+      transpose(w0, w1, w2, w3, wx, wy, wz);
+      const Lanes rate = (wx * dx + wy * dy + wz * dz) * inverse;
+      loadLanes(&batch.viscosity[i], viscosity);
+      Lanes drag = viscosity * rate;
+      drag = tooShort ? zero : drag;
+      if constexpr (tensionOnly) drag = e <= zero ? zero : drag;
+      heat += drag * rate;
+      tension += drag;
+    }
+    if constexpr (tensionOnly) tension = e <= zero ? zero : tension;
+    tension = tooShort ? zero : tension;
+    const Lanes scale = tension * inverse;
+    const Lanes f0 = d0 * scale[0], f1 = d1 * scale[1], f2 = d2 * scale[2], f3 = d3 * scale[3];
+    force[a0] += f0;
+    force[b0] -= f0;
+    force[a1] += f1;
+    force[b1] -= f1;
+    force[a2] += f2;
+    force[b2] -= f2;
+    force[a3] += f3;
+    force[b3] -= f3;
+  }
+  SpringSums sums;
+  sums.heat = sumLanes(heat);
+  sums.degenerate = degenerate[0] + degenerate[1] + degenerate[2] + degenerate[3] -
+                    static_cast<std::int64_t>(count - batch.count);
+  return sums;
+}
+
+/// Chooses among the four kinds of batch, once per batch.
+template <class Law>
+ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                 Lanes* force) noexcept
+{
+  if (batch.tensionOnly)
+    return batch.damped ? springPass<Law, true, true>(batch, x, v, force)
+                        : springPass<Law, false, true>(batch, x, v, force);
+  return batch.damped ? springPass<Law, true, false>(batch, x, v, force)
+                      : springPass<Law, false, false>(batch, x, v, force);
+}
+
+} // namespace esm::detail
