@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport/picker.h"
+#include "tests/app/viewport/sample_nets.h"
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+namespace {
+
+Camera fromTheFront()
+{
+  Camera camera;
+  camera.setViewport(800, 600);
+  camera.setScene(Vector3d::Zero(), 0.05);
+  camera.setPose(Vector3d::Zero(), 0.2, 0.0, 0.0); // eye at y = -0.2
+  return camera;
+}
+
+} // namespace
+
+TEST(HitTriangle, GivesTheDistanceFromEitherSide)
+{
+  const Vector3d a(0, 0, 1), b(1, 0, 1), c(0, 1, 1);
+  const Vector3d inside(0.2, 0.3, 0.0);
+  EXPECT_NEAR(*hitTriangle({inside, Vector3d::UnitZ()}, a, b, c), 1.0, 1e-15);
+  EXPECT_NEAR(*hitTriangle({inside, Vector3d::UnitZ()}, a, c, b), 1.0, 1e-15);
+  EXPECT_FALSE(hitTriangle({inside, -Vector3d::UnitZ()}, a, b, c)) << "behind the start";
+  EXPECT_FALSE(hitTriangle({Vector3d(0.6, 0.6, 0.0), Vector3d::UnitZ()}, a, b, c)) << "beside";
+  EXPECT_FALSE(hitTriangle({Vector3d(-1, 0, 1), Vector3d::UnitX()}, a, b, c)) << "in its plane";
+}
+
+// Front pole (-y) and back pole (+y) of a sphere share a pixel: only the front one is meant.
+TEST(PickNode, TheBackOfASphereIsNotPicked)
+{
+  const auto net = samples::sphere(3, 0.04);
+  EXPECT_EQ(pickNode(fromTheFront(), net->restPosition, net->triangles, {400, 300}, 12.0), 3);
+}
+
+// Every node that faces the eye can be picked at its own pixel, none that looks away.
+TEST(PickNode, EachNodeOfTheFrontAndNoneOfTheBack)
+{
+  const auto net = samples::sphere(2, 0.04);
+  const Camera camera = fromTheFront();
+  for (Index i = 0; i < net->nodeCount(); ++i) {
+    const Vector3d at = net->restPosition.col(i);
+    const double facing = at.normalized().dot((camera.eye() - at).normalized());
+    const Index picked = pickNode(camera, net->restPosition, net->triangles, camera.project(at).pixel, 12.0);
+    if (facing > 0.2) {
+      EXPECT_EQ(picked, i);
+    } else if (facing < -0.2) {
+      EXPECT_NE(picked, i);
+    }
+  }
+}
+
+TEST(PickNode, OnlyWithinTheRadius)
+{
+  const auto net = samples::sphere(0, 0.04);
+  const Camera camera = fromTheFront();
+  const Vector2d pole = camera.project(net->restPosition.col(4)).pixel;
+  EXPECT_EQ(pickNode(camera, net->restPosition, net->triangles, pole + Vector2d(0.0, -11.5), 12.0), 4);
+  EXPECT_EQ(pickNode(camera, net->restPosition, net->triangles, pole + Vector2d(0.0, -12.5), 12.0), kNoIndex);
+}
+
+// Without a surface nothing hides, but a node in front still goes before one far behind it, even if the click
+// was a little nearer to that one.
+TEST(PickNode, BareSpringsPreferTheFront)
+{
+  Eigen::Matrix3Xd position(3, 2);
+  position.col(0) = Vector3d(0.0, 0.04, 0.0);    // behind, in the middle
+  position.col(1) = Vector3d(0.001, -0.04, 0.0); // in front, a few pixels beside
+  EXPECT_EQ(pickNode(fromTheFront(), position, TriangleMatrix(3, 0), {400, 300}, 12.0), 1);
+}

@@ -1,0 +1,291 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport/colour_map.h"
+#include "app/viewport/scene_view.h"
+#include "tests/app/viewport/sample_nets.h"
+
+#include <gtest/gtest.h>
+
+#include <QApplication>
+#include <QOpenGLWidget>
+#include <QPalette>
+#include <QSignalSpy>
+#include <QtTest>
+
+#include <cmath>
+
+using namespace esm;
+
+namespace {
+
+/// A view on the screen, seen from the front.
+class View {
+public:
+  View()
+  {
+    scene.resize(640, 480);
+    scene.show();
+    EXPECT_TRUE(QTest::qWaitForWindowExposed(&scene));
+    ViewSettings front;
+    front.azimuth = front.elevation = 0.0;
+    scene.setViewSettings(front);
+  }
+  QColor at(const QImage& picture, const Eigen::Vector3d& point) const
+  {
+    const QPointF pixel = scene.project(point);
+    return picture.pixelColor(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
+  }
+  SceneView scene;
+};
+
+int difference(const QColor& a, const QColor& b)
+{
+  return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
+}
+
+/// Whether `seen` is `base` under some light: its hue, if that has one.
+bool sameHue(const QColor& seen, const Rgb& base)
+{
+  const QColor wanted = QColor::fromRgbF(base[0], base[1], base[2]);
+  const int apart = std::abs(seen.hsvHue() - wanted.hsvHue());
+  return std::min(apart, 360 - apart) < 25;
+}
+
+QPalette darkPalette()
+{
+  QPalette palette(QColor(0x35, 0x35, 0x35), QColor(0x2d, 0x2f, 0x33));
+  palette.setColor(QPalette::WindowText, Qt::white);
+  palette.setColor(QPalette::Base, QColor(0x1e, 0x20, 0x23));
+  return palette;
+}
+
+/// An organ for the eye: a pear with a bent neck, softer and harder parts, a few struts, a fixed rim.
+std::shared_ptr<SpringNet> organ()
+{
+  const auto net = samples::ball(4, [](const Eigen::Vector3d& u) {
+    const double waist = 0.55 + 0.35 * std::tanh(2.2 * u.z()) + 0.1 * u.z();
+    const double bump = 1.0 + 0.06 * std::sin(5.0 * u.x() + 1.0) * std::cos(4.0 * u.y());
+    const double z = 0.042 * u.z();
+    return Eigen::Vector3d(0.030 * waist * bump * u.x() + 4.0 * z * z, 0.022 * waist * bump * u.y(), z);
+  });
+  const Eigen::Vector3d lump(0.024, -0.012, 0.022);
+  for (Index s = 0; s < net->springCount(); ++s) {
+    const Eigen::Vector3d middle =
+      0.5 * (net->restPosition.col(net->ends(0, s)) + net->restPosition.col(net->ends(1, s)));
+    net->stiffness(s) = 40.0 + 900.0 * std::exp(-(middle - lump).squaredNorm() / (2.0 * 0.009 * 0.009)) +
+                        25.0 * (1.0 + middle.z() / 0.042);
+  }
+  for (Index i = 0; i < net->nodeCount(); ++i)
+    if (net->restPosition(2, i) < -0.0385) net->fixed[static_cast<std::size_t>(i)] = 1;
+  samples::addStruts(*net, {{0, 1}, {2, 3}, {0, 3}, {1, 2}});
+  return net;
+}
+
+Region lumpRegion()
+{
+  Region region;
+  region.ellipsoid.centre = {0.024, -0.012, 0.022};
+  region.ellipsoid.semiAxes = {0.016, 0.013, 0.015};
+  region.ellipsoid.rotation = Eigen::AngleAxisd(0.5, Eigen::Vector3d::UnitY());
+  return region;
+}
+
+void save(const QImage& picture, const char* name)
+{
+  EXPECT_TRUE(picture.save(QStringLiteral(ESM_PICTURE_DIR "/%1.png").arg(QLatin1String(name))));
+}
+
+} // namespace
+
+// A display without OpenGL 3.3 must fail here, not skip: the other tests would prove nothing.
+TEST(SceneViewGl, ThisDisplayCanDraw)
+{
+  QString why;
+  ASSERT_TRUE(SceneView::openGlUsable(&why)) << why.toStdString();
+  EXPECT_TRUE(SceneView().hasOpenGl());
+}
+
+TEST(SceneViewGl, ASphereIsDrawnInTheMiddle)
+{
+  View view;
+  view.scene.setNet(samples::sphere(3, 0.05), 1);
+  const QImage picture = view.scene.picture();
+  ASSERT_EQ(picture.size(), QSize(640, 480));
+  const QColor background = picture.pixelColor(60, 240);
+  EXPECT_GT(difference(picture.pixelColor(320, 240), background), 60);
+  EXPECT_GT(difference(picture.pixelColor(320, 120), background), 60) << "up to 0.8 of the half height";
+  EXPECT_LT(difference(picture.pixelColor(320, 20), background), 60) << "but not above it";
+}
+
+// Soft left, hard right: the left half has the map's dark violet, the right half its yellow.
+TEST(SceneViewGl, TheEndsOfTheColourMapAppearWhereTheStiffnessIs)
+{
+  View view;
+  const auto net = samples::sphere(3, 0.05);
+  for (Index s = 0; s < net->springCount(); ++s)
+    net->stiffness(s) = net->restPosition(0, net->ends(0, s)) < 0.0 ? 10.0 : 1000.0;
+  view.scene.setShown(true, false);
+  view.scene.setNet(net, 1);
+  const QImage picture = view.scene.picture();
+  const QColor left = view.at(picture, {-0.03, -0.04, 0.0}), right = view.at(picture, {0.03, -0.04, 0.0});
+  EXPECT_TRUE(sameHue(left, viridis(0.0))) << left.name().toStdString();
+  EXPECT_TRUE(sameHue(right, viridis(1.0))) << right.name().toStdString();
+
+  auto swapped = std::make_shared<SpringNet>(*net);
+  swapped->stiffness = 10000.0 / net->stiffness;
+  view.scene.setParameters(swapped);
+  EXPECT_TRUE(sameHue(view.at(view.scene.picture(), {-0.03, -0.04, 0.0}), viridis(1.0)));
+}
+
+// The only springs are two that cross in one point of space: where project() says, there is ink.
+TEST(SceneViewGl, ProjectSaysWhereThingsAreDrawn)
+{
+  View view;
+  const auto net = samples::sphere(0, 0.05);
+  net->triangles.resize(3, 0);
+  net->ends.col(0) << 0, 1; // x axis; all others fall together with the z axis
+  for (Index s = 1; s < net->springCount(); ++s) net->ends.col(s) << 4, 5;
+  view.scene.setNet(net, 1);
+  ViewSettings settings = view.scene.viewSettings();
+  settings.azimuth = 0.9;
+  settings.elevation = 0.3;
+  view.scene.setViewSettings(settings);
+  const QImage with = view.scene.picture();
+  view.scene.setShown(true, false);
+  const QImage without = view.scene.picture();
+  for (const Eigen::Vector3d& point : {Eigen::Vector3d(0.04, 0, 0), Eigen::Vector3d(-0.03, 0, 0),
+                                       Eigen::Vector3d(0, 0, 0.045), Eigen::Vector3d(0, 0, -0.02)}) {
+    EXPECT_GT(difference(view.at(with, point), view.at(without, point)), 60) << point.transpose();
+    const Eigen::Vector3d beside = point + Eigen::Vector3d(0.004, 0.0, 0.004); // several pixels off
+    EXPECT_LT(difference(view.at(with, beside), view.at(without, beside)), 10) << point.transpose();
+  }
+}
+
+TEST(SceneViewGl, RegionsAreDrawnAndTheSelectedOneStandsOut)
+{
+  View view;
+  view.scene.setColouring(Colouring::None);
+  view.scene.setNet(samples::sphere(2, 0.02), 1);
+  Region region;
+  region.ellipsoid.semiAxes = Eigen::Vector3d::Constant(0.024);
+  const auto orange = [&](int selected) {
+    view.scene.setRegions({region}, selected);
+    const QImage picture = view.scene.picture();
+    int count = 0;
+    for (int y = 0; y < picture.height() - 60; ++y) // above the hint and the axes
+      for (int x = 160; x < picture.width(); ++x)
+        if (difference(picture.pixelColor(x, y), QColor(0xf2, 0x6b, 0x21)) < 40) ++count;
+    return count;
+  };
+  EXPECT_EQ(orange(-1), 0);
+  EXPECT_GT(orange(0), 300);
+}
+
+TEST(SceneViewGl, ASnapshotMovesThePicture)
+{
+  View view;
+  const auto net = samples::sphere(2, 0.03);
+  view.scene.setNet(net, 3);
+  const QImage before = view.scene.picture();
+  SimSnapshot snapshot = samples::restSnapshot(*net, 3, 1);
+  snapshot.time = 0.5;
+  snapshot.position.row(0).array() += 0.02;
+  snapshot.generation = 2;
+  view.scene.setSnapshot(snapshot);
+  EXPECT_EQ(view.scene.picture(), before) << "a snapshot of an older net is ignored";
+  snapshot.generation = 3;
+  view.scene.setSnapshot(snapshot);
+  EXPECT_NE(view.scene.picture(), before);
+}
+
+// Nothing is redrawn when nothing has changed.
+TEST(SceneViewGl, AnIdleSceneIsNotPainted)
+{
+  View view;
+  const auto net = samples::sphere(2, 0.03);
+  view.scene.setNet(net, 3);
+  QTest::qWait(50);
+  QSignalSpy painted(view.scene.findChild<QOpenGLWidget*>(), &QOpenGLWidget::aboutToCompose);
+  for (std::uint64_t sequence = 1; sequence < 20; ++sequence) {
+    view.scene.setSnapshot(samples::restSnapshot(*net, 3, sequence));
+    view.scene.setToolForce(Eigen::Vector3d::Zero());
+    view.scene.setColouring(Colouring::Stiffness);
+    QTest::qWait(2);
+  }
+  EXPECT_EQ(painted.count(), 0);
+}
+
+// A new top-level parent replaces the OpenGL context; buffers and textures must come back.
+TEST(SceneViewGl, SurvivesAMoveToAnotherWindow)
+{
+  auto* scene = new SceneView;
+  scene->resize(640, 480);
+  scene->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(scene));
+  scene->setNet(samples::sphere(3, 0.05), 1);
+  const QImage before = scene->picture();
+  QWidget window;
+  window.resize(640, 480);
+  scene->setParent(&window);
+  window.show();
+  scene->setGeometry(0, 0, 640, 480);
+  scene->show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  EXPECT_EQ(scene->picture(), before);
+}
+
+TEST(SceneViewGl, EmptyNetsAndHugeOnesInTurn)
+{
+  View view;
+  view.scene.setNet(nullptr, 1);
+  EXPECT_FALSE(view.scene.picture().isNull());
+  view.scene.setNet(samples::sphere(4, 500.0, {1e5, 0, 0}), 2);
+  EXPECT_GT(difference(view.scene.picture().pixelColor(320, 240), view.scene.picture().pixelColor(40, 240)),
+            60);
+  view.scene.setNet(samples::sphere(0, 1e-6), 3);
+  view.scene.fit();
+  EXPECT_FALSE(view.scene.picture().isNull());
+  view.scene.setNet(nullptr, 4);
+  view.scene.setRegions({}, -1);
+  EXPECT_FALSE(view.scene.picture().isNull());
+}
+
+// For people: kept in the build folder.
+TEST(SceneViewGl, PicturesOfAnOrgan)
+{
+  const auto net = organ();
+  for (const bool dark : {false, true}) {
+    SceneView scene;
+    scene.resize(1000, 720);
+    if (dark) scene.setPalette(darkPalette());
+    scene.show();
+    ASSERT_TRUE(QTest::qWaitForWindowExposed(&scene));
+    scene.setNet(net, 1);
+    Region other = lumpRegion();
+    other.ellipsoid.centre = {0.0, 0.0, -0.02};
+    scene.setRegions({lumpRegion(), other}, 0);
+    scene.setTool(Tool::Pull);
+    SimSnapshot snapshot = samples::restSnapshot(*net, 1, 1);
+    const Eigen::Vector3d pulled = net->restPosition.col(3);
+    for (Index i = 0; i < net->nodeCount(); ++i) {
+      const double distance = (net->restPosition.col(i) - pulled).norm();
+      snapshot.position.col(i) +=
+        Eigen::Vector3d(0.004, -0.012, 0.004) * std::exp(-std::pow(distance / 0.008, 2));
+    }
+    snapshot.tension = 0.02 * Eigen::ArrayXd::Random(net->springCount());
+    snapshot.grabbedNode = 3;
+    snapshot.time = 0.1;
+    scene.setSnapshot(snapshot);
+    scene.setToolForce({-0.15, 0.55, -0.2});
+    save(scene.picture(), dark ? "organ_stiffness_dark" : "organ_stiffness_light");
+    scene.setColouring(Colouring::Strain);
+    scene.setShown(true, false);
+    save(scene.picture(), dark ? "organ_strain_dark" : "organ_strain_light");
+    scene.setColouring(Colouring::None);
+    scene.setShown(true, true);
+    save(scene.picture(), dark ? "organ_plain_dark" : "organ_plain_light");
+    scene.setColouring(Colouring::Force);
+    scene.setShown(false, true);
+    save(scene.picture(), dark ? "organ_force_dark" : "organ_force_light");
+  }
+}
