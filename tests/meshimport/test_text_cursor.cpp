@@ -1,0 +1,85 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/text_cursor.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+#include <optional>
+
+namespace {
+
+using namespace esm;
+
+std::optional<double> numberOf(std::string_view text)
+{
+  TextCursor cursor(text, TextCursor::HashComments);
+  double value = 0.0;
+  return cursor.number(value) ? std::optional(value) : std::nullopt;
+}
+
+TEST(TextCursor, readsEveryDialectOfNumbersWithAPoint)
+{
+  EXPECT_EQ(numberOf("1.5"), 1.5);
+  EXPECT_EQ(numberOf("  +.5 7"), 0.5);
+  EXPECT_EQ(numberOf("4.#"), 4.0);
+  EXPECT_EQ(numberOf("-1E-3\r\n"), -1e-3);
+  EXPECT_EQ(numberOf("0.1"), 0.1); // to the last bit
+  EXPECT_TRUE(std::isnan(*numberOf("nan")));
+}
+
+TEST(TextCursor, whatIsNoWholeNumberIsRefused)
+{
+  for (const char* text : {"1,5", "1.5mm", "x", "", "+-1", "--1", "1e5e5", "0x10"})
+    EXPECT_FALSE(numberOf(text)) << text;
+}
+
+TEST(TextCursor, numbersBeyondDoubleAreEndlessOrNothing)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  EXPECT_EQ(numberOf("1e999"), kInfinity);
+  EXPECT_EQ(numberOf("-1e999"), -kInfinity);
+  EXPECT_EQ(numberOf("1e-999"), 0.0);
+  EXPECT_EQ(numberOf("0." + std::string(400, '0') + "1"), 0.0);
+  EXPECT_EQ(numberOf("1" + std::string(400, '0')), kInfinity);
+  EXPECT_EQ(numberOf("1" + std::string(400, '0') + ".5"), kInfinity);
+}
+
+TEST(TextCursor, countsLinesWhateverEndsThem)
+{
+  TextCursor cursor("a\nb\r\nc\rd", TextCursor::Plain);
+  for (const char* expected : {"a", "b", "c", "d"}) {
+    EXPECT_EQ(cursor.word(), expected);
+    EXPECT_TRUE(cursor.atLineEnd());
+    EXPECT_EQ(cursor.inLastLine(), cursor.line() == 4);
+    cursor.nextLine();
+  }
+  EXPECT_TRUE(cursor.atEnd());
+  EXPECT_EQ(cursor.line(), 4);
+}
+
+TEST(TextCursor, cornersTakeTheVertexAndPassOverTheRest)
+{
+  for (const char* text : {"7", "7/1", "7//3", "7/1/3", "7/-1/-3", "+7"}) {
+    TextCursor cursor(text);
+    long long vertex = 0;
+    EXPECT_TRUE(cursor.corner(vertex)) << text;
+    EXPECT_EQ(vertex, 7);
+    EXPECT_TRUE(cursor.atEnd());
+  }
+  for (const char* text : {"7a", "/1", "7/1/x", "7.5", ""}) {
+    TextCursor cursor(text);
+    long long vertex = 0;
+    EXPECT_FALSE(cursor.corner(vertex)) << text;
+  }
+}
+
+TEST(TextCursor, messagesShowHarmlessWordsOnly)
+{
+  const std::string text = std::string("a\x01\x1b[31m") + std::string(100, 'x');
+  TextCursor cursor(text);
+  EXPECT_EQ(cursor.wordForMessage(), "a??[31m" + std::string(23, 'x'));
+}
+
+} // namespace
