@@ -6,6 +6,8 @@
 #include "core/dynamics/step_driver.h"
 #include "core/net/net_builder.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 
