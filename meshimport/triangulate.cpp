@@ -19,6 +19,8 @@ public:
     m_ring.resize(m_count);
     for (std::size_t i = 0; i < m_count; ++i)
       m_ring[i].before = (i + m_count - 1) % m_count, m_ring[i].after = (i + 1) % m_count;
+    for (std::size_t i = 0; i < m_count; ++i)
+      if (!(turn(m_ring[i].before, i, m_ring[i].after) > 0.0)) m_inward.push_back(i);
     for (std::size_t i = 0; i < m_count; ++i) judge(i);
   }
 
@@ -30,6 +32,7 @@ public:
       const std::size_t ear = bestEar(any, left);
       const auto [before, after] = std::pair{m_ring[ear].before, m_ring[ear].after};
       append(before, ear, after);
+      m_ring[ear].isCut = true;
       m_ring[before].after = after;
       m_ring[after].before = before;
       judge(before);
@@ -43,7 +46,7 @@ private:
   struct Corner {
     std::size_t before = 0, after = 0;
     double diagonal = 0.0; ///< squared length of the cut that would take this corner off
-    bool isEar = false;
+    bool isEar = false, isCut = false;
   };
 
   /// Newell's normal is right for concave and slightly bent polygons too; scaled to unit size, so that
@@ -77,15 +80,17 @@ private:
     return u.x() * v.y() - u.y() * v.x();
   }
 
+  /// Whether the corner may be cut off. If any corner lies in its triangle, one that points inwards does.
   void judge(std::size_t corner)
   {
     Corner& c = m_ring[corner];
     c.diagonal = (m_space[c.before] - m_space[c.after]).squaredNorm();
     c.isEar = turn(c.before, corner, c.after) > 0.0;
-    for (std::size_t i = m_ring[c.after].after; c.isEar && i != c.before; i = m_ring[i].after) {
-      const bool inside = turn(c.before, corner, i) >= 0.0 && turn(corner, c.after, i) >= 0.0 &&
-                          turn(c.after, c.before, i) >= 0.0;
-      const bool onCorner = m_flat[i] == m_flat[c.before] || m_flat[i] == m_flat[c.after];
+    for (auto i = m_inward.begin(); c.isEar && i != m_inward.end(); ++i) {
+      if (m_ring[*i].isCut || *i == c.before || *i == corner || *i == c.after) continue;
+      const bool inside = turn(c.before, corner, *i) >= 0.0 && turn(corner, c.after, *i) >= 0.0 &&
+                          turn(c.after, c.before, *i) >= 0.0;
+      const bool onCorner = m_flat[*i] == m_flat[c.before] || m_flat[*i] == m_flat[c.after];
       c.isEar = !inside || onCorner;
     }
   }
@@ -109,6 +114,7 @@ private:
   std::vector<Eigen::Vector2d> m_flat;
   std::vector<Eigen::Vector3d> m_space;
   std::vector<Corner> m_ring;
+  std::vector<std::size_t> m_inward; ///< corners where the whole outline does not turn left
 };
 
 } // namespace
