@@ -253,6 +253,7 @@ double heightOfIntersection(const HedgedTerm& a, const HedgedTerm& b, const Axis
 
 std::optional<double> centroid(std::span<const ClippedSet> sets, const Axis& axis)
 {
+  if (sets.empty()) return std::nullopt;
   std::vector<double> places = {axis.low, axis.high};
   for (const ClippedSet& clipped : sets) {
     addCorners(*clipped.set.term, axis, places);

@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <array>
+#include <functional>
+#include <map>
 
 namespace esm::fuzzy {
 
@@ -53,11 +55,15 @@ bool startsWith(std::span<const Token> tokens, const std::vector<std::string>& w
 
 std::optional<Keyword> keywordOf(const Token& token)
 {
+  static const std::map<std::string, Keyword, std::less<>> byText = [] {
+    std::map<std::string, Keyword, std::less<>> table;
+    for (const KeywordEntry& entry : kKeywords)
+      for (const char* text : {entry.english, entry.german}) table[foldCase(text)] = entry.keyword;
+    return table;
+  }();
   if (token.kind != Token::Kind::Word) return std::nullopt;
-  for (const KeywordEntry& entry : kKeywords)
-    if (token.folded == foldCase(entry.english) || token.folded == foldCase(entry.german))
-      return entry.keyword;
-  return std::nullopt;
+  const auto found = byText.find(token.folded);
+  return found == byText.end() ? std::nullopt : std::optional(found->second);
 }
 
 const char* keywordText(Keyword keyword, Language language)
@@ -68,12 +74,19 @@ const char* keywordText(Keyword keyword, Language language)
 
 std::optional<HedgeMatch> matchHedge(std::span<const Token> tokens)
 {
-  for (const HedgeEntry& entry : hedgeEntries())
-    for (const auto* spellings : {&entry.english, &entry.german})
-      for (const char* spelling : *spellings) {
-        const std::vector<std::string> words = foldedWords(spelling);
-        if (startsWith(tokens, words)) return HedgeMatch{entry.hedges, words.size()};
-      }
+  struct Phrase {
+    std::vector<std::string> words;
+    const std::vector<Hedge>* hedges;
+  };
+  static const std::vector<Phrase> phrases = [] {
+    std::vector<Phrase> all;
+    for (const HedgeEntry& entry : hedgeEntries())
+      for (const auto* spellings : {&entry.english, &entry.german})
+        for (const char* spelling : *spellings) all.push_back({foldedWords(spelling), &entry.hedges});
+    return all;
+  }();
+  for (const Phrase& phrase : phrases)
+    if (startsWith(tokens, phrase.words)) return HedgeMatch{*phrase.hedges, phrase.words.size()};
   return std::nullopt;
 }
 
@@ -127,6 +140,7 @@ void NameTable::addEntries(std::size_t index, const std::string& spelling, std::
   Entry entry{foldedWords(spelling), foldCase(spelling), index};
   if (entry.words.empty()) return;
   m_spellings.push_back(spelling);
+  m_mostWords = std::max(m_mostWords, entry.words.size());
   entries.push_back(std::move(entry));
 }
 
@@ -135,8 +149,9 @@ std::optional<NameTable::Match> NameTable::match(std::span<const Token> tokens) 
   std::optional<Match> best;
   if (tokens.empty()) return best;
   const bool quoted = tokens.front().kind == Token::Kind::Quoted;
-  const auto end = std::find_if(tokens.begin(), tokens.end(), keywordOf);
-  const auto plain = tokens.first(static_cast<std::size_t>(end - tokens.begin()));
+  auto plain = tokens.first(std::min(tokens.size(), m_mostWords));
+  plain = plain.first(
+    static_cast<std::size_t>(std::find_if(plain.begin(), plain.end(), keywordOf) - plain.begin()));
   for (const auto* entries : {&m_ids, &m_names})
     for (const Entry& entry : *entries) {
       const std::size_t length = quoted ? 1 : entry.words.size();

@@ -60,6 +60,7 @@ private:
   void addEntries(std::size_t index, const std::string& spelling, std::vector<Entry>& entries);
   std::vector<Entry> m_ids, m_names;
   std::vector<std::string> m_spellings;
+  std::size_t m_mostWords = 0; ///< of any one name
 };
 
 } // namespace esm::fuzzy

@@ -18,10 +18,12 @@ const Variable* findById(const std::vector<Variable>& variables, std::string_vie
   return found == variables.end() ? nullptr : &*found;
 }
 
-/// Height at x of a flank that is 0 at `zero` and 1 at `one`; an infinite `zero` is a shoulder.
+/// Height of a flank that is 0 at `zero` and 1 at `one`, for x beyond `one` on the side of `zero`. An
+/// infinite `zero` is a shoulder, `zero` = `one` an upright flank.
 double flank(double x, double zero, double one) noexcept
 {
   if (std::isinf(zero)) return 1.0;
+  if (zero == one) return 0.0;
   const double height = (x - zero) / (one - zero);
   return height > 0.0 ? std::min(height, 1.0) : 0.0; // also 0 for NaN, from a half-typed term
 }

@@ -159,7 +159,7 @@ std::optional<Word> RuleReader::readWord(const Variable& variable)
     const auto term = names.match(rest());
     const auto hedge = matchHedge(rest());
     // A term's name may start with a hedge ("a little elastic"); it is the term if the phrase ends with it.
-    if (term && (isBoundary(m_next + term->tokens) || !hedge)) {
+    if (term && (endsProposition(m_next + term->tokens) || !hedge)) {
       word.term = variable.terms[term->index].id;
       m_next += term->tokens;
       return word;
@@ -245,6 +245,12 @@ bool RuleReader::isBoundary(std::size_t at) const
   if (at >= m_tokens.size()) return true;
   const Token& token = m_tokens[at];
   return token.kind == Token::Kind::Open || token.kind == Token::Kind::Close || keywordOf(token).has_value();
+}
+
+bool RuleReader::endsProposition(std::size_t at) const
+{
+  return isBoundary(at) && (at >= m_tokens.size() || (m_tokens[at].kind != Token::Kind::Open &&
+                                                      keywordOf(m_tokens[at]) != Keyword::Not));
 }
 
 std::size_t RuleReader::phraseEnd() const

@@ -54,6 +54,8 @@ private:
   bool accept(Keyword keyword);
   /// Whether a phrase of names ends at this token.
   bool isBoundary(std::size_t at) const;
+  /// Whether what stands here may follow a term: not so for "not", which may be one more hedge.
+  bool endsProposition(std::size_t at) const;
   std::size_t phraseEnd() const;
   using Kind = RuleTextError::Kind;
   /// Notes a fault at the next `tokens` tokens (at the end of the text if there are none).
