@@ -288,7 +288,7 @@ void InputRow::fillWords()
 
 void InputRow::retranslate()
 {
-  const QString name = RuleDisplay::name(variable(), m_document->ruleLanguage());
+  const QString name = RuleDisplay::title(variable(), m_document->ruleLanguage());
   const QString typed = m_wordTyped ? m_word->currentText() : QString();
   m_name->setText(name);
   fillWords();

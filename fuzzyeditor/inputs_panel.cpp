@@ -147,7 +147,7 @@ void InputsPanel::showOutputs()
   for (std::size_t i = 0; i < m_outputs.size() && i < rules.outputs.size(); ++i) {
     const fuzzy::Variable& variable = rules.outputs[i];
     const OutputRow& row = m_outputs[i];
-    const QString name = RuleDisplay::name(variable, document->ruleLanguage());
+    const QString name = RuleDisplay::title(variable, document->ruleLanguage());
     const QString value = i < values.size() ? RuleDisplay::quantity(values[i].value, variable.unit, locale())
                                             : QStringLiteral("–");
     row.name->setText(name);

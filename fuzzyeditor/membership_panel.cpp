@@ -45,9 +45,9 @@ void MembershipPanel::fillChoice()
   const Language language = m_evaluation->document()->ruleLanguage();
   QStringList names, old;
   for (const fuzzy::Variable& variable : rules.inputs)
-    names << tr("Input: %1").arg(RuleDisplay::name(variable, language));
+    names << tr("Input: %1").arg(RuleDisplay::title(variable, language));
   for (const fuzzy::Variable& variable : rules.outputs)
-    names << tr("Result: %1").arg(RuleDisplay::name(variable, language));
+    names << tr("Result: %1").arg(RuleDisplay::title(variable, language));
   for (int i = 0; i < m_choice->count(); ++i) old << m_choice->itemText(i);
   m_choice->setAccessibleName(tr("Variable that the plot shows"));
   if (names == old) return;

@@ -70,7 +70,7 @@ void MembershipPlot::describe()
   const Language language = m_evaluation->document()->ruleLanguage();
   QStringList terms;
   for (const fuzzy::Term& term : v->terms) terms << toQt(term.name.in(language));
-  setAccessibleName(tr("Plot of the words for %1").arg(RuleDisplay::name(*v, language)));
+  setAccessibleName(tr("Plot of the words for %1").arg(RuleDisplay::title(*v, language)));
   setAccessibleDescription(tr("The words are: %1.").arg(terms.join(QStringLiteral(", "))));
 }
 
@@ -160,7 +160,7 @@ void MembershipPlot::paintAxes(QPainter& painter, const fuzzy::Variable& v) cons
     painter.drawText(QRectF(at.x() - 50, at.y() + 4, 100, line), Qt::AlignCenter,
                      locale().toString(shown, 'g', 4));
   }
-  QString title = RuleDisplay::name(v, m_evaluation->document()->ruleLanguage());
+  QString title = RuleDisplay::title(v, m_evaluation->document()->ruleLanguage());
   if (!unit.symbol.isEmpty()) title += QStringLiteral(" [%1]").arg(unit.symbol);
   painter.setPen(palette().color(QPalette::Text));
   painter.drawText(QRectF(m_area.left(), height() - line - 3, m_area.width(), line), Qt::AlignCenter, title);

@@ -105,6 +105,13 @@ QString RuleDisplay::name(const fuzzy::Variable& variable, Language language)
   return toQt(variable.name.in(language));
 }
 
+QString RuleDisplay::title(const fuzzy::Variable& variable, Language language)
+{
+  QString text = name(variable, language);
+  if (!text.isEmpty()) text[0] = text[0].toUpper();
+  return text;
+}
+
 DisplayUnit RuleDisplay::displayUnit(const std::string& unit)
 {
   if (unit == "Pa") return {1e3, QStringLiteral("kPa")};

@@ -58,6 +58,8 @@ public:
   static QString offendingWord(const std::string& utf8, const fuzzy::RuleTextError& error);
 
   static QString name(const fuzzy::Variable& variable, Language language);
+  /// The name with a capital, for labels and the start of a sentence.
+  static QString title(const fuzzy::Variable& variable, Language language);
   static DisplayUnit displayUnit(const std::string& unit);
   /// A number with so many significant digits, no exponent, no group separators.
   static QString number(double value, const QLocale& locale, int significant = 3);

@@ -11,6 +11,7 @@ namespace esm {
 std::vector<RuleLine> RuleLineReader::read(const QStringList& text, const fuzzy::RuleBase& rules)
 {
   if (m_known.size() > 4 * text.size() + 1000) m_known.clear(); // every state while typing is remembered
+  if (text == QStringList(QString())) return {};                // an empty editor has one empty line
   std::vector<RuleLine> lines;
   lines.reserve(static_cast<std::size_t>(text.size()));
   for (const QString& line : text) {

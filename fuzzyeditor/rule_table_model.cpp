@@ -34,6 +34,22 @@ std::string fittingTerm(const fuzzy::Variable& variable, double value)
   return variable.terms[static_cast<std::size_t>(std::max(best.term, 0))].id;
 }
 
+/// What the strongest rule concludes about `output`: a centroid always lies further inside than the word
+/// meant.
+std::string presentConclusion(const fuzzy::RuleBase& base, const fuzzy::Inference& inference,
+                              const fuzzy::Variable& output)
+{
+  std::string term = fittingTerm(output, output.defaultValue);
+  double strongest = 0.0;
+  for (const fuzzy::RuleFiring& firing : inference.firings)
+    for (const auto& consequent : base.rules[static_cast<std::size_t>(firing.rule)].consequents)
+      if (consequent.variable == output.id && firing.degree > strongest) {
+        strongest = firing.degree;
+        term = consequent.term;
+      }
+  return term;
+}
+
 } // namespace
 
 RuleTableModel::RuleTableModel(FuzzyEvaluation* evaluation, QObject* parent)
@@ -341,12 +357,10 @@ int RuleTableModel::addRule(int row)
     condition.term = fittingTerm(input, *crisp);
   else
     condition.term = std::get<fuzzy::Word>(value).term;
-  const std::vector<fuzzy::OutputValue>& outputs = m_evaluation->inference().outputs;
-  const double result = outputs.empty() ? output.defaultValue : outputs.front().value;
 
   fuzzy::Rule rule;
   rule.condition.nodes.push_back({fuzzy::Condition::Kind::Proposition, condition, {}});
-  rule.consequents.push_back({output.id, fittingTerm(output, result), {}});
+  rule.consequents.push_back({output.id, presentConclusion(base, m_evaluation->inference(), output), {}});
   std::vector<fuzzy::Rule> rules = m_rules;
   const int place = std::clamp(row + 1, 0, rowCount());
   rules.insert(rules.begin() + place, rule);
@@ -363,7 +377,8 @@ int RuleTableModel::duplicateRules(const std::vector<int>& rows)
   const int place = *std::max_element(rows.begin(), rows.end()) + 1;
   std::vector<fuzzy::Rule> rules = m_rules;
   rules.insert(rules.begin() + place, copies.begin(), copies.end());
-  push(std::move(rules), tr("Duplicate %n rule(s)", nullptr, toInt(copies.size())));
+  push(std::move(rules),
+       copies.size() == 1 ? tr("Duplicate a rule") : tr("Duplicate %1 rules").arg(copies.size()));
   return place;
 }
 
@@ -373,7 +388,7 @@ void RuleTableModel::removeRules(const std::vector<int>& rows)
   std::vector<fuzzy::Rule> rules;
   for (int row = 0; row < rowCount(); ++row)
     if (!contains(rows, row)) rules.push_back(m_rules[static_cast<std::size_t>(row)]);
-  push(std::move(rules), tr("Delete %n rule(s)", nullptr, toInt(rows.size())));
+  push(std::move(rules), rows.size() == 1 ? tr("Delete a rule") : tr("Delete %1 rules").arg(rows.size()));
 }
 
 int RuleTableModel::moveRules(const std::vector<int>& rows, int target)
@@ -387,7 +402,8 @@ int RuleTableModel::moveRules(const std::vector<int>& rows, int target)
   std::vector<fuzzy::Rule> rules = std::move(before);
   rules.insert(rules.end(), moved.begin(), moved.end());
   rules.insert(rules.end(), after.begin(), after.end());
-  if (rules != m_rules) push(std::move(rules), tr("Move %n rule(s)", nullptr, toInt(moved.size())));
+  if (rules != m_rules)
+    push(std::move(rules), moved.size() == 1 ? tr("Move a rule") : tr("Move %1 rules").arg(moved.size()));
   return place;
 }
 
@@ -396,8 +412,11 @@ void RuleTableModel::setRulesEnabled(const std::vector<int>& rows, bool enabled)
   std::vector<fuzzy::Rule> rules = m_rules;
   for (const int row : rows) rules[static_cast<std::size_t>(row)].enabled = enabled;
   if (rules == m_rules) return;
-  push(std::move(rules), enabled ? tr("Switch %n rule(s) on", nullptr, toInt(rows.size()))
-                                 : tr("Switch %n rule(s) off", nullptr, toInt(rows.size())));
+  const std::size_t count = rows.size();
+  if (enabled)
+    push(std::move(rules), count == 1 ? tr("Switch a rule on") : tr("Switch %1 rules on").arg(count));
+  else
+    push(std::move(rules), count == 1 ? tr("Switch a rule off") : tr("Switch %1 rules off").arg(count));
 }
 
 QStringList RuleTableModel::mimeTypes() const

@@ -91,7 +91,7 @@ QString WhyPanel::sentence(const fuzzy::Inference& inference, int output) const
   const Language language = m_evaluation->document()->ruleLanguage();
   const fuzzy::Variable& variable = rules.outputs[static_cast<std::size_t>(output)];
   const fuzzy::OutputValue& value = inference.outputs[static_cast<std::size_t>(output)];
-  const QString name = RuleDisplay::name(variable, language);
+  const QString name = RuleDisplay::title(variable, language);
   const QString number = RuleDisplay::quantity(value.value, variable.unit, locale());
 
   const fuzzy::RuleFiring* main = nullptr;
@@ -134,9 +134,10 @@ void WhyPanel::fillRules(const fuzzy::Inference& inference)
     item->setText(Text, text);
     item->setToolTip(Text, text);
   }
-  m_silent->setText(tr("%n further rule(s) did not fire.", nullptr,
-                       static_cast<int>(inference.firings.size() - fired.size())));
-  m_silent->setVisible(inference.firings.size() > fired.size());
+  const std::size_t silent = inference.firings.size() - fired.size();
+  m_silent->setText(silent == 1 ? tr("One further rule did not fire.")
+                                : tr("%1 further rules did not fire.").arg(silent));
+  m_silent->setVisible(silent > 0);
 }
 
 void WhyPanel::refresh()
