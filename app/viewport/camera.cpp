@@ -66,18 +66,22 @@ void Camera::clampDistance()
   m_distance = std::clamp(m_distance, 1e-3 * m_sceneRadius, 200.0 * m_sceneRadius);
 }
 
-void Camera::fit(const Eigen::AlignedBox3d& box)
+void Camera::fit(const Eigen::Matrix3Xd& points)
 {
+  Eigen::AlignedBox3d box;
+  for (Eigen::Index i = 0; i < points.cols(); ++i)
+    if (points.col(i).allFinite()) box.extend(Eigen::Vector3d(points.col(i)));
   if (box.isEmpty()) return;
   m_target = box.center();
+  const Eigen::Vector3d toEye = backward(), toRight = right(), toTop = up();
   const double tanY = halfHeight() * kFitMargin;
   const double tanX = tanY * m_width / m_height;
   double distance = 1e-6;
-  for (int i = 0; i < 8; ++i) {
-    const Eigen::Vector3d corner = box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i)) - m_target;
-    const double towards = corner.dot(backward());
-    distance = std::max(distance, towards + std::abs(corner.dot(right())) / tanX);
-    distance = std::max(distance, towards + std::abs(corner.dot(up())) / tanY);
+  for (Eigen::Index i = 0; i < points.cols(); ++i) {
+    const Eigen::Vector3d p = points.col(i) - m_target;
+    if (!p.allFinite()) continue;
+    const double reach = std::max(std::abs(p.dot(toRight)) / tanX, std::abs(p.dot(toTop)) / tanY);
+    distance = std::max(distance, p.dot(toEye) + reach);
   }
   m_distance = distance;
 }

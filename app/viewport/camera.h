@@ -53,8 +53,9 @@ public:
   void pan(double dx, double dy);   ///< the target's plane follows the mouse
   /// Scales the distance by `factor`; what lies under `pixel` stays under it.
   void zoomAt(const Eigen::Vector2d& pixel, double factor);
-  /// Smallest distance at which the whole box is on the screen, with a margin. Keeps the direction.
-  void fit(const Eigen::AlignedBox3d& box);
+  /// Turns to the middle of the points' box, at the smallest distance that shows all of them with a margin.
+  /// Keeps the direction; does nothing without a finite point.
+  void fit(const Eigen::Matrix3Xd& points);
 
   // === Geometry
   Eigen::Vector3d backward() const; ///< unit, from the target to the eye

@@ -160,7 +160,7 @@ void SceneModel::setViewport(double width, double height)
 void SceneModel::fit()
 {
   m_autoFit = true;
-  if (m_net) camera.fit(boxOf(m_net->restPosition));
+  if (m_net) camera.fit(m_net->restPosition);
 }
 
 ViewSettings SceneModel::viewSettings() const

@@ -249,47 +249,69 @@ void SceneRenderer::drawSurface(const SceneModel& model, const Look& look)
   glDisable(GL_POLYGON_OFFSET_FILL);
 }
 
-void SceneRenderer::drawSprings(const SceneModel& model, const Look& look)
+void SceneRenderer::bindLines(const SceneModel& model, const Look& look, bool mapped, float fog)
 {
-  if (m_edges + m_struts == 0) return;
-  const bool onSurface = model.surfaceShown() && m_triangles > 0;
   const auto ratio = static_cast<float>(look.pixelRatio);
+  const Camera& camera = model.camera;
+  const double depth = (camera.eye() - model.origin()).dot(camera.backward());
   m_line->bind();
   setMatrices(*m_line, model);
   m_line->setUniformValue("colourMap", 0);
   m_line->setUniformValue("places", 1);
+  m_line->setUniformValue("first", 0);
   m_line->setUniformValue("plain", rgb(look.wire));
-  m_line->setUniformValue("mapped", model.colouring() != Colouring::None);
+  m_line->setUniformValue("mapped", mapped);
   m_line->setUniformValue("bias", kSpringBias);
-  m_line->setUniformValue("viewport", static_cast<float>(model.camera.width()) * ratio,
-                          static_cast<float>(model.camera.height()) * ratio);
+  m_line->setUniformValue("fogColour", 0.5f * (rgb(look.top) + rgb(look.bottom)));
+  m_line->setUniformValue("fog", static_cast<float>(depth - 0.5 * model.radius()),
+                          static_cast<float>(depth + 0.8 * model.radius()), fog);
+  m_line->setUniformValue("viewport", static_cast<float>(camera.width()) * ratio,
+                          static_cast<float>(camera.height()) * ratio);
+}
+
+template <class Draw>
+void SceneRenderer::drawLines(const LineStyle& style, float pixelRatio, Draw&& draw)
+{
+  m_line->setUniformValue("width", style.width * pixelRatio);
+  m_line->setUniformValue("alpha", style.alpha);
+  m_line->setUniformValue("brightness", style.brightness);
+  m_line->setUniformValue("lift", style.lift);
+  m_line->setUniformValue("edgeOnly", false);
+  m_line->setUniformValue("coreOnly", style.solid);
+  if (style.solid) {
+    draw();
+    m_line->setUniformValue("coreOnly", false);
+    m_line->setUniformValue("edgeOnly", true);
+  }
+  glDepthMask(GL_FALSE);
+  draw();
+  glDepthMask(GL_TRUE);
+}
+
+void SceneRenderer::drawSprings(const SceneModel& model, const Look& look)
+{
+  if (m_edges + m_struts == 0) return;
+  const bool onSurface = model.surfaceShown() && m_triangles > 0;
+  const bool mapped = model.colouring() != Colouring::None;
+  const auto ratio = static_cast<float>(look.pixelRatio);
+  bindLines(model, look, mapped, onSurface ? 0.0f : 0.75f);
   glBindVertexArray(m_netArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_springIndices);
-  const auto lines = [&](int first, int count, float width, float alpha, float brightness) {
+  const auto lines = [&](int first, int count, const LineStyle& style) {
     if (count == 0) return;
-    m_line->setUniformValue("width", width * ratio);
-    m_line->setUniformValue("alpha", alpha);
-    m_line->setUniformValue("brightness", brightness);
     m_line->setUniformValue("first", first);
-    glDrawElements(GL_LINES, 2 * count, GL_UNSIGNED_INT,
-                   offset(2 * sizeof(GLuint) * static_cast<std::size_t>(first)));
+    const void* begin = offset(2 * sizeof(GLuint) * static_cast<std::size_t>(first));
+    drawLines(style, ratio, [&] { glDrawElements(GL_LINES, 2 * count, GL_UNSIGNED_INT, begin); });
   };
   // On the surface the edges are a quiet net over its colours; bare, they carry the colours themselves.
-  if (onSurface) {
-    glDepthMask(GL_FALSE);
-    lines(0, m_edges, 1.0f, 0.45f, model.colouring() == Colouring::None ? 1.0f : 0.45f);
-    glDepthMask(GL_TRUE);
-  } else {
-    lines(0, m_edges, 1.6f, 1.0f, 1.0f);
-  }
-  lines(m_edges, m_struts, 1.8f, 1.0f, 1.0f);
-  if (onSurface) { // struts inside the organ shine through a little
-    glDepthFunc(GL_GREATER);
-    glDepthMask(GL_FALSE);
-    lines(m_edges, m_struts, 1.6f, 0.38f, 1.0f);
-    glDepthMask(GL_TRUE);
-    glDepthFunc(GL_LEQUAL);
-  }
+  const LineStyle quiet{1.0f, 0.45f, mapped ? 0.45f : 1.0f};
+  const LineStyle bold{1.6f, 1.0f, 1.0f, 0.0f, true};
+  lines(0, m_edges, onSurface ? quiet : bold);
+  lines(m_edges, m_struts, {2.0f, 1.0f, 1.0f, 0.0f, true});
+  if (!onSurface) return;
+  glDepthFunc(GL_GREATER); // struts inside the organ shine through
+  lines(m_edges, m_struts, {1.6f, 0.6f, 1.0f, 0.35f});
+  glDepthFunc(GL_LEQUAL);
 }
 
 void SceneRenderer::drawFixedNodes(const SceneModel& model, const Look& look)
@@ -297,7 +319,7 @@ void SceneRenderer::drawFixedNodes(const SceneModel& model, const Look& look)
   if (m_fixed == 0) return;
   m_point->bind();
   setMatrices(*m_point, model);
-  m_point->setUniformValue("size", static_cast<float>(7.0 * look.pixelRatio));
+  m_point->setUniformValue("size", static_cast<float>(6.0 * look.pixelRatio));
   m_point->setUniformValue("bias", kPointBias);
   m_point->setUniformValue("plain", rgb(look.dark ? QColor(0xd8, 0xdd, 0xe3) : QColor(0x3b, 0x42, 0x4a)));
   m_point->setUniformValue("rim", rgb(look.dark ? QColor(0x20, 0x24, 0x28) : QColor(0xf4, 0xf6, 0xf8)));
@@ -309,30 +331,18 @@ void SceneRenderer::drawFixedNodes(const SceneModel& model, const Look& look)
 void SceneRenderer::drawRegions(const SceneModel& model, const Look& look)
 {
   if (m_regionLines.empty()) return;
-  const auto ratio = static_cast<float>(look.pixelRatio);
-  m_line->bind();
-  setMatrices(*m_line, model);
-  m_line->setUniformValue("mapped", false);
-  m_line->setUniformValue("places", 1);
-  m_line->setUniformValue("colourMap", 0);
-  m_line->setUniformValue("brightness", 1.0f);
-  m_line->setUniformValue("first", 0);
-  m_line->setUniformValue("bias", kSpringBias);
-  m_line->setUniformValue("viewport", static_cast<float>(model.camera.width()) * ratio,
-                          static_cast<float>(model.camera.height()) * ratio);
+  bindLines(model, look, false, 0.0f);
   glBindVertexArray(m_regionArray);
-  glDepthMask(GL_FALSE);
   for (const bool inFront : {false, true}) { // faint where the organ hides the wire
     glDepthFunc(inFront ? GL_LEQUAL : GL_GREATER);
     for (const RegionLines& lines : m_regionLines) {
       const float strength = (inFront ? 1.0f : 0.3f) * (lines.enabled ? 1.0f : 0.35f);
       m_line->setUniformValue("plain", rgb(lines.selected ? look.selectedRegion : look.region));
-      m_line->setUniformValue("alpha", (lines.selected ? 1.0f : 0.6f) * strength);
-      m_line->setUniformValue("width", (lines.selected ? 2.0f : 1.1f) * ratio);
-      glDrawArrays(GL_LINES, lines.first, lines.count);
+      const LineStyle style{lines.selected ? 1.8f : 1.1f, (lines.selected ? 1.0f : 0.65f) * strength};
+      drawLines(style, static_cast<float>(look.pixelRatio),
+                [&] { glDrawArrays(GL_LINES, lines.first, lines.count); });
     }
   }
-  glDepthMask(GL_TRUE);
   glDepthFunc(GL_LEQUAL);
 }
 

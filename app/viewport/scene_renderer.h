@@ -37,6 +37,13 @@ private:
     int first = 0, count = 0; ///< vertices in m_regionBuffer
     bool selected = false, enabled = true;
   };
+  /// How a set of lines looks.
+  struct LineStyle {
+    float width = 1.0f; ///< [logical pixels]
+    float alpha = 1.0f;
+    float brightness = 1.0f, lift = 0.0f; ///< towards black, towards white
+    bool solid = false;                   ///< writes depth, hides what is behind
+  };
   using Program = std::unique_ptr<QOpenGLShaderProgram>;
 
   Program build(const char* vertex, const char* geometry, const char* fragment, QString* why);
@@ -44,6 +51,10 @@ private:
   void uploadFrame(const SceneModel& model);
   void uploadRegions(const SceneModel& model);
   void setMatrices(QOpenGLShaderProgram& program, const SceneModel& model);
+  void bindLines(const SceneModel& model, const Look& look, bool mapped, float fog);
+  /// Calls `draw` once, or twice for solid lines (core, then soft edge).
+  template <class Draw>
+  void drawLines(const LineStyle& style, float pixelRatio, Draw&& draw);
 
   void drawBackground(const Look& look);
   void drawSurface(const SceneModel& model, const Look& look);

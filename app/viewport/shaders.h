@@ -53,19 +53,27 @@ void main() {
   if (mapped)
     base = place < -0.01 ? vec3(0.62) : texture(colourMap, vec2(clamp(place, 0.002, 0.998), 0.5)).rgb;
   vec3 key = normalize(vec3(-0.45, 0.62, 0.78)), fill = normalize(vec3(0.85, 0.05, 0.45));
-  float light = 0.40 + 0.10 * n.y                          // sky above, floor below
+  float light = 0.42 + 0.10 * n.y                          // sky above, floor below
               + 0.56 * max(0.0, 0.88 * dot(n, key) + 0.12) // soft at the terminator, like thick tissue
-              + 0.15 * max(0.0, dot(n, fill));
+              + 0.16 * max(0.0, dot(n, fill));
+  if (mapped) light = mix(light, 1.0, 0.4); // colours that mean something are shaded less
   float grazing = pow(1.0 - max(dot(n, eye), 0.0), 3.0);
   float shine = pow(max(dot(n, normalize(key + eye)), 0.0), 48.0);
-  colour = vec4(base * light + vec3(0.16 * shine + 0.10 * grazing), 1.0);
+  colour = vec4(base * light + vec3((mapped ? 0.10 : 0.16) * shine + 0.10 * grazing), 1.0);
 })";
 
-// === Lines: each becomes a quad of `width` pixels with soft edges, since core profiles draw 1 pixel only
+// === Lines: each becomes a quad of `width` pixels with soft edges, since core profiles draw 1 pixel only.
+// Drawn twice: the covered core writes the depth buffer, the soft edge only blends over what is there.
+// With distance they fade towards the background, so that front and back of a bare net can be told apart.
 inline constexpr const char* kLineVertex = R"(#version 330 core
 layout(location = 0) in vec3 position;
 uniform mat4 toView, toClip;
-void main() { gl_Position = toClip * (toView * vec4(position, 1.0)); })";
+out float viewDepth;
+void main() {
+  vec4 p = toView * vec4(position, 1.0);
+  viewDepth = -p.z;
+  gl_Position = toClip * p;
+})";
 inline constexpr const char* kLineGeometry = R"(#version 330 core
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
@@ -74,42 +82,56 @@ uniform float width, bias;  // [pixels], share of the depth range towards the ey
 uniform samplerBuffer places;
 uniform int first;
 uniform bool mapped;
+in float viewDepth[];
 noperspective out float across;
+out float depth;
 flat out float place;
+void corner(vec4 end, vec2 side, float offset, float endDepth) {
+  across = offset;
+  depth = endDepth;
+  gl_Position = end + vec4(side * offset * end.w, 0.0, 0.0);
+  EmitVertex();
+}
 void main() {
   vec4 a = gl_in[0].gl_Position, b = gl_in[1].gl_Position;
+  float za = viewDepth[0], zb = viewDepth[1];
   float da = a.z + a.w, db = b.z + b.w; // before the near plane where negative
   if (da <= 0.0 && db <= 0.0) return;
-  if (da < 0.0) a = mix(a, b, da / (da - db));
-  if (db < 0.0) b = mix(b, a, db / (db - da));
+  if (da < 0.0) { a = mix(a, b, da / (da - db)); za = mix(za, zb, da / (da - db)); }
+  if (db < 0.0) { b = mix(b, a, db / (db - da)); zb = mix(zb, za, db / (db - da)); }
   vec2 along = (b.xy / b.w - a.xy / a.w) * viewport;
   float size = length(along);
   along = size > 1e-6 ? along / size : vec2(1.0, 0.0);
   float reach = 0.5 * width + 1.0;
-  vec2 side = vec2(-along.y, along.x) * 2.0 * reach / viewport;
+  vec2 side = vec2(-along.y, along.x) * 2.0 / viewport; // of one pixel, in clip space
   place = mapped ? texelFetch(places, first + gl_PrimitiveIDIn).r : 0.0;
   a.z -= bias * a.w;
   b.z -= bias * b.w;
-  across = -reach; gl_Position = a - vec4(side * a.w, 0.0, 0.0); EmitVertex();
-  across = reach;  gl_Position = a + vec4(side * a.w, 0.0, 0.0); EmitVertex();
-  across = -reach; gl_Position = b - vec4(side * b.w, 0.0, 0.0); EmitVertex();
-  across = reach;  gl_Position = b + vec4(side * b.w, 0.0, 0.0); EmitVertex();
+  corner(a, side, -reach, za);
+  corner(a, side, reach, za);
+  corner(b, side, -reach, zb);
+  corner(b, side, reach, zb);
 })";
 inline constexpr const char* kLineFragment = R"(#version 330 core
 noperspective in float across;
+in float depth;
 flat in float place;
 uniform sampler2D colourMap;
-uniform vec3 plain;
-uniform float width, alpha, brightness;
-uniform bool mapped;
+uniform vec3 plain, fogColour;
+uniform vec3 fog; // begins at, is full at [m], strength when full
+uniform float width, alpha, brightness, lift;
+uniform bool mapped, coreOnly, edgeOnly;
 out vec4 colour;
 void main() {
   float cover = clamp(0.5 * width + 0.5 - abs(across), 0.0, 1.0);
-  if (cover <= 0.0) discard;
+  bool core = cover > 0.7;
+  if (cover <= 0.0 || (coreOnly && !core) || (edgeOnly && core)) discard;
   vec3 base = plain;
   if (mapped)
     base = place < -0.01 ? vec3(0.62) : texture(colourMap, vec2(clamp(place, 0.002, 0.998), 0.5)).rgb;
-  colour = vec4(base * brightness, alpha * cover);
+  base = mix(base * brightness, vec3(1.0), lift);
+  base = mix(base, fogColour, fog.z * clamp((depth - fog.x) / (fog.y - fog.x), 0.0, 1.0));
+  colour = vec4(base, alpha * cover);
 })";
 
 // === Points: round, with a rim

@@ -276,7 +276,7 @@ TEST(SceneViewGl, PicturesOfAnOrgan)
     snapshot.grabbedNode = 3;
     snapshot.time = 0.1;
     scene.setSnapshot(snapshot);
-    scene.setToolForce({-0.15, 0.55, -0.2});
+    scene.setToolForce({-0.55, 0.1, -0.2});
     save(scene.picture(), dark ? "organ_stiffness_dark" : "organ_stiffness_light");
     scene.setColouring(Colouring::Strain);
     scene.setShown(true, false);
