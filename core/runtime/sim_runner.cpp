@@ -11,9 +11,10 @@ namespace esm {
 
 namespace {
 
-constexpr double kLeastRate = 1.0, kMostRate = 1000.0; ///< frames per second
-constexpr std::int64_t kFirstChunk = 8, kMostChunk = 4096;
-constexpr double kChunkTime = 0.005; ///< [s] wanted between two questions
+constexpr double kLeastRate = 1.0, kMostRate = 1000.0;     ///< frames per second
+constexpr double kMostSlices = 256.0;                      ///< of a frame
+constexpr double kSliceTime = 0.02, kMostSliceTime = 0.25; ///< wanted, and never longer [s]
+constexpr std::int64_t kFirstSteps = 64, kLeastSteps = 16, kMostSteps = 1 << 20;
 
 double seconds(std::chrono::steady_clock::duration duration)
 {
@@ -33,7 +34,11 @@ bool isFinite(const Energies& energies)
 } // namespace
 
 SimRunner::SimRunner(double frameRate, TripleBuffer<ToolState>& tool, TripleBuffer<ContactModel>& contact)
-  : m_tool(tool), m_contact(contact), m_period(periodOf(frameRate)), m_chunk(kFirstChunk)
+  : m_tool(tool),
+    m_contact(contact),
+    m_period(periodOf(frameRate)),
+    m_slice(m_period),
+    m_stepLimit(kFirstSteps)
 {}
 
 // === Commands
@@ -57,7 +62,8 @@ void SimRunner::carryOut(command::Load&& load)
   m_simulation.emplace(std::move(*fresh));
   m_generation = load.generation;
   m_playing = m_stepPending = m_failed = false;
-  m_chunk = kFirstChunk;
+  m_slice = m_period;
+  m_stepLimit = kFirstSteps;
   m_report = {};
   m_message = m_simulation->why();
   keepPicture();
@@ -166,23 +172,29 @@ void SimRunner::readDevice()
   if (tool.sequence != 0) m_grip->moveTo(tool.position, tool.velocity);
 }
 
+/// In slices that each take a small part of the frame's allowance, so that it can be broken off between them.
+/// The slices are stretches of time rather than numbers of steps: the solver controls its error over what it
+/// is asked for as a whole. The limit on steps only guards against a slice that costs far more than the last.
 StepReport SimRunner::advance(double interval, const std::function<bool()>& enough)
 {
   StepReport sum;
   double left = interval;
-  // What rounding leaves of a frame is not worth a substep.
-  while (left > 1e-9 * interval) {
+  while (left > 1e-9 * interval) { // what rounding leaves of a frame is not worth a step
+    m_slice = std::clamp(m_slice, interval / kMostSlices, interval);
+    const double ask = left < 1.5 * m_slice ? left : m_slice;
     const auto begin = std::chrono::steady_clock::now();
-    StepReport part = m_simulation->advance(left, m_chunk);
+    StepReport part = m_simulation->advance(ask, m_stepLimit);
     const double took = seconds(std::chrono::steady_clock::now() - begin);
-    const bool onlyBroken = part.stepLimit && !part.nonFinite && !part.notConverged;
-    part.stepLimit = false; // ours, not a fault
+    const bool fault = part.nonFinite || part.notConverged;
+    part.stepLimit = false; // ours, no fault of the net
     sum.add(part);
     left -= part.simulatedTime;
-    if (!onlyBroken) break;
-    if (took < 0.5 * kChunkTime) m_chunk = std::min(2 * m_chunk, kMostChunk);
-    if (took > 2.0 * kChunkTime) m_chunk = std::max<std::int64_t>(m_chunk / 2, 1);
-    if (enough()) break;
+    if (took > kSliceTime) m_slice *= 0.5;
+    if (took < 0.25 * kSliceTime) m_slice *= 2.0;
+    const double stepTime = took / static_cast<double>(std::max<std::int64_t>(part.steps, 1));
+    m_stepLimit = std::clamp<std::int64_t>(std::llround(kMostSliceTime / std::max(stepTime, 1e-9)),
+                                           kLeastSteps, kMostSteps);
+    if (fault || enough()) break;
   }
   return sum;
 }
@@ -215,7 +227,7 @@ void SimRunner::keepPicture()
 
 void SimRunner::publishContact()
 {
-  ContactModel model = m_grip->contactModel(m_simulation->net(), m_simulation->state(), m_tension);
+  ContactModel model = m_grip->contactModel(m_simulation->net(), m_simulation->state());
   if (!model.force.allFinite() || !model.stiffness.allFinite()) {
     endContact();
     return;

@@ -71,8 +71,9 @@ private:
   std::uint64_t m_contactSequence = 0;
   double m_period;
   bool m_playing = false, m_stepPending = false, m_followDevice = false, m_contactActive = false;
-  bool m_failed = false; ///< numerics; stays until a command gives hope
-  std::int64_t m_chunk;  ///< substeps between two questions whether it is enough
+  bool m_failed = false;    ///< numerics; stays until a command gives hope
+  double m_slice;           ///< simulated time between two questions whether it is enough [s]
+  std::int64_t m_stepLimit; ///< of a slice
   StepReport m_report;
   std::string m_message;
   // The last finite picture, so that a NaN cannot leave even if the dynamics let one through.

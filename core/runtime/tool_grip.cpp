@@ -14,7 +14,6 @@ namespace {
 constexpr double kStiffnessRatio = 3.0;   ///< tool spring over the node's own springs [1]
 constexpr double kLeastStiffness = 20.0;  ///< [N/m]: 5 cm of mouse way pull with 1 N even on a loose node
 constexpr double kDampingRatio = 0.5;     ///< of the node's mass on the tool spring [1]
-constexpr double kMinLength = 1e-9;       ///< [m]; below, a direction is undefined
 constexpr double kLeastForceLimit = 1e-6; ///< [N]
 
 bool isFinite(const Eigen::Vector3d& v)
@@ -46,12 +45,16 @@ ToolGrip::ToolGrip(const SpringNet& net, Index node, const Eigen::Vector3d& targ
 
 void ToolGrip::adapt(const SpringNet& net)
 {
-  m_springs.clear();
+  m_springs = {};
+  m_springs.tables = net.tables;
   m_anchors.clear();
   double own = 0.0;
   for (Index s = 0; s < net.springCount(); ++s) {
     if (net.ends(0, s) != m_node && net.ends(1, s) != m_node) continue;
-    m_springs.push_back(s);
+    m_springs.spring.push_back(s);
+    m_springs.restLength.push_back(net.restLength[s]);
+    m_springs.stiffness.push_back(net.stiffness[s]);
+    m_springs.parameter.push_back(net.lawParameter[s]);
     own += net.stiffness[s];
   }
   for (Index a = 0; a < net.anchors.count(); ++a) {
@@ -71,61 +74,67 @@ void ToolGrip::moveTo(const Eigen::Vector3d& target, const Eigen::Vector3d& velo
   m_targetVelocity = velocity;
 }
 
-double ToolGrip::softening(const Eigen::Vector3d& nodePosition) const
+bool ToolGrip::isFar(const Eigen::Vector3d& nodePosition) const
 {
-  const double reach = m_maxForce / m_stiffness;
-  const double distance = (m_target - nodePosition).norm();
-  return distance > reach ? reach / distance : 1.0;
+  return m_stiffness * (m_target - nodePosition).norm() > m_maxForce;
 }
 
 ToolSpring ToolGrip::spring(const NetState& state) const
 {
-  const double soft = softening(state.position.col(m_node));
-  return {m_node, m_target, m_targetVelocity, soft * m_stiffness, soft * m_viscosity};
+  const Eigen::Vector3d node = state.position.col(m_node);
+  if (!isFar(node)) return {m_node, m_target, m_targetVelocity, m_stiffness, m_viscosity};
+  const Eigen::Vector3d apart = m_target - node;
+  const double distance = apart.norm();
+  const double octaves = std::floor(std::log2(m_stiffness * distance / m_maxForce));
+  const double soft = std::exp2(-octaves);
+  const double reach = m_maxForce / (soft * m_stiffness);
+  return {m_node, node + reach / distance * apart, m_targetVelocity, soft * m_stiffness, soft * m_viscosity};
 }
 
 Eigen::Vector3d ToolGrip::forceOnHand(const NetState& state) const
 {
   const ToolSpring tool = spring(state);
-  const Eigen::Vector3d force = tool.stiffness * (state.position.col(m_node) - m_target) +
+  const Eigen::Vector3d force = tool.stiffness * (state.position.col(m_node) - tool.target) +
                                 tool.viscosity * (state.velocity.col(m_node) - m_targetVelocity);
   const double norm = force.norm();
   return norm > m_maxForce ? Eigen::Vector3d(force * (m_maxForce / norm)) : force;
 }
 
-Eigen::Matrix3d ToolGrip::nodeStiffness(const SpringNet& net, const Eigen::Matrix3Xd& position,
-                                        const Eigen::Ref<const Eigen::ArrayXd>& tension) const
+Eigen::Matrix3d ToolGrip::nodeStiffness(const SpringNet& net, const Eigen::Matrix3Xd& position) const
 {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
-  for (const Index s : m_springs) {
+  for (std::size_t i = 0; i < m_springs.spring.size(); ++i) {
+    const Index s = m_springs.spring[i];
+    const auto place = static_cast<std::size_t>(s);
     const Eigen::Vector3d along = position.col(net.ends(1, s)) - position.col(net.ends(0, s));
     const double length = along.norm();
-    if (length < kMinLength) continue;
-    const bool slack = net.tensionOnly[static_cast<std::size_t>(s)] != 0 && length <= net.restLength[s];
-    if (slack) continue;
+    const double extension = length - net.restLength[s];
+    if (length < kMinSpringLength || (net.tensionOnly[place] != 0 && extension <= 0.0)) continue;
+    const SpringResponse response = springLawKernel(net.law[place]).respond(m_springs, i, extension);
     const Eigen::Matrix3d axial = along * along.transpose() / (length * length);
-    sum += net.stiffness[s] * axial;
-    sum += std::max(tension[s], 0.0) / length * (Eigen::Matrix3d::Identity() - axial);
+    sum += std::max(response.tangent, 0.0) * axial;
+    sum += std::max(response.tension, 0.0) / length * (Eigen::Matrix3d::Identity() - axial);
   }
   for (const Index a : m_anchors) sum.diagonal().array() += net.anchors.stiffness[a];
   return sum;
 }
 
-ContactModel ToolGrip::contactModel(const SpringNet& net, const NetState& state,
-                                    const Eigen::Ref<const Eigen::ArrayXd>& tension) const
+ContactModel ToolGrip::contactModel(const SpringNet& net, const NetState& state) const
 {
-  const Eigen::Vector3d apart = m_target - state.position.col(m_node);
-  const double soft = softening(state.position.col(m_node));
-  // Softened, the pull keeps its size whatever the distance: no stiffness along the line, k' across.
-  Eigen::Matrix3d tool = soft * m_stiffness * Eigen::Matrix3d::Identity();
-  if (soft < 1.0) tool -= soft * m_stiffness / apart.squaredNorm() * apart * apart.transpose();
+  const Eigen::Vector3d node = state.position.col(m_node);
+  Eigen::Matrix3d tool = m_stiffness * Eigen::Matrix3d::Identity();
+  if (isFar(node)) { // the pull keeps its size whatever the distance, and follows the hand's direction
+    const Eigen::Vector3d direction = (m_target - node).normalized();
+    tool = m_maxForce / (m_target - node).norm() *
+           (Eigen::Matrix3d::Identity() - direction * direction.transpose());
+  }
 
   ContactModel model;
   model.time = state.time;
   model.active = true;
   model.position = m_target;
-  model.stiffness = m_held ? tool : inSeries(tool, nodeStiffness(net, state.position, tension));
-  model.viscosity = soft * m_viscosity * Eigen::Matrix3d::Identity();
+  model.stiffness = m_held ? tool : inSeries(tool, nodeStiffness(net, state.position));
+  model.viscosity = spring(state).viscosity * Eigen::Matrix3d::Identity();
   // The servo adds -viscosity * (velocity of the hand) itself.
   model.force = forceOnHand(state) + model.viscosity * m_targetVelocity;
   return model;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
+#include "core/forces/spring_law.h"
 #include "core/runtime/hand_over.h"
 
 #include <Eigen/Core>
@@ -17,9 +18,10 @@ namespace esm {
 ///           p, v      h, vh
 ///
 /// k is a few times what the net itself opposes at that node (so the node follows the hand rather than
-/// lagging behind), c damps the node's own mass on k. The pull is limited not by cutting the force off
-/// but by softening the spring: beyond maxForce/k the stiffness falls to maxForce over the distance. So the
-/// hand may be far away, the force stays near its limit and the spring is never stiffer than k.
+/// lagging behind), c damps the node's own mass on k. The pull is limited by moving the end of the spring
+/// closer, to where it pulls with maxForce. From twice that distance on the spring also softens, by octaves:
+/// so the force changes little while the node moves within a frame, and k changes rarely, which spares the
+/// solver new preparations. The spring is never stiffer than k.
 class ToolGrip {
 public:
   /// @pre node in range.
@@ -31,9 +33,9 @@ public:
 
   Index node() const noexcept { return m_node; }
   const Eigen::Vector3d& target() const noexcept { return m_target; }
-  double stiffness() const noexcept { return m_stiffness; } ///< unsoftened [N/m]
+  double stiffness() const noexcept { return m_stiffness; } ///< at its largest [N/m]
 
-  /// The spring for the coming frame, softened to the limit at the state's distance.
+  /// The spring for the coming frame: with the limit's force at the state's distance, if that is far.
   ToolSpring spring(const NetState& state) const;
   /// Force on the hand [N], norm <= maxForce.
   Eigen::Vector3d forceOnHand(const NetState& state) const;
@@ -43,14 +45,11 @@ public:
   /// That is stiffer than the whole net is in the long run (condensing the net would give that); the next
   /// frame's force brings the difference. A spring under compression counts along its axis only, so the
   /// result is positive semidefinite. `sequence` is the caller's.
-  /// @param tension S [N], as Simulation::springTensions() gives it.
-  ContactModel contactModel(const SpringNet& net, const NetState& state,
-                            const Eigen::Ref<const Eigen::ArrayXd>& tension) const;
+  ContactModel contactModel(const SpringNet& net, const NetState& state) const;
 
 private:
-  Eigen::Matrix3d nodeStiffness(const SpringNet& net, const Eigen::Matrix3Xd& position,
-                                const Eigen::Ref<const Eigen::ArrayXd>& tension) const;
-  double softening(const Eigen::Vector3d& nodePosition) const; ///< factor on k and c, in (0, 1]
+  Eigen::Matrix3d nodeStiffness(const SpringNet& net, const Eigen::Matrix3Xd& position) const;
+  bool isFar(const Eigen::Vector3d& nodePosition) const; ///< the limit holds
 
   Index m_node;
   Eigen::Vector3d m_target;
@@ -58,7 +57,7 @@ private:
   double m_maxForce;
   double m_stiffness = 0.0, m_viscosity = 0.0;
   bool m_held = false;          ///< the node is fixed: nothing gives but the tool spring
-  std::vector<Index> m_springs; ///< at the node
+  SpringBatch m_springs;        ///< at the node, of any law
   std::vector<Index> m_anchors; ///< at the node
 };
 

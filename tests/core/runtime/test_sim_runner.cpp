@@ -1,0 +1,256 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/runtime/sim_runner.h"
+
+#include "hanging_chain.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+
+namespace esm {
+
+namespace {
+
+class SimRunnerTest : public testing::Test {
+protected:
+  void SetUp() override { runner.apply(command::Load{1, chain(6), gravity(), {}}); }
+
+  static Loads gravity()
+  {
+    Loads loads;
+    loads.gravity = {0.0, 0.0, -9.81};
+    return loads;
+  }
+  void frames(int count)
+  {
+    for (int i = 0; i < count; ++i) runner.runFrame([] { return false; });
+  }
+  const SimSnapshot& picture()
+  {
+    runner.draw(drawn);
+    return drawn;
+  }
+  void moveDevice(const Eigen::Vector3d& position)
+  {
+    tool.back() = {++toolSequence, 0.0, position, Eigen::Vector3d::Zero()};
+    tool.publish();
+  }
+
+  TripleBuffer<ToolState> tool;
+  TripleBuffer<ContactModel> contact;
+  SimRunner runner{60.0, tool, contact};
+  SimSnapshot drawn;
+  std::uint64_t toolSequence = 0;
+};
+
+} // namespace
+
+TEST_F(SimRunnerTest, ALoadedNetWaitsAtTheStart)
+{
+  EXPECT_FALSE(runner.wantsFrame());
+  EXPECT_EQ(picture().generation, 1u);
+  EXPECT_EQ(picture().time, 0.0);
+  EXPECT_EQ(picture().position, chain(6).restPosition);
+  EXPECT_EQ(picture().stability, Stability::Good);
+  EXPECT_FALSE(picture().solver.empty());
+}
+
+TEST_F(SimRunnerTest, PlayingMovesItFrameByFrame)
+{
+  runner.apply(command::Play{});
+  frames(30);
+  EXPECT_NEAR(picture().time, 0.5, 1e-9);
+  EXPECT_LT(picture().position(2, 5), -1e-3); // the free end sags
+  EXPECT_GT(picture().tension.maxCoeff(), 0.0);
+}
+
+TEST_F(SimRunnerTest, OneStepIsOneFrame)
+{
+  runner.apply(command::StepOnce{});
+  EXPECT_TRUE(runner.wantsFrame());
+  frames(3);
+  EXPECT_NEAR(picture().time, 1.0 / 60.0, 1e-12);
+  EXPECT_FALSE(picture().playing);
+}
+
+TEST_F(SimRunnerTest, ResetGoesBackAndPlaysOn)
+{
+  runner.apply(command::Play{});
+  frames(10);
+  runner.apply(command::Reset{});
+  EXPECT_EQ(picture().time, 0.0);
+  EXPECT_EQ(picture().position, chain(6).restPosition);
+  EXPECT_TRUE(picture().playing);
+}
+
+TEST_F(SimRunnerTest, ANetThatCannotBeLeavesTheFormerOneRunning)
+{
+  runner.apply(command::Play{});
+  frames(5);
+  SpringNet bad = chain(4);
+  bad.stiffness[1] = -3.0;
+  runner.apply(command::Load{2, bad, {}, {}});
+  EXPECT_TRUE(runner.wantsFrame());
+  EXPECT_EQ(picture().generation, 1u);
+  EXPECT_EQ(picture().position.cols(), 6);
+  EXPECT_NE(picture().message.find("stiffness"), std::string::npos) << picture().message;
+  frames(5);
+  EXPECT_NEAR(picture().time, 10.0 / 60.0, 1e-9);
+}
+
+TEST_F(SimRunnerTest, OtherParametersKeepTheMotion)
+{
+  runner.apply(command::Play{});
+  frames(20);
+  const Eigen::Matrix3Xd before = picture().position;
+  runner.apply(command::SetParameters{chain(6, 300.0)});
+  EXPECT_EQ(picture().position, before);
+  EXPECT_NEAR(picture().time, 20.0 / 60.0, 1e-9);
+  runner.apply(command::SetParameters{chain(5)}); // another topology is not taken
+  EXPECT_NE(picture().message.find("not taken"), std::string::npos);
+  frames(1);
+  EXPECT_EQ(picture().position.cols(), 6);
+}
+
+// A net that is too large for the frame: it is broken off where it is and goes on from there.
+TEST_F(SimRunnerTest, AFrameCanBeBrokenOff)
+{
+  runner.apply(command::Load{2, chain(6, 1e7), gravity(), {"verlet", 1e-3, 1e-6, 1}});
+  runner.apply(command::Play{});
+  double sum = runner.runFrame([] { return true; });
+  EXPECT_GT(sum, 0.0);
+  EXPECT_LT(sum, 1.0 / 60.0);
+  EXPECT_NEAR(picture().time, sum, 1e-15);
+  for (int i = 0; i < 3; ++i) sum += runner.runFrame([] { return true; });
+  EXPECT_NEAR(picture().time, sum, 1e-12);
+  EXPECT_EQ(picture().stability, Stability::Good);
+  EXPECT_TRUE(picture().report.good());
+}
+
+// Explicit steps of a hundred times what is stable: it stops, keeps numbers, says why, and can be reset.
+TEST_F(SimRunnerTest, FailedNumericsStopOnTheLastGoodState)
+{
+  runner.apply(command::Load{2, chain(6, 1e6), gravity(), {"verlet", 1e-3, 0.01, 1}});
+  runner.apply(command::Play{});
+  for (int i = 0; i < 2000 && runner.wantsFrame(); ++i) frames(1);
+  EXPECT_FALSE(runner.wantsFrame());
+  EXPECT_EQ(picture().stability, Stability::Stopped);
+  EXPECT_FALSE(picture().playing);
+  EXPECT_TRUE(picture().position.allFinite());
+  EXPECT_TRUE(picture().tension.allFinite());
+  EXPECT_FALSE(picture().message.empty());
+  runner.apply(command::Reset{});
+  EXPECT_EQ(picture().stability, Stability::Good);
+}
+
+TEST_F(SimRunnerTest, AGrabbedNodeGoesToItsTargetAndTheForceKeepsItsLimit)
+{
+  runner.apply(command::Play{});
+  const Eigen::Vector3d target(0.05, 0.01, 0.0);
+  runner.apply(command::Grab{5, target, 5.0});
+  frames(120);
+  EXPECT_EQ(picture().grabbedNode, 5);
+  EXPECT_EQ(picture().toolPosition, target);
+  // The tool spring is three times as stiff as the net's at the node, so most of the way is gone.
+  EXPECT_LT((picture().position.col(5) - target).norm(), 0.005);
+  runner.apply(command::MoveGrab{{10.0, 0.0, 0.0}});
+  for (int i = 0; i < 600; ++i) { // swings for a while
+    frames(1);
+    ASSERT_LE(picture().toolForce.norm(), 5.0 + 1e-9);
+  }
+  // The chain holds 5 N with an extension of 0.05 m per spring; the tool pulls to the right, the hand is
+  // pulled to the left.
+  EXPECT_NEAR(picture().toolForce.x(), -5.0, 0.05);
+  EXPECT_NEAR(picture().position(0, 5), 5 * 0.06, 0.003); // the chain sags a little
+  runner.apply(command::Release{});
+  frames(1);
+  EXPECT_EQ(picture().grabbedNode, kNoIndex);
+  EXPECT_TRUE(picture().toolForce.isZero(0.0));
+}
+
+TEST_F(SimRunnerTest, NodesOfAnotherNetCannotBeGrabbed)
+{
+  for (const Index node : {-1, 6, 100000}) {
+    runner.apply(command::Grab{node, Eigen::Vector3d::Zero(), 5.0});
+    EXPECT_EQ(picture().grabbedNode, kNoIndex);
+  }
+}
+
+TEST_F(SimRunnerTest, TheHandOnTheDeviceLeadsAndFeels)
+{
+  runner.apply(command::Play{});
+  runner.apply(command::Grab{5, chain(6).restPosition.col(5), 5.0});
+  frames(1);
+  EXPECT_FALSE(contact.latest().active); // the mouse leads: nothing to feel on the device
+  runner.apply(command::FollowDevice{true});
+  moveDevice({0.05, 0.01, 0.0});
+  frames(60);
+  EXPECT_EQ(picture().toolPosition, Eigen::Vector3d(0.05, 0.01, 0.0));
+  const ContactModel felt = contact.latest();
+  EXPECT_TRUE(felt.active);
+  EXPECT_EQ(felt.position, picture().toolPosition);
+  EXPECT_TRUE(felt.force.isApprox(picture().toolForce, 1e-12)); // the hand rests
+  EXPECT_LT(felt.force.y(), 0.0);                               // back to the net
+}
+
+// A simulation that stands still, for whatever reason, is no wall to press against.
+TEST_F(SimRunnerTest, NothingIsFeltWhenTheMotionEnds)
+{
+  const std::vector<SimCommand> ends = {
+    command::Pause{},   command::StepOnce{},          command::Reset{},
+    command::Release{}, command::FollowDevice{false}, command::Load{3, chain(4), {}, {}}};
+  for (const SimCommand& end : ends) {
+    runner.apply(command::Load{2, chain(6), gravity(), {}});
+    runner.apply(command::Play{});
+    runner.apply(command::Grab{5, chain(6).restPosition.col(5), 5.0});
+    runner.apply(command::FollowDevice{true});
+    moveDevice({0.05, 0.01, 0.0});
+    frames(2);
+    ASSERT_TRUE(contact.latest().active);
+    const std::uint64_t sequence = contact.latest().sequence;
+    runner.apply(SimCommand(end));
+    EXPECT_FALSE(contact.latest().active) << "command " << end.index();
+    EXPECT_GT(contact.latest().sequence, sequence);
+    if (runner.wantsFrame()) frames(1);
+    EXPECT_FALSE(contact.latest().active) << "command " << end.index();
+  }
+}
+
+TEST_F(SimRunnerTest, EqualCommandsGiveEqualBits)
+{
+  const auto play = [] {
+    TripleBuffer<ToolState> hand;
+    TripleBuffer<ContactModel> felt;
+    SimRunner other(60.0, hand, felt);
+    other.apply(command::Load{1, chain(6), gravity(), {}});
+    other.apply(command::Play{});
+    other.apply(command::Grab{3, {0.02, 0.02, 0.0}, 5.0});
+    for (int i = 0; i < 30; ++i) other.runFrame([] { return false; });
+    SimSnapshot end;
+    other.draw(end);
+    return end.position;
+  };
+  EXPECT_EQ(play(), play());
+}
+
+TEST(SimRunner, WithoutANetCommandsDoNothing)
+{
+  TripleBuffer<ToolState> tool;
+  TripleBuffer<ContactModel> contact;
+  SimRunner runner(60.0, tool, contact);
+  runner.apply(command::Play{});
+  runner.apply(command::StepOnce{});
+  runner.apply(command::Reset{});
+  runner.apply(command::Grab{0, Eigen::Vector3d::Zero(), 1.0});
+  runner.apply(command::Release{});
+  runner.apply(command::SetParameters{chain(3)});
+  runner.apply(command::SetFrameRate{std::numeric_limits<double>::quiet_NaN()});
+  EXPECT_FALSE(runner.wantsFrame());
+  EXPECT_EQ(runner.framePeriod(), 1.0 / 60.0);
+  SimSnapshot picture;
+  runner.draw(picture);
+  EXPECT_EQ(picture.stability, Stability::Idle);
+}
+
+} // namespace esm
