@@ -107,16 +107,15 @@ struct ApplyReport {
 /// Writes stiffness, viscosity, law, mass and anchors of every spring and node, from the tissue at the
 /// spring's midpoint (rest) and the net's geometry:
 ///
-///     edges    k = E h A / L^2           A the area of the adjoining triangles (Van Gelder 1998, in 2D times
-///                                        the thickness h)
-///     lines    k = E a / L               a the mean dual area of both ends, so that the struts of a wall
-///                                        together have its section; if one end lies off the surface the
-///                                        other's; off it altogether pi/4 h^2, a round cord as thick as the
-///                                        wall
-///     nodes    m = density h A_dual      off the surface instead density a L / 2 of each of its lines; a
-///     node
-///                                        without springs gets the smallest mass of the others
-///     anchors  k = anchoring A_dual      on the surface only, at the rest position
+///     edges    k = E h A / L^2        A the area of the adjoining triangles (Van Gelder 1998, in 2D
+///                                     times the thickness h)
+///     lines    k = E a / L            a the mean dual area of both ends, so that the struts of a wall
+///                                     together have its section; if one end lies off the surface the
+///                                     other's; off it altogether pi/4 h^2, a round cord as thick as
+///                                     the wall
+///     nodes    m = density h A_dual   off the surface density a L / 2 of each of its lines instead;
+///                                     without springs the smallest mass of the others
+///     anchors  k = anchoring A_dual   on the surface only, at the rest position
 ///     all      c = tau k
 ///
 /// Anchors that the net had are replaced; those of zero anchoring are left out. Topology, rest shape, fixed

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/fuzzy/rule_text.h"
+#include "core/tissue/tissue_model.h"
+
+#include <gtest/gtest.h>
+
+namespace esm {
+namespace {
+
+using fuzzy::InputValue;
+
+class DefaultRules : public testing::Test {
+protected:
+  fuzzy::Inference infer(const InputValue& hardness, const InputValue& elasticity,
+                         const InputValue& shift) const
+  {
+    return engine.evaluate(std::vector<InputValue>{hardness, elasticity, shift});
+  }
+  /// The input of a finding in words.
+  InputValue word(std::size_t input, std::string_view text) const
+  {
+    const auto parsed = fuzzy::parseInput(text, rules.inputs[input]);
+    if (const auto* error = std::get_if<fuzzy::RuleTextError>(&parsed)) {
+      ADD_FAILURE() << text << ": " << error->message;
+      return 0.5;
+    }
+    return std::get<InputValue>(parsed);
+  }
+  fuzzy::RuleBase rules = defaultRules();
+  fuzzy::Engine engine = *fuzzy::Engine::create(defaultRules());
+};
+
+// No hole: wherever the sliders stand, a rule speaks for every output.
+TEST_F(DefaultRules, CoverEveryInput)
+{
+  constexpr int kSteps = 20;
+  for (int i = 0; i <= kSteps; ++i)
+    for (int j = 0; j <= kSteps; ++j)
+      for (int k = 0; k <= kSteps; k += 4) {
+        const auto result = infer(i / double(kSteps), j / double(kSteps), k / double(kSteps));
+        for (std::size_t o = 0; o < 3; ++o) {
+          ASSERT_TRUE(result.outputs[o].fromRules) << i << ' ' << j << ' ' << k << " output " << o;
+          ASSERT_GE(result.outputs[o].value, rules.outputs[o].minimum);
+          ASSERT_LE(result.outputs[o].value, rules.outputs[o].maximum);
+        }
+      }
+}
+
+// A slider never turns back what it has just done. Strictly: every step of 1/200 changes the value.
+TEST_F(DefaultRules, RiseAndFallWithTheirInput)
+{
+  fuzzy::Inference last = infer(0.0, 0.0, 0.0);
+  for (int i = 1; i <= 200; ++i) {
+    const double x = i / 200.0;
+    const fuzzy::Inference next = infer(x, x, x);
+    EXPECT_GT(next.outputs[0].value, last.outputs[0].value) << "stiffness at hardness " << x;
+    EXPECT_LT(next.outputs[1].value, last.outputs[1].value) << "viscosity at elasticity " << x;
+    EXPECT_LT(next.outputs[2].value, last.outputs[2].value) << "anchoring at shiftability " << x;
+    last = next;
+  }
+}
+
+// Myometrium and tube 30 to 60 kPa in the middle; gallbladder 255 kPa (within a factor 1.5) at "rather
+// hard"; muscle and liver 5 to 10 kPa at "rather soft"; retardation times of a few ms.
+TEST_F(DefaultRules, GiveMeasuredMagnitudes)
+{
+  const auto modulus = [&](double hardness) { return infer(hardness, 0.5, 0.5).outputs[0].value; };
+  EXPECT_GT(modulus(0.5), 30e3);
+  EXPECT_LT(modulus(0.5), 60e3);
+  EXPECT_GT(modulus(0.75), 255e3 / 1.5);
+  EXPECT_LT(modulus(0.75), 255e3 * 1.5);
+  EXPECT_GT(modulus(0.25), 5e3);
+  EXPECT_LT(modulus(0.25), 10e3);
+  EXPECT_LT(modulus(0.0), 2e3);
+  EXPECT_GT(modulus(1.0), 1e6);
+  const double retardation = infer(0.5, 0.5, 0.5).outputs[1].value;
+  EXPECT_GT(retardation, 1e-3);
+  EXPECT_LT(retardation, 20e-3);
+}
+
+TEST_F(DefaultRules, UnderstandFindingsAsTheyAreSpoken)
+{
+  const auto english =
+    infer(word(0, "rather hard"), word(1, "a little elastic"), word(2, "hardly shiftable"));
+  const auto german =
+    infer(word(0, "ziemlich hart"), word(1, "wenig elastisch"), word(2, "kaum verschieblich"));
+  for (std::size_t o = 0; o < 3; ++o) {
+    EXPECT_TRUE(english.outputs[o].fromRules);
+    EXPECT_EQ(english.outputs[o].value, german.outputs[o].value);
+  }
+  const auto middle = infer(0.5, 0.5, 0.5);
+  EXPECT_GT(english.outputs[0].value, 2 * middle.outputs[0].value) << "rather hard is stiffer than medium";
+  EXPECT_GT(english.outputs[1].value, 2 * middle.outputs[1].value) << "a little elastic is sluggish";
+  EXPECT_GT(english.outputs[2].value, 2 * middle.outputs[2].value) << "hardly shiftable is held";
+}
+
+// From soft to very hard, each word in its place.
+TEST_F(DefaultRules, OrderTheWordsOfHardness)
+{
+  double last = 0.0;
+  for (const char* text :
+       {"very soft", "soft", "rather soft", "medium", "ziemlich hart", "hart", "sehr hart", "extrem hart"}) {
+    const double modulus = infer(word(0, text), 0.5, 0.5).outputs[0].value;
+    EXPECT_GT(modulus, last) << text;
+    last = modulus;
+  }
+}
+
+TEST_F(DefaultRules, ReadBackInBothLanguages)
+{
+  for (const fuzzy::Rule& rule : rules.rules)
+    for (const Language language : {Language::English, Language::German}) {
+      const std::string text = fuzzy::formatRule(rule, rules, language);
+      const auto parsed = fuzzy::parseRule(text, rules);
+      ASSERT_TRUE(std::holds_alternative<fuzzy::Rule>(parsed)) << text;
+      EXPECT_EQ(std::get<fuzzy::Rule>(parsed), rule) << text;
+      EXPECT_EQ(text.find('"'), std::string::npos) << "no name needs quotes: " << text;
+    }
+}
+
+TEST_F(DefaultRules, TakeTheRulesOfTheManual)
+{
+  const auto english = fuzzy::parseRule("IF hardness IS very hard THEN stiffness IS high", rules);
+  const auto german = fuzzy::parseRule("WENN Härte IST sehr hart DANN Steifigkeit IST hoch", rules);
+  ASSERT_TRUE(std::holds_alternative<fuzzy::Rule>(english));
+  EXPECT_EQ(std::get<fuzzy::Rule>(english), std::get<fuzzy::Rule>(german));
+}
+
+} // namespace
+} // namespace esm
