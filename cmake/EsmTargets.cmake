@@ -5,6 +5,7 @@
 add_library(esm_warnings INTERFACE)
 target_compile_options(esm_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
+  $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict> # false alarm, GCC bug 105651
   -ffp-contract=off # the same bits with and without FMA: golden hashes hold on every x86-64
   $<$<BOOL:${ESM_WERROR}>:-Werror>)
 if(ESM_SANITIZE STREQUAL "address")
