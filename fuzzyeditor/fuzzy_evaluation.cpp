@@ -25,6 +25,7 @@ const fuzzy::Inference& FuzzyEvaluation::inference() const
 {
   if (!m_stale) return m_inference;
   m_stale = false;
+  ++m_computations;
   m_inference = {};
   const fuzzy::RuleBase& rules = m_document->ruleBase();
   m_degrees.assign(rules.rules.size(), 0.0);

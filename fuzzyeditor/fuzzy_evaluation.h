@@ -28,6 +28,8 @@ public:
   /// How strongly a rule fires, 0 for one that is off.
   double degree(int rule) const;
 
+  int computations() const { return m_computations; } ///< so that a test can prove the laziness
+
 signals:
   void changed();
 
@@ -35,6 +37,7 @@ private:
   FuzzyDocument* m_document;
   QTimer m_announce;
   mutable bool m_stale = true;
+  mutable int m_computations = 0;
   mutable std::optional<fuzzy::Engine> m_engine; ///< empty: the rules changed since it was compiled
   mutable fuzzy::Inference m_inference;
   mutable std::vector<double> m_degrees; ///< one per rule

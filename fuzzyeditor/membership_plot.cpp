@@ -133,13 +133,13 @@ void MembershipPlot::paintEvent(QPaintEvent*)
 
 void MembershipPlot::paintAxes(QPainter& painter, const fuzzy::Variable& v) const
 {
-  const QColor grid = panel_colors::faint(palette()), text = panel_colors::quiet(palette());
+  const QColor grid = panel_colors::faint(palette()), ink = panel_colors::quiet(palette());
   const int line = fontMetrics().height();
   for (const double mu : {0.0, 0.5, 1.0}) {
     const QPointF at = toPixel(m_low, mu);
     painter.setPen(QPen(grid, 1, mu == 0.0 ? Qt::SolidLine : Qt::DotLine));
     painter.drawLine(at, toPixel(m_high, mu));
-    painter.setPen(text);
+    painter.setPen(ink);
     painter.drawText(QRectF(0, at.y() - line / 2.0, m_area.left() - 6, line),
                      Qt::AlignRight | Qt::AlignVCenter, locale().toString(mu, 'g', 2));
   }
@@ -156,9 +156,13 @@ void MembershipPlot::paintAxes(QPainter& painter, const fuzzy::Variable& v) cons
     painter.setPen(QPen(grid, 1));
     painter.drawLine(at, at + QPointF(0, 4));
     const double shown = v.logarithmic ? std::pow(10.0, tick) : std::abs(tick) < slack ? 0.0 : tick;
-    painter.setPen(text);
-    painter.drawText(QRectF(at.x() - 50, at.y() + 4, 100, line), Qt::AlignCenter,
-                     locale().toString(shown, 'g', 4));
+    painter.setPen(ink);
+    QLocale plain = locale();
+    plain.setNumberOptions(QLocale::OmitGroupSeparator);
+    const QString text = plain.toString(shown, 'g', 4);
+    const double wide = fontMetrics().horizontalAdvance(text);
+    const double start = std::min(at.x() - wide / 2, width() - wide - 3.0);
+    painter.drawText(QRectF(start, at.y() + 4, wide + 2, line), Qt::AlignLeft, text);
   }
   QString title = RuleDisplay::title(v, m_evaluation->document()->ruleLanguage());
   if (!unit.symbol.isEmpty()) title += QStringLiteral(" [%1]").arg(unit.symbol);
@@ -174,8 +178,10 @@ void MembershipPlot::paintTerms(QPainter& painter, const fuzzy::Variable& v) con
   std::vector<std::pair<double, int>> peaks;
   for (int i = 0; i < static_cast<int>(v.terms.size()); ++i) {
     const QPolygonF curve = termCurve(v.terms[static_cast<std::size_t>(i)]);
-    painter.setPen(QPen(panel_colors::curve(palette(), i), 2, Qt::SolidLine, Qt::FlatCap, Qt::RoundJoin));
-    painter.drawPolyline(curve);
+    painter.setPen(QPen(panel_colors::curve(palette(), i), 2, Qt::SolidLine, Qt::RoundCap));
+    for (qsizetype k = 1; k < curve.size(); ++k) // along the axis there is nothing to see
+      if (curve[k - 1].y() < m_area.bottom() - 1e-6 || curve[k].y() < m_area.bottom() - 1e-6)
+        painter.drawLine(curve[k - 1], curve[k]);
     const auto higher = [](const QPointF& a, const QPointF& b) { return a.y() > b.y() + 1e-6; };
     const auto first = std::max_element(curve.begin(), curve.end(), higher);
     auto last = first;
@@ -186,7 +192,7 @@ void MembershipPlot::paintTerms(QPainter& painter, const fuzzy::Variable& v) con
   for (const auto& [x, i] : peaks) {
     const QString name = toQt(v.terms[static_cast<std::size_t>(i)].name.in(language));
     const double width = fontMetrics().horizontalAdvance(name);
-    const double start = std::max(free, std::min(x - width / 2, m_area.right() + 12 - width));
+    const double start = std::max(free, std::min(x - width / 2, m_area.right() + 8 - width));
     painter.setPen(panel_colors::curve(palette(), i));
     painter.drawText(QRectF(start, m_area.top() - line - 2, width + 2, line), Qt::AlignLeft, name);
     free = start + width + 8;
@@ -223,6 +229,8 @@ void MembershipPlot::paintInput(QPainter& painter, const fuzzy::Variable& v) con
         outline << toPixel(x, fuzzy::applyHedges(word->hedges, fuzzy::membership(term, x)));
       }
       paintSet(painter, outline);
+      const Language language = m_evaluation->document()->ruleLanguage();
+      paintHeading(painter, m_area.center().x(), toQt(fuzzy::formatInput(input, v, language)));
     }
     return;
   }
@@ -253,19 +261,23 @@ void MembershipPlot::paintOutput(QPainter& painter, const fuzzy::Variable& v) co
 void MembershipPlot::paintValueLine(QPainter& painter, const fuzzy::Variable& v, double plain) const
 {
   if (!std::isfinite(plain)) return;
-  const int line = fontMetrics().height();
   const double x = toPixel(axisValue(plain), 0).x();
   const QColor ink = palette().color(QPalette::Text);
   painter.setPen(QPen(ink, 1.4, Qt::DashLine));
   painter.drawLine(QPointF(x, m_area.bottom()), QPointF(x, m_area.top()));
+  paintHeading(painter, x, RuleDisplay::quantity(plain, v.unit, locale()));
+}
+
+/// The present value above the words, at its place.
+void MembershipPlot::paintHeading(QPainter& painter, double x, const QString& text) const
+{
   QFont bold = font();
   bold.setWeight(QFont::DemiBold);
   painter.setFont(bold);
-  painter.setPen(ink);
-  const QString text = RuleDisplay::quantity(plain, v.unit, locale());
+  painter.setPen(palette().color(QPalette::Text));
   const double width = QFontMetricsF(bold).horizontalAdvance(text) + 4;
-  const double start = std::clamp(x - width / 2, 2.0, this->width() - width - 2.0);
-  painter.drawText(QRectF(start, 2, width, line), Qt::AlignCenter, text);
+  const double start = std::clamp(x - width / 2, 2.0, std::max(2.0, this->width() - width - 2.0));
+  painter.drawText(QRectF(start, 2, width, fontMetrics().height()), Qt::AlignCenter, text);
   painter.setFont(font());
 }
 

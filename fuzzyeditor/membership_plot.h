@@ -41,6 +41,7 @@ private:
   void paintInput(QPainter& painter, const fuzzy::Variable& variable) const;
   void paintOutput(QPainter& painter, const fuzzy::Variable& variable) const;
   void paintValueLine(QPainter& painter, const fuzzy::Variable& variable, double plain) const;
+  void paintHeading(QPainter& painter, double x, const QString& text) const;
   void paintSet(QPainter& painter, QPolygonF outline) const;
 
   FuzzyEvaluation* m_evaluation;

@@ -28,6 +28,11 @@ QColor quiet(const QPalette& palette)
   return mix(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.68);
 }
 
+QColor off(const QPalette& palette)
+{
+  return mix(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.55);
+}
+
 QColor bar(const QPalette& palette)
 {
   return isDark(palette) ? QColor(0x2b, 0x62, 0x8f) : QColor(0x9c, 0xcb, 0xf0);

@@ -13,6 +13,7 @@ bool isDark(const QPalette& palette);
 QColor mix(const QColor& a, const QColor& b, double shareOfB);
 QColor faint(const QPalette& palette);             ///< frames, grid lines
 QColor quiet(const QPalette& palette);             ///< text of less weight, still well readable
+QColor off(const QPalette& palette);               ///< text of what is switched off, but still to be read
 QColor bar(const QPalette& palette);               ///< filling of a degree bar, text stays readable on it
 QColor mistake(const QPalette& palette);           ///< wave lines, messages of mistakes
 QColor keyword(const QPalette& palette);           ///< IF THEN ...

@@ -36,7 +36,7 @@ void DegreeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   paintBackground(painter, item);
 
   const double degree = std::clamp(index.data(m_role).toDouble(), 0.0, 1.0);
-  const QRectF frame = QRectF(option.rect).adjusted(4.5, 4.5, -4.5, -4.5);
+  const QRectF frame = QRectF(option.rect).adjusted(4.5, 2.5, -4.5, -2.5);
   const bool enabled = option.state & QStyle::State_Enabled;
   painter->save();
   painter->setRenderHint(QPainter::Antialiasing);
@@ -52,7 +52,7 @@ void DegreeDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option
   }
   painter->setPen(enabled ? item.palette.color(QPalette::Text)
                           : item.palette.color(QPalette::Disabled, QPalette::Text));
-  painter->drawText(frame, Qt::AlignCenter, text);
+  painter->drawText(option.rect, Qt::AlignCenter, text);
   painter->restore();
 }
 

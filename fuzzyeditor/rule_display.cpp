@@ -132,8 +132,10 @@ QString RuleDisplay::number(double value, const QLocale& locale, int significant
 QString RuleDisplay::quantity(double value, const std::string& unit, const QLocale& locale)
 {
   const DisplayUnit shown = displayUnit(unit);
-  const QString digits = number(value / shown.factor, locale);
-  return shown.symbol.isEmpty() ? digits : digits + QChar(0x00a0) + shown.symbol;
+  const double number = value / shown.factor;
+  if (!shown.symbol.isEmpty()) return RuleDisplay::number(number, locale) + QChar(0x00a0) + shown.symbol;
+  // Findings between 0 and 1: two decimals say all that a hand can tell.
+  return std::abs(number) < 10 ? locale.toString(number, 'f', 2) : RuleDisplay::number(number, locale);
 }
 
 QString RuleDisplay::inputs(const std::vector<fuzzy::InputValue>& values, const fuzzy::RuleBase& rules,

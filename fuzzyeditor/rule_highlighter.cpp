@@ -101,7 +101,7 @@ void RuleHighlighter::highlightBlock(const QString& text)
   const LineMarks marks = line < m_marks.size() ? m_marks[line] : LineMarks();
   if (marks.off || text.trimmed().startsWith('#')) {
     QTextCharFormat grey;
-    grey.setForeground(m_palette.color(QPalette::Disabled, QPalette::Text));
+    grey.setForeground(panel_colors::off(m_palette));
     grey.setFontItalic(true);
     setFormat(0, static_cast<int>(text.size()), grey);
   } else if (!m_words.pattern().isEmpty()) {

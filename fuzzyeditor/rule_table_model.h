@@ -30,7 +30,8 @@ public:
     Column column = Condition;
     QString text;
     TextRange range; ///< of the offending word in text
-    QString sentence, suggestion;
+    fuzzy::RuleTextError error;
+    QString word; ///< empty: something is missing
   };
 
   explicit RuleTableModel(FuzzyEvaluation* evaluation, QObject* parent = nullptr);
@@ -59,7 +60,8 @@ public:
   void setRulesEnabled(const std::vector<int>& rows, bool enabled);
 
   const std::optional<Mistake>& mistake() const { return m_mistake; }
-  void cureMistake(); ///< replaces the offending word by the suggestion
+  QString mistakeSentence() const; ///< in the language of now
+  void cureMistake();              ///< replaces the offending word by the suggestion
   void discardMistake();
   void retranslate();                    ///< the language of the window changed
   void setLocale(const QLocale& locale); ///< number format of the window

@@ -168,7 +168,7 @@ void RuleTextPage::changeEvent(QEvent* event)
     showMistake();
   } else if (event->type() == QEvent::PaletteChange) {
     m_writing = true;
-    m_highlighter->setPalette(m_editor->palette());
+    m_highlighter->setPalette(palette()); // the editor gets it only after us
     m_writing = false;
   }
 }

@@ -105,13 +105,12 @@ QWidget* RulesPanel::createTablePage()
   m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
 
   auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(2);
+  buttons->setSpacing(4);
   for (QAction* action : {m_add, m_duplicate, m_remove, m_up, m_down, m_switch}) {
     m_table->addAction(action); // shortcuts hold while the table has the focus
     auto* button = new QToolButton;
     button->setObjectName(action->objectName() + "Button");
     button->setDefaultAction(action);
-    button->setAutoRaise(true);
     button->setFocusPolicy(Qt::TabFocus);
     buttons->addWidget(button);
   }
@@ -215,8 +214,8 @@ void RulesPanel::showTableMistake()
   }
   m_tableMistake->setMistake(tr("Rule %1: %2 The rule stays as it was until this is mended.")
                                .arg(mistake->row + 1)
-                               .arg(mistake->sentence),
-                             mistake->suggestion);
+                               .arg(m_model->mistakeSentence()),
+                             toQt(mistake->error.suggestion));
 }
 
 /// One yellow line per output that no rule speaks about for these inputs.

@@ -129,7 +129,19 @@ TEST_F(PanelsLook, WhyOfAPlaceIsDroppedWhenTheRulesChange)
   EXPECT_EQ(why.findChild<QLabel*>("whyPlace")->text(), "Tissue: Uterus");
 }
 
-// A hidden panel costs nothing: degrees are computed when a visible one asks.
+// Hidden panels cost nothing, and many shown ones one computation for however many moves of a slider.
+TEST_F(PanelsLook, RulesAreEvaluatedOncePerTurnAndOnlyForVisiblePanels)
+{
+  document.setInput(0, 0.1, 0);
+  QTest::qWait(5);
+  EXPECT_EQ(evaluation.computations(), 0);
+  showAll();
+  const int before = evaluation.computations();
+  for (int i = 0; i < 10; ++i) document.setInput(0, 0.1 + 0.01 * i, 1);
+  QTest::qWait(20);
+  EXPECT_EQ(evaluation.computations(), before + 1);
+}
+
 TEST_F(PanelsLook, PlotMarksTheValueOfTheVariableChosen)
 {
   showAll();

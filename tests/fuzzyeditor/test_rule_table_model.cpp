@@ -79,7 +79,7 @@ TEST_F(RuleTable, AMistakeStaysInItsCellAndLeavesTheRuleAlone)
   EXPECT_EQ(text(1, Model::Conclusion), "Steifigkeit IST gros"); // not lost
   EXPECT_EQ(model.index(1, Model::Conclusion).data(Model::MistakeRangeRole).toPoint(), QPoint(16, 4));
   ASSERT_TRUE(model.mistake());
-  EXPECT_EQ(model.mistake()->suggestion, "groß");
+  EXPECT_EQ(model.mistake()->error.suggestion, "groß");
 
   model.cureMistake();
   EXPECT_FALSE(model.mistake());
@@ -143,7 +143,7 @@ TEST_F(RuleTable, NewRuleDescribesTheCurrentState)
   EXPECT_EQ(model.addRule(0), 1);
   EXPECT_EQ(text(1, Model::Condition), "hardness IS hard");
   EXPECT_EQ(text(1, Model::Conclusion), "stiffness IS high");
-  EXPECT_NEAR(evaluation.inference().outputs[0].value / before, 1.0, 0.1); // the set grows a little, 10 %
+  EXPECT_NEAR(evaluation.inference().outputs[0].value / before, 1.0, 0.1); // the set grows a little
 }
 
 TEST_F(RuleTable, FollowsTheLanguage)

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzzyeditor/badge_label.h"
+#include "fuzzyeditor/panel_colors.h"
 #include "fuzzyeditor/rule_table_model.h"
 #include "fuzzyeditor/rule_text_editor.h"
 #include "fuzzyeditor/rule_text_page.h"
@@ -123,8 +123,7 @@ TEST_F(RulesPanelTest, RulesThatAreOffAreGreyAndStayOffWithTheirNotes)
   EXPECT_EQ(rules()[2].note, "not measured yet");
   const QTextBlock off = editor->document()->findBlockByNumber(2);
   ASSERT_EQ(off.layout()->formats().size(), 1);
-  EXPECT_EQ(off.layout()->formats()[0].format.foreground().color(),
-            editor->palette().color(QPalette::Disabled, QPalette::Text));
+  EXPECT_EQ(off.layout()->formats()[0].format.foreground().color(), panel_colors::off(editor->palette()));
 }
 
 TEST_F(RulesPanelTest, LanguageSwitchTranslatesTheTextButNotAMistake)
@@ -180,7 +179,7 @@ TEST_F(RulesPanelTest, MissingRulesAreSaidWithTheInputsOfTheGap)
   show(panel);
   auto* problems = panel.findChild<QLabel*>("rulesProblems");
   QTest::qWait(1);
-  EXPECT_EQ(problems->text(), "No rule fired for viscosity (hardness 0.500, elasticity 0.200); "
+  EXPECT_EQ(problems->text(), "No rule fired for viscosity (hardness 0.50, elasticity 0.20); "
                               "it takes its default 4.00\u00a0ms.");
   panel.tableModel()->setRulesEnabled({2}, true); // elasticity 0.2 is not high at all
   document.setInput(1, 0.7, 0);
