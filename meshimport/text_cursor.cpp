@@ -3,6 +3,7 @@
 #include "meshimport/text_cursor.h"
 
 #include <algorithm>
+#include <array>
 #include <charconv>
 #include <limits>
 
@@ -10,14 +11,30 @@ namespace esm {
 
 namespace {
 
+enum CharClass : unsigned char { Other = 0, Blank = 1, LineBreak = 2, Special = 4 };
+
+/// What each byte means between words; one look in place of half a dozen comparisons.
+constexpr auto kClass = [] {
+  std::array<unsigned char, 256> classes{};
+  for (const unsigned char c : {' ', '\t', '\v', '\f'}) classes[c] = Blank;
+  for (const unsigned char c : {'\n', '\r'}) classes[c] = LineBreak;
+  for (const unsigned char c : {'#', '\\'}) classes[c] = Special; // depends on the rules
+  return classes;
+}();
+
+unsigned char classOf(char c)
+{
+  return kClass[static_cast<unsigned char>(c)];
+}
+
 bool isBlank(char c)
 {
-  return c == ' ' || c == '\t' || c == '\v' || c == '\f';
+  return classOf(c) == Blank;
 }
 
 bool isLineBreak(char c)
 {
-  return c == '\n' || c == '\r';
+  return classOf(c) == LineBreak;
 }
 
 char toLower(char c)
@@ -96,9 +113,11 @@ void TextCursor::nextLine()
 
 bool TextCursor::breaksHere(const char* at) const
 {
-  if (at == m_end || isBlank(*at) || isLineBreak(*at)) return true;
+  if (at == m_end) return true;
+  const unsigned char kind = classOf(*at);
+  if (kind != Special) return kind != Other;
   if (*at == '#') return (m_rules & HashComments) != 0;
-  return *at == '\\' && (m_rules & BackslashJoins) && behindLineEnd(at + 1);
+  return (m_rules & BackslashJoins) != 0 && behindLineEnd(at + 1) != nullptr;
 }
 
 std::string_view TextCursor::word()

@@ -24,51 +24,55 @@ std::uint64_t hashOf(const Eigen::Vector3d& p)
   return h;
 }
 
-/// Open-addressing hash from a point in space (a position, a grid cell) to a number.
-/// Grows with what it holds, so welding touches memory in proportion to the kept vertices.
+/// Open-addressing hash from a point in space (a position, a grid cell) to a number. The slots hold only
+/// places in a dense list: the list is in the order of first appearance, so in a file with any order the
+/// next look is near the last one.
 class PointTable {
 public:
-  PointTable() : m_slots(kFirstSize) {}
+  PointTable() : m_slots(kFirstSize, kNoIndex) {}
 
   /// The number stored under `key`; if there was none, `value` is stored and returned.
   Index& findOrAdd(const Eigen::Vector3d& key, Index value)
   {
-    if (2 * m_used >= m_slots.size()) grow();
-    Slot& slot = slotOf(key);
-    if (slot.value == kNoIndex) {
-      slot = Slot{key, value};
-      ++m_used;
+    if (2 * m_entries.size() >= m_slots.size()) grow();
+    Index& slot = slotOf(key);
+    if (slot == kNoIndex) {
+      slot = static_cast<Index>(m_entries.size());
+      m_entries.push_back({key, value});
     }
-    return slot.value;
+    return m_entries[static_cast<std::size_t>(slot)].value;
   }
 
   /// The number stored under `key`, or kNoIndex.
-  Index find(const Eigen::Vector3d& key) { return slotOf(key).value; }
+  Index find(const Eigen::Vector3d& key)
+  {
+    const Index slot = slotOf(key);
+    return slot == kNoIndex ? kNoIndex : m_entries[static_cast<std::size_t>(slot)].value;
+  }
 
 private:
-  static constexpr std::size_t kFirstSize = 1024;
-  struct Slot {
-    Eigen::Vector3d key = Eigen::Vector3d::Zero();
-    Index value = kNoIndex;
+  static constexpr std::size_t kFirstSize = 1024; // a power of two, as all later sizes
+  struct Entry {
+    Eigen::Vector3d key;
+    Index value;
   };
 
-  Slot& slotOf(const Eigen::Vector3d& key)
+  Index& slotOf(const Eigen::Vector3d& key)
   {
     const std::size_t mask = m_slots.size() - 1;
     std::size_t i = hashOf(key) >> 20 & mask;
-    while (m_slots[i].value != kNoIndex && m_slots[i].key != key) i = (i + 1) & mask;
+    while (m_slots[i] != kNoIndex && m_entries[static_cast<std::size_t>(m_slots[i])].key != key)
+      i = (i + 1) & mask;
     return m_slots[i];
   }
   void grow()
   {
-    std::vector<Slot> old(2 * m_slots.size());
-    old.swap(m_slots);
-    for (const Slot& slot : old)
-      if (slot.value != kNoIndex) slotOf(slot.key) = slot;
+    m_slots.assign(4 * m_slots.size(), kNoIndex);
+    for (std::size_t i = 0; i < m_entries.size(); ++i) slotOf(m_entries[i].key) = static_cast<Index>(i);
   }
 
-  std::vector<Slot> m_slots;
-  std::size_t m_used = 0;
+  std::vector<Index> m_slots; ///< places in `m_entries`, or kNoIndex
+  std::vector<Entry> m_entries;
 };
 
 /// Vertices kept so far, found again by equal position.
