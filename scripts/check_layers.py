@@ -43,7 +43,7 @@ FOREIGN = [
     (re.compile(r"nlohmann/"), ["core/project", "cli", "tests", "app"]),
     (re.compile(r"assimp/"), ["meshimport", "tests/meshimport"]),
     (re.compile(r"libusb"), ["haptics/usb", "tests/haptics"]),
-    (re.compile(r"CLI/"), ["cli"]),
+    (re.compile(r"CLI/"), ["cli", "app"]),
 ]
 LICENCE = {"app": "GPL-3.0-or-later", "fuzzyeditor": "GPL-3.0-or-later", "tests/app": "GPL-3.0-or-later",
            "tests/fuzzyeditor": "GPL-3.0-or-later"}
