@@ -1,0 +1,112 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The ESM authors
+# SPDX-License-Identifier: MIT
+"""What `esm` writes for other programs, read back by independent readers (readers.py)."""
+import struct
+import unittest
+
+from program import OSCILLATOR, ProgramTest
+from readers import read_csv, read_f64, read_glb, read_ply, read_pvd, read_vtu
+
+
+class Exports(ProgramTest):
+    def setUp(self):
+        super().setUp()
+        self.run_program("import", "tet.obj", "-o", "p.esm", "--unit", "cm")
+        self.project = self.read_json("p.esm")
+        flat = self.project["geometry"]["position"]
+        self.points = [tuple(flat[i:i + 3]) for i in range(0, len(flat), 3)]
+        ends = self.project["net"]["springs"]["ends"]
+        self.ends = [(ends[i], ends[i + 1]) for i in range(0, len(ends), 2)]
+        self.stiffness = self.project["net"]["springs"]["stiffness"]
+
+    def export(self, name):
+        self.run_program("export", "p.esm", "-o", name)
+        return self.folder / name
+
+    def check_vtu(self, grid):
+        self.assertEqual((grid["point_count"], grid["cell_count"]), (len(grid["points"]), len(grid["cells"])))
+        self.assertEqual((len(grid["points"]), len(grid["cells"])), (5, 12))
+        for name in ("stiffness", "damping", "rest_length", "strain", "force"):
+            self.assertEqual(len(grid["cell_data"][name]), 12, name)
+        for name in ("displacement", "velocity", "mass", "fixed"):
+            self.assertEqual(len(grid["point_data"][name]), 5, name)
+
+    def test_vtu(self):
+        grid = read_vtu(self.export("x.vtu"))
+        self.check_vtu(grid)
+        self.assertEqual(grid["points"], self.points)
+        self.assertEqual([tuple(n) for kind, n in grid["cells"] if kind == 3], self.ends)
+        self.assertEqual([n for kind, n in grid["cells"] if kind == 5], [[0, 2, 1], [0, 1, 3], [1, 2, 3], [0, 3, 2]])
+        self.assertEqual(grid["cell_data"]["stiffness"][:8], self.stiffness)
+
+    def test_ply_holds_springs_with_their_parameters(self):
+        tables = read_ply(self.export("x.ply"))
+        self.assertEqual([(v["x"], v["y"], v["z"]) for v in tables["vertex"]], self.points)
+        self.assertEqual([(e["vertex1"], e["vertex2"]) for e in tables["edge"]], self.ends)
+        self.assertEqual([e["stiffness"] for e in tables["edge"]], self.stiffness)
+        self.assertEqual(len(tables["face"]), 4)
+
+    def test_glb(self):
+        document, values = read_glb(self.export("x.glb"))
+        primitives = {p["mode"]: p for p in document["meshes"][0]["primitives"]}
+        position = primitives[4]["attributes"]["POSITION"]
+        accessor = document["accessors"][position]
+        for axis in range(3):
+            column = [p[axis] for p in values[position]]
+            self.assertEqual((accessor["min"][axis], accessor["max"][axis]), (min(column), max(column)))
+        single = [struct.unpack("<3f", struct.pack("<3f", *p)) for p in self.points]
+        self.assertEqual(values[position], single)
+        self.assertEqual(len(values[primitives[4]["indices"]]), 12)
+        self.assertEqual(values[primitives[1]["indices"]], [node for ends in self.ends for node in ends])
+
+    def test_csv(self):
+        nodes, springs = read_csv(self.export("x.csv")), read_csv(self.folder / "x_springs.csv")
+        self.assertEqual([(float(r["x"]), float(r["y"]), float(r["z"])) for r in nodes], self.points)
+        self.assertEqual([float(r["stiffness"]) for r in springs], self.stiffness)
+        self.assertEqual([(int(r["a"]), int(r["b"])) for r in springs], self.ends)
+
+    def test_reimport_gives_the_same_shape(self):
+        before = self.json_of("inspect", "tet.obj")
+        for name in ("x.obj", "x.ply"):
+            after = self.json_of("inspect", self.export(name))
+            for key in ("nodes", "springs", "triangles", "components", "boundary_edges"):
+                self.assertEqual(after[key], before[key], (name, key))
+            self.assertEqual(after["bbox_max"], [0.01, 0.01, 0.01])
+
+    def test_plain_net_round_trip(self):
+        self.run_program("import", "osc.json", "-o", "o.esm")
+        self.run_program("export", "o.esm", "-o", "back.json")
+        back = self.read_json("back.json")
+        self.assertEqual({key: back[key] for key in OSCILLATOR}, OSCILLATOR)
+        self.run_program("import", "back.json", "-o", "again.esm")
+        self.assertEqual((self.folder / "o.esm").read_bytes(), (self.folder / "again.esm").read_bytes())
+
+    def test_paraview_series(self):
+        self.run_program("apply", "p.esm", "-o", "q.esm", "--poke", "0,0,0.01,0,0,-0.05,0.005")
+        self.run_program("simulate", "q.esm", "--duration", "0.2", "--frames", "20", "-o", "m.pvd")
+        frames = read_pvd(self.folder / "m.pvd")
+        self.assertEqual([time for time, _ in frames], [k / 20 for k in range(5)])
+        for time, path in frames:
+            grid = read_vtu(path)
+            self.check_vtu(grid)
+            self.assertEqual(grid["time"], time)
+            for point, start, moved in zip(grid["points"], self.points, grid["point_data"]["displacement"]):
+                for axis in range(3):  # one rounding
+                    self.assertAlmostEqual(point[axis], start[axis] + moved[axis], delta=1e-15)
+        self.assertLess(grid["point_data"]["displacement"][3][2], 0)
+        self.assertEqual(len(list((self.folder / "m_frames").iterdir())), 5)
+
+    def test_raw_and_csv_hold_the_same_numbers(self):
+        self.run_program("simulate", "osc.json", "-o", "m.f64")
+        self.run_program("simulate", "osc.json", "-o", "m.csv")
+        frames, rows = read_f64(self.folder / "m.f64", 2), read_csv(self.folder / "m.csv")
+        self.assertEqual(len(frames), 51)
+        self.assertEqual(frames[0], [(0, 0, 0), (1.1, 0, 0)])
+        self.assertEqual([point for frame in frames for point in frame],
+                         [(float(r["x"]), float(r["y"]), float(r["z"])) for r in rows])
+        self.assertNotIn(b"\r", (self.folder / "m.csv").read_bytes())
+
+
+if __name__ == "__main__":
+    unittest.main()
