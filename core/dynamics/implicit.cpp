@@ -18,6 +18,7 @@ const double kDiagonal = 0.5 * kMiddle;      // implicit share of both stages
 const double kOuter = 0.25 * std::sqrt(2.0); // share of the first two slopes in the last stage
 
 constexpr int kMaxIterations = 25;
+constexpr int kMostLeaps = 3; ///< see leap()
 
 class TrBdf2 final : public Integrator {
 public:
@@ -109,9 +110,9 @@ private:
     ++report.factorizations;
     m_factoredShare = s;
     m_factorIsFresh = true;
-    if (m_matrix.factor(system, m_x, s, false)) return true;
+    if (m_matrix.factor(system, m_x, m_v, s, false)) return true;
     ++report.factorizations;
-    if (m_matrix.factor(system, m_x, s, true)) return true;
+    if (m_matrix.factor(system, m_x, m_v, s, true)) return true;
     m_factoredShare = 0.0;
     return false;
   }
@@ -124,6 +125,7 @@ private:
     if (m_matrix.size() == 0) return std::isfinite(norm) ? StepResult::Done : StepResult::NonFinite;
     const double scale = s / std::sqrt(static_cast<double>(m_matrix.size()) / 3.0);
     m_factorIsFresh = false;
+    int leaps = 0;
     for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
       if (!std::isfinite(norm)) return StepResult::NonFinite;
       if (norm == 0.0) return StepResult::Done;
@@ -142,16 +144,36 @@ private:
         return StepResult::Done;
       }
       const bool slow = !gained || next > 0.2 * norm;
-      if (!gained) {
-        norm = residual(system, t, s, m_v, rates); // m_right and m_x back to the best point
-        if (m_factorIsFresh) return move <= 1e3 * m_tolerance ? StepResult::Done : StepResult::NotConverged;
-      } else {
+      if (gained) {
         norm = next;
         m_factorIsFresh = false;
+      } else if (!m_factorIsFresh) {
+        norm = residual(system, t, s, m_v, rates); // m_right and m_x back to the best point
+      } else if (move <= 1e3 * m_tolerance) { // at the bottom of rounding
+        norm = residual(system, t, s, m_v, rates);
+        return StepResult::Done;
+      } else if (leaps < kMostLeaps) {
+        ++leaps;
+        norm = leap(system, t, s, rates);
+      } else {
+        return StepResult::NotConverged;
       }
       if (slow) m_factoredShare = 0.0; // the matrix has become too old
     }
     return StepResult::NotConverged;
+  }
+
+  /// Takes the whole change although the residual grows: over the jump in force of a spring that leaves
+  /// length zero or a thread that tightens no descent leads. @return the new norm.
+  double leap(System& system, double t, double s, Rates& rates)
+  {
+    residual(system, t, s, m_v, rates);
+    m_matrix.solve(m_right, m_change);
+    for (std::size_t i = 0; i < m_v.size(); ++i)
+      if (const Index block = m_matrix.blockOf()[i]; block != kNoIndex)
+        m_v[i] += toLanes(m_change.segment<3>(3 * block));
+    m_factorIsFresh = false;
+    return residual(system, t, s, m_v, rates);
   }
 
   /// Tries v + fraction * change with fraction 1, 1/2, ...; the trial velocity is in m_trialV, its residual

@@ -89,7 +89,8 @@ void ImplicitMatrix::addDiagonal(Index block, const Eigen::Matrix3d& values)
       value[m_diagonal[static_cast<std::size_t>(block)].column[c] + (r - c)] += values(r, c);
 }
 
-bool ImplicitMatrix::factor(const System& system, const NodeArray& x, double s, bool convex)
+bool ImplicitMatrix::factor(const System& system, const NodeArray& x, const NodeArray& v, double s,
+                            bool convex)
 {
   double* value = m_matrix.valuePtr();
   std::fill(value, value + m_matrix.nonZeros(), 0.0);
@@ -105,7 +106,7 @@ bool ImplicitMatrix::factor(const System& system, const NodeArray& x, double s, 
   for (const ToolSpring& tool : system.tools())
     scalar(tool.node, s * tool.viscosity + s * s * tool.stiffness);
 
-  system.forces().springTangents(x.data(), m_tangents);
+  system.forces().springTangents(x.data(), v.data(), m_tangents);
   const auto& ends = system.forces().springEnds();
   for (std::size_t e = 0; e < ends.size(); ++e) {
     const SpringTangent& tangent = m_tangents[e];
@@ -113,10 +114,12 @@ bool ImplicitMatrix::factor(const System& system, const NodeArray& x, double s, 
     const double lateral = s * s * (convex ? std::max(tangent.lateral, 0.0) : tangent.lateral);
     const double axial = s * s * axialStiffness + s * tangent.viscous;
     const Eigen::Matrix3d uu = tangent.direction * tangent.direction.transpose();
-    const bool hasDirection = tangent.direction.squaredNorm() > 0.0;
-    const Eigen::Matrix3d values =
-      hasDirection ? Eigen::Matrix3d((axial - lateral) * uu + lateral * Eigen::Matrix3d::Identity())
-                   : Eigen::Matrix3d::Zero();
+    Eigen::Matrix3d values = (axial - lateral) * uu;
+    if (!uu.isZero(0.0)) values += lateral * Eigen::Matrix3d::Identity();
+    if (!convex) {
+      const Eigen::Matrix3d turn = (0.5 * s * s) * tangent.direction * tangent.shear.transpose();
+      values += turn + turn.transpose();
+    }
     addDiagonal(block(ends[e].a), values);
     addDiagonal(block(ends[e].b), values);
     if (m_coupling[e].column[0] < 0) continue;

@@ -10,7 +10,7 @@ namespace esm {
 
 /// The matrix of an implicit step over the free nodes, and its Cholesky factor:
 ///
-///     A = M + s D + s^2 K,   D = - dF/dv,   K = - dF/dx,   s the step's implicit share [s]
+///     A = M + s D + s^2 K,   D = - dF/dv,   K = - sym dF/dx,   s the step's implicit share [s]
 ///
 /// D and K are sums of 3 x 3 blocks (SpringTangent, anchors, tools, mass damping), both symmetric. The
 /// pattern is laid out and analysed once by prepare().
@@ -18,10 +18,10 @@ class ImplicitMatrix {
 public:
   void prepare(const System& system);
 
-  /// Fills in the numbers at positions x and factors. With `convex`, softening and pressed springs lend no
+  /// Fills in the numbers at x, v and factors. With `convex`, softening, pressed and turning springs lend no
   /// negative stiffness, so that A is positive definite whatever the net does; the true A is tried first by
   /// the caller. @return whether the factor exists.
-  bool factor(const System& system, const NodeArray& x, double s, bool convex);
+  bool factor(const System& system, const NodeArray& x, const NodeArray& v, double s, bool convex);
   /// solution = A^-1 right; both 3 F.
   void solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const
   {

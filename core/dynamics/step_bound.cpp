@@ -90,9 +90,9 @@ void StepBound::sumSprings(const System& system)
   }
 }
 
-FastestMode StepBound::compute(const System& system, const NodeArray& x)
+FastestMode StepBound::compute(const System& system, const NodeArray& x, const NodeArray& v)
 {
-  system.forces().springTangents(x.data(), m_tangents);
+  system.forces().springTangents(x.data(), v.data(), m_tangents);
   sumNodes(system);
   sumSprings(system);
   double axial = 0.0, viscous = 0.0, lateral = 0.0, anchored = 0.0, drag = 0.0;

@@ -25,7 +25,7 @@ struct FastestMode {
 class StepBound {
 public:
   void prepare(const System& system); ///< after any change of springs; allocates
-  FastestMode compute(const System& system, const NodeArray& x);
+  FastestMode compute(const System& system, const NodeArray& x, const NodeArray& v);
 
 private:
   void sumNodes(const System& system);

@@ -76,7 +76,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_settled = 0;
   m_toleranceGivenUp = false;
   m_bound.prepare(system);
-  m_mode = m_bound.compute(system, state.x);
+  m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;
   choose(system, state);
 }
@@ -86,7 +86,7 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
   for (Candidate& candidate : m_candidates)
     if (candidate.prepared) candidate.integrator->restart();
   if (sameNodes) return; // a moving hand: the checks go on in their rhythm
-  m_mode = m_bound.compute(system, state.x);
+  m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;
   m_untilCheck = 0;
   m_checkGap = 1;
@@ -156,7 +156,7 @@ void StepDriver::reconsider(System& system)
     const double accurate = m_candidates[kVerlet].accurateStep;
     const double stable = m_candidates[kVerlet].integrator->stableStep(m_mode);
     const double fourth = m_candidates[kRungeKutta].integrator->stableStep(m_mode);
-    if (accurate < 0.95 * stable && 4.0 * accurate < 0.5 * fourth) m_method = kRungeKutta;
+    if (accurate < 0.95 * stable && 4.0 * accurate < 0.3 * fourth) m_method = kRungeKutta;
     if (kFrame / stable > 500.0 && accurate > 4.0 * stable) {
       implicit.accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
       if (tooDear || cost(kVerlet, system) > 3.0 * cost(kImplicit, system)) m_method = kImplicit;

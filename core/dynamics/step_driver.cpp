@@ -47,10 +47,11 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     // An event a rounding error away from the end of the interval is the end.
     if (std::abs(event - end) <= 1e-9 * interval) end = event;
     const double target = std::min(event, end);
-    const double stretches = std::ceil((target - state.time) / kFrame * (1.0 - 1e-9));
+    const bool isFixed = m_settings.fixedStep > 0.0;
+    const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / kFrame * (1.0 - 1e-9));
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
-    const bool done = m_settings.fixedStep > 0.0 ? stretchFixed(system, state, stretchEnd, report)
-                                                 : stretchControlled(system, state, stretchEnd, report);
+    const bool done = isFixed ? stretchFixed(system, state, stretchEnd, report)
+                              : stretchControlled(system, state, stretchEnd, report);
     if (!done) break;
     if (state.time != event) continue;
     if (system.enter(state, false)) {
@@ -77,13 +78,30 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
   for (std::int64_t i = 1; i <= steps; ++i) {
     if (m_maxSteps > 0 && report.steps >= m_maxSteps) return Run::Limit;
     const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
-    const StepResult result = current().step(system, state, h, stepEnd, report);
+    const StepResult result = stepOrParts(system, state, h, stepEnd, report);
     if (result == StepResult::NonFinite) return Run::NonFinite;
     if (result == StepResult::NotConverged) return Run::NotConverged;
   }
   report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
   m_stepsSinceBound += steps;
   return Run::Done;
+}
+
+/// One step; where an implicit solver finds no solution, in as many equal parts as it takes, up to 256.
+StepResult StepDriver::stepOrParts(System& system, MotionState& state, double h, double end,
+                                   StepReport& report)
+{
+  StepResult result = current().step(system, state, h, end, report);
+  for (int parts = 4; result == StepResult::NotConverged && parts <= 256; parts *= 4) {
+    ++report.rejectedSteps;
+    const double begin = state.time, part = (end - begin) / parts;
+    for (int i = 1; i <= parts; ++i) {
+      const double partEnd = i == parts ? end : begin + i * part;
+      result = current().step(system, state, part, partEnd, report);
+      if (result != StepResult::Done) break;
+    }
+  }
+  return result;
 }
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
@@ -213,13 +231,13 @@ void StepDriver::refreshBound(const System& system, const MotionState& state)
 {
   const std::int64_t patience = m_method == kImplicit ? 32 : 64;
   if (m_stepsSinceBound < patience) return;
-  m_mode = m_bound.compute(system, state.x);
+  m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;
 }
 
 FastestMode StepDriver::fastestMode(const System& system, const MotionState& state)
 {
-  return m_bound.compute(system, state.x);
+  return m_bound.compute(system, state.x, state.v);
 }
 
 double StepDriver::explicitStep(const FastestMode& mode) const noexcept

@@ -18,8 +18,8 @@ struct Cubic {
   }
 };
 
-ESM_CPU_CLONES SpringSums pass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                               Lanes* force) noexcept
+ESM_CPU_CLONES SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                    Lanes* force) noexcept
 {
   return detail::springPass<Cubic>(batch, x, v, force);
 }
@@ -29,7 +29,7 @@ public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
                        Lanes* force) const noexcept override
   {
-    return pass(batch, x, v, force);
+    return cubicPass(batch, x, v, force);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -61,8 +61,8 @@ struct Exponential {
   }
 };
 
-ESM_CPU_CLONES SpringSums pass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                               Lanes* force) noexcept
+ESM_CPU_CLONES SpringSums exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                          Lanes* force) noexcept
 {
   return detail::springPass<Exponential>(batch, x, v, force);
 }
@@ -81,7 +81,7 @@ public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
                        Lanes* force) const noexcept override
   {
-    return pass(batch, x, v, force);
+    return exponentialPass(batch, x, v, force);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -165,7 +165,7 @@ double ForceModel::largestTension(const Lanes* x, const Lanes* v) const noexcept
   return largest;
 }
 
-void ForceModel::springTangents(const Lanes* x, std::vector<SpringTangent>& tangents) const
+void ForceModel::springTangents(const Lanes* x, const Lanes* v, std::vector<SpringTangent>& tangents) const
 {
   tangents.resize(m_ends.size());
   std::size_t place = 0;
@@ -175,7 +175,10 @@ void ForceModel::springTangents(const Lanes* x, std::vector<SpringTangent>& tang
     const double e = length - batch.restLength[i];
     if (!(length >= kMinSpringLength) || (batch.tensionOnly && e <= 0.0)) return;
     const SpringResponse response = springLawKernel(batch.law).respond(batch, i, e);
-    tangent = {toVector(d) / length, response.tangent, response.tension / length, batch.viscosity[i]};
+    const double c = batch.viscosity[i];
+    const Eigen::Vector3d u = toVector(d) / length, w = toVector(v[batch.b[i]] - v[batch.a[i]]);
+    const double rate = u.dot(w);
+    tangent = {u, response.tangent, (response.tension + c * rate) / length, c, (c / length) * (w - rate * u)};
   });
 }
 

@@ -6,17 +6,19 @@
 
 namespace esm {
 
-/// How a spring's force on its end a changes with the ends, u its direction, w the ends' relative velocity:
+/// How a spring's force on its end a changes with the ends, u its direction:
 ///
-///     dFa/dxb = axial u u^T + lateral (I - u u^T),   dFa/dvb = viscous u u^T
+///     dFa/dxb = axial u u^T + lateral (I - u u^T) + u shear^T,   dFa/dvb = viscous u u^T
 ///
-/// and the same with the other sign for xa, va and for Fb. The change of the viscous force with position is
-/// left out: it is not symmetric, and vanishes at rest. All zero for a slack or zero-length spring.
+/// and the same with the other sign for xa, va and for Fb. The last term of dFa/dxb comes from the damper,
+/// which looks at the ends' relative velocity w along a direction that turns; it is not symmetric, and
+/// vanishes at rest. All zero for a slack or zero-length spring.
 struct SpringTangent {
   Eigen::Vector3d direction = Eigen::Vector3d::Zero(); ///< u [1]
   double axial = 0.0;                                  ///< df/de [N/m]
-  double lateral = 0.0;                                ///< f/l [N/m], negative in a pressed spring
+  double lateral = 0.0;                                ///< T/l [N/m], negative in a pressed spring
   double viscous = 0.0;                                ///< c [N s/m]
+  Eigen::Vector3d shear = Eigen::Vector3d::Zero();     ///< c (w - u (u.w)) / l [N/m]
 };
 
 /// All forces that a net has by itself: springs, anchors, weight and mass damping, compiled from a SpringNet
@@ -43,7 +45,7 @@ public:
   double largestTension(const Lanes* x, const Lanes* v) const noexcept; ///< absolute [N]
 
   /// The tangents of the active springs, in their order here; ends by springEnds().
-  void springTangents(const Lanes* x, std::vector<SpringTangent>& tangents) const;
+  void springTangents(const Lanes* x, const Lanes* v, std::vector<SpringTangent>& tangents) const;
   struct Ends {
     Index a, b;
   };

@@ -16,8 +16,8 @@ struct Linear {
   }
 };
 
-ESM_CPU_CLONES SpringSums pass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                               Lanes* force) noexcept
+ESM_CPU_CLONES SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                     Lanes* force) noexcept
 {
   return detail::springPass<Linear>(batch, x, v, force);
 }
@@ -27,7 +27,7 @@ public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
                        Lanes* force) const noexcept override
   {
-    return pass(batch, x, v, force);
+    return linearPass(batch, x, v, force);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -1,0 +1,11 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// The kernels once more, for plain x86-64 only and under other names, so that a test can compare the bits.
+#define ESM_NO_CLONES
+#define linearLaw plainLinearLaw
+#define cubicLaw plainCubicLaw
+#define exponentialLaw plainExponentialLaw
+#include "core/forces/cubic_law.cpp"
+#include "core/forces/exponential_law.cpp"
+#include "core/forces/linear_law.cpp"

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "tests/support/force_harness.h"
+#include "tests/support/nets.h"
+
+#include <random>
+#include <tuple>
+
+namespace esm::testing {
+namespace {
+
+/// One spring from the origin to (length, 0, 0), rest length 2 m, k = 3 N/m.
+SpringNet oneSpring(SpringLaw law, double parameter, double length, double c = 0.0)
+{
+  SpringNet net = chain(2, length, 3.0);
+  net.restLength[0] = 2.0;
+  net.law[0] = law;
+  net.lawParameter[0] = parameter;
+  net.viscosity[0] = c;
+  return net;
+}
+
+/// Force on the left end, along the spring.
+double pull(const SpringNet& net)
+{
+  const ForceHarness harness(net);
+  NodeArray x(2), v(2, Lanes{0, 0, 0, 0});
+  copyNodes(net.restPosition, x);
+  if (net.initialVelocity.cols() > 0) copyNodes(net.initialVelocity, v);
+  const NodeArray force = harness.forces(x, v);
+  EXPECT_EQ(force[0][0], -force[1][0]);
+  EXPECT_EQ(force[0][1], 0.0);
+  return force[0][0];
+}
+
+} // namespace
+
+// By hand: L = 2, length 2.5, so e = 0.5 and e/L = 0.25.
+TEST(ForceLaws, HandComputedCases)
+{
+  EXPECT_DOUBLE_EQ(pull(oneSpring(SpringLaw::Linear, 0.0, 2.5)), 1.5);
+  EXPECT_DOUBLE_EQ(pull(oneSpring(SpringLaw::Linear, 0.0, 1.5)), -1.5);
+  EXPECT_DOUBLE_EQ(pull(oneSpring(SpringLaw::Cubic, 4.0, 2.5)), 1.5 * (1.0 + 4.0 / 16.0));
+  EXPECT_DOUBLE_EQ(pull(oneSpring(SpringLaw::Exponential, 4.0, 2.5)), 1.5 * (std::exp(1.0) - 1.0));
+  EXPECT_NEAR(pull(oneSpring(SpringLaw::Exponential, 4.0, 1.5)), 1.5 * (std::exp(-1.0) - 1.0), 1e-15);
+  EXPECT_DOUBLE_EQ(pull(oneSpring(SpringLaw::Exponential, 0.0, 2.5)), 1.5) << "b = 0 is the linear law";
+
+  // g runs through (0, 0), (0.2, 0.1), (0.3, 0.5): at 0.25 it is 0.3; beyond the ends the slopes 0.5 and 4 go
+  // on.
+  SpringNet table = oneSpring(SpringLaw::Table, 0.0, 2.5);
+  table.tables = {{{0.0, 0.2, 0.3}, {0.0, 0.1, 0.5}}};
+  EXPECT_NEAR(pull(table), 3.0 * 2.0 * 0.3, 1e-14);
+  table.restPosition(0, 1) = 2.8;
+  EXPECT_NEAR(pull(table), 3.0 * 2.0 * 0.9, 1e-14);
+  table.restPosition(0, 1) = 1.8;
+  EXPECT_NEAR(pull(table), 3.0 * 2.0 * -0.05, 1e-14);
+}
+
+// c = 0.5 N s/m, the ends part with 2 m/s along the spring and slide across it, which costs nothing.
+TEST(ForceLaws, DamperFeelsOnlyTheRateOfLength)
+{
+  SpringNet net = oneSpring(SpringLaw::Linear, 0.0, 2.5, 0.5);
+  net.initialVelocity = Eigen::Matrix3Xd::Zero(3, 2);
+  net.initialVelocity.col(1) << 2.0, 7.0, -3.0;
+  EXPECT_DOUBLE_EQ(pull(net), 1.5 + 1.0);
+}
+
+// While shorter than its rest length a tension-only spring is a slack thread: it neither pushes nor brakes.
+TEST(ForceLaws, TensionOnlySpringIsSlackWhenShort)
+{
+  SpringNet net = oneSpring(SpringLaw::Linear, 0.0, 1.5, 0.5);
+  net.tensionOnly[0] = 1;
+  net.initialVelocity = Eigen::Matrix3Xd::Zero(3, 2);
+  net.initialVelocity(0, 1) = 2.0;
+  EXPECT_EQ(pull(net), 0.0);
+  net.restPosition(0, 1) = 2.5;
+  EXPECT_DOUBLE_EQ(pull(net), 1.5 + 1.0);
+}
+
+// Every law, with and without tension-only: the rest lengths are +-30 %, so both branches occur.
+class EveryLaw : public ::testing::TestWithParam<std::tuple<SpringLaw, bool>> {};
+INSTANTIATE_TEST_SUITE_P(Laws, EveryLaw,
+                         ::testing::Combine(::testing::Values(SpringLaw::Linear, SpringLaw::Cubic,
+                                                              SpringLaw::Exponential, SpringLaw::Table),
+                                            ::testing::Bool()));
+
+TEST_P(EveryLaw, PassesTheFiveChecksAndItsTangentsAreDerivatives)
+{
+  SpringNet net = randomNet(7, 14, std::get<0>(GetParam()));
+  for (auto& flag : net.tensionOnly) flag = std::get<1>(GetParam());
+  std::mt19937 random(3);
+  net.initialVelocity.resize(3, net.nodeCount());
+  for (double& v : net.initialVelocity.reshaped()) v = static_cast<double>(random() % 2001) / 1000.0 - 1.0;
+  ForceHarness(net).expectAll();
+}
+
+TEST(ForceLaws, AnchorsAndMassDampingTooAreGradientsAndTakeEnergy)
+{
+  SpringNet net = randomNet(9, 8);
+  for (Index i = 0; i < 8; i += 2) addAnchor(net, i, {0.1 * i, 0.0, 1.0}, 5.0 + i, 0.3);
+  net.massDamping = Eigen::ArrayXd::LinSpaced(8, 0.0, 2.0);
+  net.initialVelocity = Eigen::Matrix3Xd::Ones(3, 8);
+  const ForceHarness harness(net);
+  harness.expectMinusGradientOfEnergy();
+  harness.expectDampingTakesEnergy();
+  harness.expectTangentsAreDerivatives();
+}
+
+// The exponential of 1e6 m of stretch would overflow; the tangent goes on instead, so the force is large but
+// a number, and the step control can answer.
+TEST(ForceLaws, ExponentialLawDoesNotOverflow)
+{
+  const double force = pull(oneSpring(SpringLaw::Exponential, 50.0, 1e6));
+  EXPECT_TRUE(std::isfinite(force));
+  EXPECT_GT(force, 1e40);
+  EXPECT_TRUE(std::isfinite(pull(oneSpring(SpringLaw::Exponential, -50.0, 1e6))));
+}
+
+// Against the C library over the whole range: within 4 units in the last place.
+TEST(ForceLaws, ExponentialLawIsExactToRounding)
+{
+  for (double s = -60.0; s < 60.0; s += 0.37) {
+    const double length = 2.0 + s / 100.0 * 2.0;
+    if (length <= 0.0) continue;
+    const double expected = 3.0 * 2.0 / 100.0 * std::expm1(100.0 * (length - 2.0) / 2.0);
+    EXPECT_NEAR(pull(oneSpring(SpringLaw::Exponential, 100.0, length)), expected,
+                4 * 2.3e-16 * std::abs(expected))
+      << s;
+  }
+}
+
+TEST(ForceLaws, ZeroLengthSpringsGiveNoForceAndAreCounted)
+{
+  SpringNet net = randomNet(1, 6);
+  net.restPosition.col(net.ends(0, 4)) = net.restPosition.col(net.ends(1, 4));
+  net.initialVelocity = Eigen::Matrix3Xd::Random(3, 6);
+  const ForceModel model(net, Eigen::Vector3d::Zero());
+  NodeArray x(6), v(6), force(6);
+  copyNodes(net.restPosition, x);
+  copyNodes(net.initialVelocity, v);
+  const SpringSums sums = model.computeForces(x.data(), v.data(), force.data());
+  std::int64_t expected = 0;
+  for (Index s = 0; s < net.springCount(); ++s)
+    expected += net.restPosition.col(net.ends(0, s)) == net.restPosition.col(net.ends(1, s));
+  EXPECT_GE(expected, 1);
+  EXPECT_EQ(sums.degenerate, expected);
+  for (const Lanes& f : force) EXPECT_TRUE(std::isfinite(dot(f, f)));
+}
+
+// Rule 1 of the house: springs without stiffness and viscosity are not even looked at.
+TEST(ForceLaws, IdleSpringsCostNothing)
+{
+  SpringNet net = chain(11);
+  net.stiffness.tail(4).setZero();
+  EXPECT_EQ(ForceModel(net, Eigen::Vector3d::Zero()).activeSprings(), 6);
+}
+
+} // namespace esm::testing
