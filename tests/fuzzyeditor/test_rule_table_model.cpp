@@ -5,6 +5,7 @@
 
 #include <QAbstractItemModelTester>
 #include <QMimeData>
+#include <QPersistentModelIndex>
 #include <QPoint>
 
 #include <gtest/gtest.h>
@@ -125,6 +126,16 @@ TEST_F(RuleTable, WholeRulesMoveDuplicateAndGoEachInOneStep)
   for (int i = 0; i < 3; ++i) document.undo.undo();
   EXPECT_EQ(rules(), start);
   EXPECT_EQ(model.rowCount(), 3);
+}
+
+TEST_F(RuleTable, SelectionStaysWithItsRuleWhenOthersComeAndGo)
+{
+  const QPersistentModelIndex first = model.index(0, 0), last = model.index(2, 0);
+  model.addRule(0);
+  EXPECT_EQ(first.row(), 0);
+  EXPECT_EQ(last.row(), 3);
+  model.removeRules({1});
+  EXPECT_EQ(last.row(), 2);
 }
 
 TEST_F(RuleTable, DroppingMovesRules)

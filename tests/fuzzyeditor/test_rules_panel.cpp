@@ -90,6 +90,18 @@ TEST_F(RulesPanelTest, MistakeIsMarkedAtTheWordAndCuredInOneStep)
   EXPECT_EQ(editor->lines().size(), 3);
 }
 
+// All or nothing: a good line beside a bad one waits.
+TEST_F(RulesPanelTest, NothingIsAppliedWhileAnyLineIsNoRule)
+{
+  openText();
+  const fuzzy::RuleBase before = document.ruleBase();
+  type("IF hardness IS soft THEN stiffness IS low");
+  type("IF hardness IS");
+  QTest::keyClick(editor, Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_EQ(document.ruleBase(), before);
+  EXPECT_EQ(editor->lines().size(), 5);
+}
+
 TEST_F(RulesPanelTest, AMissingWordMarksTheOneBeforeIt)
 {
   openText();
