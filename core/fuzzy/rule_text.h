@@ -37,21 +37,32 @@ struct RuleTextError {
 
 /// One rule of controlled language:
 ///
-///     IF hardness IS very hard AND (elasticity IS low OR NOT shiftability IS free) THEN stiffness IS high
-///     WITH 0.8 WENN Härte IST sehr hart UND (... ODER NICHT ...) DANN Steifigkeit IST hoch MIT 0.8
+///     IF hardness IS very hard AND (elasticity IS low OR NOT shiftability IS free)
+///     THEN stiffness IS high WITH 0.8
+///
+///     WENN Härte IST sehr hart UND (Elastizität IST gering ODER NICHT Verschieblichkeit IST frei)
+///     DANN Steifigkeit IST hoch MIT 0.8
 ///
 /// Keywords in either case, of either language in the same text; variables and terms by name in either
 /// language or by id, in any case (umlauts included), names may hold blanks; ',' also works as decimal
-/// mark of the weight. Several consequents are joined by AND.
+/// mark of the weight. Several consequents are joined by AND. NOT binds before AND, AND before OR.
+///
+/// A name in "quotes" is taken whole, for names that look like keywords or hedges. Unquoted, the longest
+/// name wins ("rather hard", if there is such a term, before the hedge "rather"). Further words for hedges:
+///     somewhat       rather, fairly, a little; etwas, ziemlich, ein wenig
+///     extremely      extrem, äußerst
+///     not somewhat   hardly; kaum
+/// A comma, semicolon or full stop behind a word is passed over. Any text gives a rule or an error.
 std::variant<Rule, RuleTextError> parseRule(std::string_view text, const RuleBase& ruleBase);
 
-/// The rule as text; parseRule(formatRule(r)) == r up to enabled and note.
+/// The rule as text; parseRule(formatRule(r)) == r up to enabled and note, for every rule that
+/// checkRuleBase() accepts and whose condition stands depth first, as the parser writes it.
 std::string formatRule(const Rule& rule, const RuleBase& ruleBase, Language language);
 
 /// A whole rule base's rules, one per line; blank lines and lines starting with '#' are passed over.
 struct RuleLineError {
-  int line = 0; ///< from 1
-  RuleTextError error;
+  int line = 0;        ///< from 1
+  RuleTextError error; ///< its offset counts from the start of that line
 };
 std::variant<std::vector<Rule>, RuleLineError> parseRules(std::string_view text, const RuleBase& ruleBase);
 
