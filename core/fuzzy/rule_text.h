@@ -37,10 +37,10 @@ struct RuleTextError {
 
 /// One rule of controlled language:
 ///
-///     IF hardness IS very hard AND (elasticity IS low OR NOT shiftability IS free)
+///     IF hardness IS very hard AND (elasticity IS inelastic OR NOT shiftability IS free)
 ///     THEN stiffness IS high WITH 0.8
 ///
-///     WENN Härte IST sehr hart UND (Elastizität IST gering ODER NICHT Verschieblichkeit IST frei)
+///     WENN Härte IST sehr hart UND (Elastizität IST unelastisch ODER NICHT Verschieblichkeit IST frei)
 ///     DANN Steifigkeit IST hoch MIT 0.8
 ///
 /// Keywords in either case, of either language in the same text; variables and terms by name in either
