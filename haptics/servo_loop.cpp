@@ -7,6 +7,7 @@
 
 #include <pthread.h>
 #include <sched.h>
+#include <sys/prctl.h>
 #include <sys/resource.h>
 
 namespace esm {
@@ -15,16 +16,18 @@ namespace {
 
 constexpr int kRealTimePriority = 15; ///< above ordinary programs, below the kernel's own threads
 constexpr int kRaisedNice = -11;
-constexpr double kLateShare = 0.5;      ///< of a period; a later tick counts as late
-constexpr double kRateSmoothing = 0.5;  ///< [s]
-constexpr double kLatenessWindow = 0.5; ///< [s]; the worst of the last two is shown
-constexpr int kMostFallingTicks = 200;  ///< far more than the largest force needs
+constexpr unsigned long kTimerSlack = 1000; ///< [ns]
+constexpr double kLateShare = 0.5;          ///< of a period; a later tick counts as late
+constexpr double kRateSmoothing = 0.5;      ///< [s]
+constexpr double kLatenessWindow = 0.5;     ///< [s]; the worst of the last two is shown
+constexpr int kMostFallingTicks = 200;      ///< far more than the largest force needs
 constexpr int kZeroPackets = 3;
 
 /// The best that the system allows this thread; most users are allowed none of it, and the loop then runs
 /// with what it has.
 ServoPriority raisePriority() noexcept
 {
+  prctl(PR_SET_TIMERSLACK, kTimerSlack); // by default sleeping may take 50 us longer to spare power
   sched_param parameter{};
   parameter.sched_priority = kRealTimePriority;
   if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) == 0) return ServoPriority::RealTime;

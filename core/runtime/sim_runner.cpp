@@ -159,7 +159,7 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
     const ToolSpring tool = m_grip->spring(m_simulation->state());
     m_simulation->setTools({&tool, 1});
   }
-  const StepReport report = advance(m_period, enough);
+  const StepReport report = enough ? advanceSliced(m_period, enough) : m_simulation->advance(m_period);
   judge(report);
   keepPicture();
   if (m_grip && m_followDevice && m_playing) publishContact();
@@ -175,7 +175,7 @@ void SimRunner::readDevice()
 /// In slices that each take a small part of the frame's allowance, so that it can be broken off between them.
 /// The slices are stretches of time rather than numbers of steps: the solver controls its error over what it
 /// is asked for as a whole. The limit on steps only guards against a slice that costs far more than the last.
-StepReport SimRunner::advance(double interval, const std::function<bool()>& enough)
+StepReport SimRunner::advanceSliced(double interval, const std::function<bool()>& enough)
 {
   StepReport sum;
   double left = interval;

@@ -16,8 +16,8 @@
 namespace esm {
 
 /// What the simulation thread does, without the thread and without a clock: carries out commands, moves the
-/// net frame by frame, draws up pictures of it and tells the hand what it feels. Equal commands give equal
-/// bits, so tests drive it directly; SimThread adds the wall clock.
+/// net frame by frame, draws up pictures of it and tells the hand what it feels. Tests drive it directly;
+/// SimThread adds the wall clock.
 /// @note Threads: one.
 class SimRunner {
 public:
@@ -34,8 +34,10 @@ public:
   /// Moves the net one frame ahead; returns the simulated time [s].
   /// @param enough asked now and then: true ends the frame where it is, so that a net that is too large for
   /// the
-  ///        frame rate moves in slow motion but still obeys. Every call gets somewhere.
-  double runFrame(const std::function<bool()>& enough);
+  ///        frame rate moves in slow motion but still obeys. Every call gets somewhere. How often it is asked
+  ///        depends on the time things take; without it the frame is done as a whole, and equal commands give
+  ///        equal bits.
+  double runFrame(const std::function<bool()>& enough = {});
 
   /// Pauses as after failed numerics; for what went wrong outside the mathematics (no memory).
   void stopWith(std::string message);
@@ -57,7 +59,7 @@ private:
   void carryOut(const command::FollowDevice& follow);
 
   void readDevice();
-  StepReport advance(double interval, const std::function<bool()>& enough);
+  StepReport advanceSliced(double interval, const std::function<bool()>& enough);
   void judge(const StepReport& report);
   void keepPicture();
   void publishContact();

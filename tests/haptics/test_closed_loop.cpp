@@ -69,8 +69,7 @@ public:
   void tick()
   {
     bench.tick();
-    if (const int phase = m_ticks++ % 50; phase == 0 || phase == 17 || phase == 33)
-      runner.runFrame([] { return false; });
+    if (const int phase = m_ticks++ % 50; phase == 0 || phase == 17 || phase == 33) runner.runFrame();
   }
 
   ServoBench bench;

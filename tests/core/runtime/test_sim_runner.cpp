@@ -24,7 +24,7 @@ protected:
   }
   void frames(int count)
   {
-    for (int i = 0; i < count; ++i) runner.runFrame([] { return false; });
+    for (int i = 0; i < count; ++i) runner.runFrame();
   }
   const SimSnapshot& picture()
   {
@@ -226,7 +226,7 @@ TEST_F(SimRunnerTest, EqualCommandsGiveEqualBits)
     other.apply(command::Load{1, chain(6), gravity(), {}});
     other.apply(command::Play{});
     other.apply(command::Grab{3, {0.02, 0.02, 0.0}, 5.0});
-    for (int i = 0; i < 30; ++i) other.runFrame([] { return false; });
+    for (int i = 0; i < 30; ++i) other.runFrame();
     SimSnapshot end;
     other.draw(end);
     return end.position;
