@@ -143,17 +143,31 @@ double Camera::halfHeight() const
   return std::tan(kFieldOfView / 2.0);
 }
 
-ScreenPoint Camera::project(const Eigen::Vector3d& point) const
+Projector Camera::projector() const
 {
-  const Eigen::Vector3d fromEye = point - eye();
+  Projector p;
+  p.m_eye = eye();
+  p.m_right = right();
+  p.m_up = up();
+  p.m_backward = backward();
+  p.m_parallel = m_orthographic;
+  p.m_pixelsPerMetre = m_height / (2.0 * halfHeight() * (m_orthographic ? m_distance : 1.0));
+  p.m_middleX = m_width / 2.0;
+  p.m_middleY = m_height / 2.0;
+  return p;
+}
+
+ScreenPoint Projector::operator()(const Eigen::Vector3d& point) const
+{
+  const Eigen::Vector3d fromEye = point - m_eye;
   ScreenPoint result;
-  result.depth = -fromEye.dot(backward());
-  if (!m_orthographic && result.depth <= 0.0) {
+  result.depth = -fromEye.dot(m_backward);
+  if (!m_parallel && result.depth <= 0.0) {
     result.pixel.setConstant(std::numeric_limits<double>::quiet_NaN());
     return result;
   }
-  const double scale = 1.0 / metresPerPixel(point);
-  result.pixel = {m_width / 2.0 + scale * fromEye.dot(right()), m_height / 2.0 - scale * fromEye.dot(up())};
+  const double scale = m_parallel ? m_pixelsPerMetre : m_pixelsPerMetre / result.depth;
+  result.pixel = {m_middleX + scale * fromEye.dot(m_right), m_middleY - scale * fromEye.dot(m_up)};
   return result;
 }
 

@@ -18,6 +18,19 @@ struct Ray {
   Eigen::Vector3d direction = Eigen::Vector3d::UnitZ(); ///< unit
 };
 
+/// Camera::project() for many points: the angles' sines are taken once.
+class Projector {
+public:
+  ScreenPoint operator()(const Eigen::Vector3d& point) const;
+
+private:
+  friend class Camera;
+  Eigen::Vector3d m_eye, m_right, m_up, m_backward;
+  double m_pixelsPerMetre = 0.0; ///< at depth 1, or at any depth if parallel
+  double m_middleX = 0.0, m_middleY = 0.0;
+  bool m_parallel = false;
+};
+
 /// A turntable camera around a target, z up. All in double: matrices become float only at the GPU, after
 /// the scene's centre has been subtracted.
 ///
@@ -64,7 +77,8 @@ public:
   Eigen::Vector3d eye() const { return m_target + m_distance * backward(); }
   Eigen::Matrix4d view() const;
   Eigen::Matrix4d projection() const; ///< OpenGL clip space
-  ScreenPoint project(const Eigen::Vector3d& point) const;
+  Projector projector() const;
+  ScreenPoint project(const Eigen::Vector3d& point) const { return projector()(point); }
   Ray rayThrough(const Eigen::Vector2d& pixel) const;
   /// Where the ray through `pixel` meets the plane through `through` that is parallel to the screen.
   Eigen::Vector3d onPlane(const Eigen::Vector2d& pixel, const Eigen::Vector3d& through) const;

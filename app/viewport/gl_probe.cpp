@@ -14,11 +14,6 @@ namespace {
 
 constexpr const char* kPlatformsWithoutGl[] = {"offscreen", "minimal", "minimalegl", "vnc", "linuxfb"};
 
-QString text(const char* english)
-{
-  return QCoreApplication::translate("esm::GlProbe", english);
-}
-
 /// Multisampling costs a software renderer half its speed.
 int affordableSamples(const QOpenGLContext& context)
 {
@@ -36,13 +31,14 @@ GlProbe probe()
 {
   GlProbe result;
   if (qEnvironmentVariable("ESM_VIEW") == QLatin1String("off")) {
-    result.why = text(QT_TRANSLATE_NOOP("esm::GlProbe", "it is switched off by ESM_VIEW=off"));
+    result.reason = QT_TRANSLATE_NOOP("esm::GlProbe", "it is switched off by ESM_VIEW=off");
     return result;
   }
   const QString platform = QGuiApplication::platformName();
   for (const char* without : kPlatformsWithoutGl)
     if (platform == QLatin1String(without)) {
-      result.why = text(QT_TRANSLATE_NOOP("esm::GlProbe", "the display \"%1\" has no OpenGL")).arg(platform);
+      result.reason = QT_TRANSLATE_NOOP("esm::GlProbe", "the display \"%1\" has no OpenGL");
+      result.arguments = {platform};
       return result;
     }
   QOpenGLContext context;
@@ -51,14 +47,13 @@ GlProbe probe()
   surface.setFormat(context.format());
   surface.create();
   if (!context.create() || !surface.isValid() || !context.makeCurrent(&surface)) {
-    result.why = text(QT_TRANSLATE_NOOP("esm::GlProbe", "the graphics driver offers no OpenGL context"));
+    result.reason = QT_TRANSLATE_NOOP("esm::GlProbe", "the graphics driver offers no OpenGL context");
     return result;
   }
   const QSurfaceFormat got = context.format();
   if (context.isOpenGLES() || got.version() < qMakePair(3, 3)) {
-    result.why = text(QT_TRANSLATE_NOOP("esm::GlProbe", "the graphics driver offers OpenGL %1.%2 only"))
-                   .arg(got.majorVersion())
-                   .arg(got.minorVersion());
+    result.reason = QT_TRANSLATE_NOOP("esm::GlProbe", "the graphics driver offers OpenGL %1.%2 only");
+    result.arguments = {QString::number(got.majorVersion()), QString::number(got.minorVersion())};
   } else {
     result.usable = true;
     result.samples = affordableSamples(context);
@@ -68,6 +63,13 @@ GlProbe probe()
 }
 
 } // namespace
+
+QString GlProbe::why() const
+{
+  QString text = QCoreApplication::translate("esm::GlProbe", reason);
+  for (const QString& argument : arguments) text = text.arg(argument);
+  return text;
+}
 
 const GlProbe& glProbe()
 {

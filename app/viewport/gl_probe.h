@@ -3,6 +3,7 @@
 #pragma once
 
 #include <QString>
+#include <QStringList>
 #include <QSurfaceFormat>
 
 namespace esm {
@@ -10,9 +11,12 @@ namespace esm {
 /// What this session's display can do, found out without creating a window: on platforms without GL the
 /// mere existence of a QOpenGLWidget ends the process.
 struct GlProbe {
-  bool usable = false; ///< OpenGL 3.3 core works
-  int samples = 0;     ///< multisampling for smooth edges; 0 where the processor does the drawing
-  QString why;         ///< it is not usable, translated
+  bool usable = false;     ///< OpenGL 3.3 core works
+  int samples = 0;         ///< multisampling for smooth edges; 0 where the processor does the drawing
+  const char* reason = ""; ///< it is not usable, English; see why()
+  QStringList arguments;   ///< for the %1 in `reason`
+
+  QString why() const; ///< in the present language; empty if usable
 };
 
 /// Tried once per process, on the GUI thread, after QApplication exists. ESM_VIEW=off says no without trying,

@@ -31,8 +31,9 @@ QColor faded(QColor colour, double alpha)
   return colour;
 }
 
-/// A line from a to b with a filled head; nothing if they coincide.
-void drawArrow(QPainter& painter, const QPointF& a, const QPointF& b, const QColor& colour, double width)
+/// A line from a to b with a filled head, and around both a rim of that colour; nothing if a and b coincide.
+void drawArrow(QPainter& painter, const QPointF& a, const QPointF& b, const QColor& colour, double width,
+               const QColor& rim = Qt::transparent)
 {
   const QPointF along = b - a;
   const double length = std::hypot(along.x(), along.y());
@@ -40,11 +41,19 @@ void drawArrow(QPainter& painter, const QPointF& a, const QPointF& b, const QCol
   const QPointF unit = along / length, side(-unit.y(), unit.x());
   const double head = std::min(4.5 * width, 0.6 * length);
   const QPointF neck = b - head * unit;
+  const QPolygonF tip({b, neck + 0.45 * head * side, neck - 0.45 * head * side});
+  if (rim.alpha() > 0) {
+    painter.setPen(QPen(rim, width + 3.0, Qt::SolidLine, Qt::RoundCap));
+    painter.drawLine(a, neck);
+    painter.setPen(QPen(rim, 3.0, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    painter.setBrush(rim);
+    painter.drawPolygon(tip);
+  }
   painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
   painter.drawLine(a, neck);
   painter.setPen(Qt::NoPen);
   painter.setBrush(colour);
-  painter.drawPolygon(QPolygonF({b, neck + 0.45 * head * side, neck - 0.45 * head * side}));
+  painter.drawPolygon(tip);
 }
 
 } // namespace
@@ -144,15 +153,14 @@ void Overlay::drawForce(Index node)
 {
   const double force = m_state.toolForce.norm();
   if (!(force > 1e-4) || !std::isfinite(force)) return;
-  // The length grows with the force but never leaves the picture: 60 pixels at 1 N, at most 120.
-  const double pixels = 120.0 * force / (force + 1.0) + 12.0;
+  // The length grows with the force but never leaves the picture: 100 pixels at 0.5 N, at most 180.
+  const double pixels = 160.0 * force / (force + 0.5) + 20.0;
   const Camera& camera = m_model.camera;
   const Eigen::Vector3d from = m_model.position().col(node);
   const Eigen::Vector3d to = from + pixels * camera.metresPerPixel(from) / force * m_state.toolForce;
   const QPointF a = toQt(camera.project(from).pixel), b = toQt(camera.project(to).pixel);
   if (std::isnan(a.x()) || std::isnan(b.x())) return;
-  drawArrow(m_painter, a, b, QColor(255, 255, 255, 210), 6.0);
-  drawArrow(m_painter, a, b, kAccent, 3.0);
+  drawArrow(m_painter, a, b, kAccent, 3.0, Qt::white);
 
   const QString text = tr("%1 N").arg(QLocale().toString(force, 'f', force < 1.0 ? 3 : 2));
   const QFontMetricsF metrics(m_painter.font());

@@ -25,8 +25,9 @@ std::vector<Candidate> candidates(const Camera& camera, const Eigen::Matrix3Xd& 
                                   const Eigen::Vector2d& pixel, double radius)
 {
   std::vector<Candidate> found;
+  const Projector project = camera.projector();
   for (Eigen::Index i = 0; i < position.cols(); ++i) {
-    const ScreenPoint at = camera.project(position.col(i));
+    const ScreenPoint at = project(position.col(i));
     const double pixels = (at.pixel - pixel).norm();
     if (pixels <= radius) found.push_back({static_cast<Index>(i), pixels, at.depth}); // false for NaN
   }

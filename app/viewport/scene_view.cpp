@@ -22,7 +22,7 @@ struct SceneView::Impl {
   ViewInput* input = nullptr;    ///< child of the view, or null
   GlView* canvas = nullptr;      ///< child of the view, or null
   QLabel* placeholder = nullptr; ///< child of the view, or null
-  QString why;                   ///< there is no picture
+  QString failure;               ///< what the driver said when a usable context could not draw after all
   Tool tool = Tool::Camera;
 
   void repaintIf(bool changed) const
@@ -34,7 +34,7 @@ struct SceneView::Impl {
 bool SceneView::openGlUsable(QString* why)
 {
   const GlProbe& probe = glProbe();
-  if (why) *why = probe.why;
+  if (why) *why = probe.why();
   return probe.usable;
 }
 
@@ -45,7 +45,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_impl(std::make_unique
   setMinimumSize(160, 120);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
-  if (!openGlUsable(&m_impl->why)) {
+  if (!openGlUsable(nullptr)) {
     showPlaceholder();
     return;
   }
@@ -59,7 +59,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_impl(std::make_unique
   connect(m_impl->input, &ViewInput::pullEnded, this, &SceneView::pullEnded);
   connect(m_impl->input, &ViewInput::nodeSelected, this, &SceneView::nodeSelected);
   connect(m_impl->canvas, &GlView::failed, this, [this](const QString& why) {
-    m_impl->why = why;
+    m_impl->failure = why;
     removeEventFilter(m_impl->input);
     std::exchange(m_impl->canvas, nullptr)->deleteLater();
     std::exchange(m_impl->input, nullptr)->deleteLater();
@@ -97,8 +97,8 @@ void SceneView::retranslate()
     return;
   }
   const QString text = tr("3D preview needs OpenGL 3.3; everything else works.");
-  m_impl->placeholder->setText(m_impl->why.isEmpty() ? text
-                                                     : text + "\n\n" + tr("Here %1.").arg(m_impl->why));
+  const QString why = m_impl->failure.isEmpty() ? glProbe().why() : m_impl->failure;
+  m_impl->placeholder->setText(text + "\n\n" + tr("Here %1.").arg(why));
   setAccessibleDescription(m_impl->placeholder->text());
 }
 

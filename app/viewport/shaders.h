@@ -152,7 +152,7 @@ void main() {
   float radius = length(gl_PointCoord - 0.5) * size; // [pixels]
   float cover = clamp(0.5 * size - radius, 0.0, 1.0);
   if (cover <= 0.0) discard;
-  colour = vec4(mix(plain, rim, clamp(radius - 0.5 * size + 2.2, 0.0, 1.0)), cover);
+  colour = vec4(mix(plain, rim, clamp(radius - 0.5 * size + 1.6, 0.0, 1.0)), cover);
 })";
 
 } // namespace esm::shaders

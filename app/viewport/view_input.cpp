@@ -74,6 +74,10 @@ bool ViewInput::eventFilter(QObject* watched, QEvent* event)
   case QEvent::KeyPress:
     return key(*static_cast<QKeyEvent*>(event));
   case QEvent::ShortcutOverride: // our keys come to us and not to a shortcut of the window
+    if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+      letGo(); // and the window may stop the device with the same key
+      return false;
+    }
     if (!wantsKey(*static_cast<QKeyEvent*>(event))) return false;
     event->accept();
     return true;

@@ -32,7 +32,7 @@ public:
   }
   QColor at(const QImage& picture, const Eigen::Vector3d& point) const
   {
-    const QPointF pixel = scene.project(point);
+    const QPointF pixel = picture.devicePixelRatio() * scene.project(point);
     return picture.pixelColor(static_cast<int>(pixel.x()), static_cast<int>(pixel.y()));
   }
   SceneView scene;

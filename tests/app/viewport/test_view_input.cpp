@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QShortcut>
 #include <QSignalSpy>
 #include <QWheelEvent>
 #include <QtTest>
@@ -93,6 +94,28 @@ TEST_F(Scene, EscLetsGo)
   QTest::mouseRelease(&view, Qt::LeftButton, {}, pixelOf(kFront));
   EXPECT_EQ(moved.count(), 0);
   EXPECT_EQ(ended.count(), 1) << "only once";
+}
+
+// Esc is also the window's stop: letting go must not swallow it.
+TEST_F(Scene, EscStillReachesTheWindow)
+{
+  QWidget window;
+  window.resize(640, 480);
+  view.setParent(&window);
+  QShortcut stop(Qt::Key_Escape, &window);
+  QSignalSpy stopped(&stop, &QShortcut::activated);
+  window.show();
+  view.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
+  window.activateWindow();
+  view.setFocus();
+  view.setTool(Tool::Pull);
+  QTest::mousePress(&view, Qt::LeftButton, {}, pixelOf(kFront));
+  ASSERT_EQ(started.count(), 1);
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_EQ(ended.count(), 1);
+  EXPECT_EQ(stopped.count(), 1);
+  view.setParent(nullptr);
 }
 
 TEST_F(Scene, AnotherNetOrAnotherToolLetsGoToo)
