@@ -4,6 +4,7 @@
 
 #include "cli/rules_file.h"
 #include "core/base/text_number.h"
+#include "core/fuzzy/words.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,24 +15,17 @@ namespace {
 
 using Kind = Edit::Kind;
 
-bool sameIgnoringCase(const std::string& a, const std::string& b)
-{
-  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [&](char x, char y) { return lower(x) == lower(y); });
-}
-
 /// "hardness=0.8" or "hardness=very hard", over the variables' ids and names.
 Status setInput(const std::string& text, const fuzzy::RuleBase& rules, std::vector<fuzzy::InputValue>& inputs)
 {
   const std::string name = text.substr(0, text.find('='));
+  const std::vector<std::string> words = fuzzy::foldedWords(name); // upper and lower case, umlauts too
   std::string known;
   for (std::size_t i = 0; i < rules.inputs.size(); ++i) {
     const fuzzy::Variable& variable = rules.inputs[i];
     known += (known.empty() ? "" : ", ") + variable.id;
-    if (!sameIgnoringCase(name, variable.id) && !sameIgnoringCase(name, variable.name.english) &&
-        !sameIgnoringCase(name, variable.name.german))
-      continue;
+    const auto named = [&](const std::string& spelling) { return words == fuzzy::foldedWords(spelling); };
+    if (!named(variable.id) && !named(variable.name.english) && !named(variable.name.german)) continue;
     auto parsed = fuzzy::parseInput(std::string_view(text).substr(name.size() + 1), variable);
     if (const auto* fault = std::get_if<fuzzy::RuleTextError>(&parsed))
       return Error{ErrorCode::InvalidValue, "--set " + text + ": " + fault->message};

@@ -116,7 +116,9 @@ private:
     m_tension.resize(simulation.net().springCount());
     simulation.springTensions(m_tension);
     const NetState& state = simulation.state();
-    return {&simulation.net(), &state.position, &state.velocity, &m_tension, state.time};
+    // A net so stiff that its forces overflow still has a shape to show.
+    const bool finite = m_tension.isFinite().all();
+    return {&simulation.net(), &state.position, &state.velocity, finite ? &m_tension : nullptr, state.time};
   }
 
   RunOutputs m_outputs;

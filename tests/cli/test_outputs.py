@@ -72,7 +72,7 @@ class Exports(ProgramTest):
             after = self.json_of("inspect", self.export(name))
             for key in ("nodes", "springs", "triangles", "components", "boundary_edges"):
                 self.assertEqual(after[key], before[key], (name, key))
-            self.assertEqual(after["bbox_max"], [0.01, 0.01, 0.01])
+            self.assertEqual(after["bbox_max"], [0.1, 0.1, 0.1])
 
     def test_plain_net_round_trip(self):
         self.run_program("import", "osc.json", "-o", "o.esm")
@@ -83,7 +83,7 @@ class Exports(ProgramTest):
         self.assertEqual((self.folder / "o.esm").read_bytes(), (self.folder / "again.esm").read_bytes())
 
     def test_paraview_series(self):
-        self.run_program("apply", "p.esm", "-o", "q.esm", "--poke", "0,0,0.01,0,0,-0.05,0.005")
+        self.run_program("apply", "p.esm", "-o", "q.esm", "--poke", "0,0,0.1,0,0,-0.05,0.05")
         self.run_program("simulate", "q.esm", "--duration", "0.2", "--frames", "20", "-o", "m.pvd")
         frames = read_pvd(self.folder / "m.pvd")
         self.assertEqual([time for time, _ in frames], [k / 20 for k in range(5)])
