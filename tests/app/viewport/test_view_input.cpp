@@ -108,6 +108,7 @@ TEST_F(Scene, EscStillReachesTheWindow)
   view.show();
   ASSERT_TRUE(QTest::qWaitForWindowExposed(&window));
   window.activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(&window));
   view.setFocus();
   view.setTool(Tool::Pull);
   QTest::mousePress(&view, Qt::LeftButton, {}, pixelOf(kFront));
