@@ -105,16 +105,15 @@ private:
     return std::sqrt(sum);
   }
 
-  bool refactor(System& system, double s, StepReport& report)
+  bool refactor(System& system, double s, bool convex, StepReport& report)
   {
-    ++report.factorizations;
     m_factoredShare = s;
     m_factorIsFresh = true;
-    if (m_matrix.factor(system, m_x, m_v, s, false)) return true;
+    m_factorIsConvex = convex;
     ++report.factorizations;
-    if (m_matrix.factor(system, m_x, m_v, s, true)) return true;
+    if (m_matrix.factor(system, m_x, m_v, s, convex)) return true;
     m_factoredShare = 0.0;
-    return false;
+    return !convex && refactor(system, s, true, report);
   }
 
   /// Newton's method for one stage from the guess in m_v: an old factor serves as long as it gains, a line
@@ -126,11 +125,12 @@ private:
     const double scale = s / std::sqrt(static_cast<double>(m_matrix.size()) / 3.0);
     m_factorIsFresh = false;
     int leaps = 0;
+    bool wantConvex = false;
     for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
       if (!std::isfinite(norm)) return StepResult::NonFinite;
       if (norm == 0.0) return StepResult::Done;
       const bool usable = std::abs(m_factoredShare - s) < 0.01 * s;
-      if (!usable && !refactor(system, s, report)) return StepResult::NotConverged;
+      if (!usable && !refactor(system, s, wantConvex, report)) return StepResult::NotConverged;
       ++report.newtonIterations;
       m_matrix.solve(m_right, m_change);
       const double move = scale * m_change.norm(); // RMS over nodes [m]
@@ -146,14 +146,16 @@ private:
       const bool slow = !gained || next > 0.2 * norm;
       if (gained) {
         norm = next;
-        m_factorIsFresh = false;
-      } else if (!m_factorIsFresh) {
+        m_factorIsFresh = wantConvex = false;
+      } else if (!m_factorIsFresh || !m_factorIsConvex) {
+        wantConvex = m_factorIsFresh;
         norm = residual(system, t, s, m_v, rates); // m_right and m_x back to the best point
-      } else if (move <= 1e3 * m_tolerance) { // at the bottom of rounding
+      } else if (move <= 1e3 * m_tolerance) {      // at the bottom of rounding
         norm = residual(system, t, s, m_v, rates);
         return StepResult::Done;
       } else if (leaps < kMostLeaps) {
         ++leaps;
+        wantConvex = false;
         norm = leap(system, t, s, rates);
       } else {
         return StepResult::NotConverged;
@@ -203,6 +205,7 @@ private:
   double m_tolerance = 1e-9;    ///< [m]
   double m_factoredShare = 0.0; ///< s of the factor at hand, 0 = none
   bool m_factorIsFresh = false; ///< made at the present iterate
+  bool m_factorIsConvex = false;
   bool m_started = false;
 };
 

@@ -19,8 +19,9 @@ public:
   void prepare(const System& system);
 
   /// Fills in the numbers at x, v and factors. With `convex`, softening, pressed and turning springs lend no
-  /// negative stiffness, so that A is positive definite whatever the net does; the true A is tried first by
-  /// the caller. @return whether the factor exists.
+  /// negative stiffness, so that A is positive definite whatever the net does. The true A leads faster to a
+  /// solution, even where a net that buckles makes it indefinite; the convex one is the safeguard.
+  /// @return whether the factor exists.
   bool factor(const System& system, const NodeArray& x, const NodeArray& v, double s, bool convex);
   /// solution = A^-1 right; both 3 F.
   void solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const
@@ -49,7 +50,7 @@ private:
   std::vector<BlockSlots> m_coupling; ///< per active spring; -1 unless both ends are free
   std::vector<SpringTangent> m_tangents;
   Eigen::SparseMatrix<double> m_matrix;
-  Eigen::SimplicialLLT<Eigen::SparseMatrix<double>, Eigen::Lower> m_cholesky;
+  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> m_cholesky;
   double m_factorCost = 0.0;
 };
 

@@ -75,6 +75,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_checkGap = 1;
   m_settled = 0;
   m_toleranceGivenUp = false;
+  m_floorStep = kFrame / 64.0;
   m_bound.prepare(system);
   m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;

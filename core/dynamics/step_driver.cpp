@@ -76,29 +76,40 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
 {
   const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
   for (std::int64_t i = 1; i <= steps; ++i) {
-    if (m_maxSteps > 0 && report.steps >= m_maxSteps) return Run::Limit;
     const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
-    const StepResult result = stepOrParts(system, state, h, stepEnd, report);
-    if (result == StepResult::NonFinite) return Run::NonFinite;
-    if (result == StepResult::NotConverged) return Run::NotConverged;
+    const Run result = stepOrParts(system, state, h, stepEnd, report);
+    if (result != Run::Done) return result;
   }
   report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
   m_stepsSinceBound += steps;
   return Run::Done;
 }
 
-/// One step; where an implicit solver finds no solution, in as many equal parts as it takes, up to 256.
-StepResult StepDriver::stepOrParts(System& system, MotionState& state, double h, double end,
-                                   StepReport& report)
+StepDriver::Run StepDriver::step(System& system, MotionState& state, double h, double end, StepReport& report)
 {
-  StepResult result = current().step(system, state, h, end, report);
-  for (int parts = 4; result == StepResult::NotConverged && parts <= 256; parts *= 4) {
+  if (m_maxSteps > 0 && report.steps >= m_maxSteps) return Run::Limit;
+  switch (current().step(system, state, h, end, report)) {
+  case StepResult::NonFinite:
+    return Run::NonFinite;
+  case StepResult::NotConverged:
+    return Run::NotConverged;
+  case StepResult::Done:
+    break;
+  }
+  return Run::Done;
+}
+
+/// One step; where an implicit solver finds no solution, in as many equal parts as it takes, up to 256.
+StepDriver::Run StepDriver::stepOrParts(System& system, MotionState& state, double h, double end,
+                                        StepReport& report)
+{
+  Run result = step(system, state, h, end, report);
+  for (int parts = 4; result == Run::NotConverged && parts <= 256; parts *= 4) {
     ++report.rejectedSteps;
     const double begin = state.time, part = (end - begin) / parts;
     for (int i = 1; i <= parts; ++i) {
-      const double partEnd = i == parts ? end : begin + i * part;
-      result = current().step(system, state, part, partEnd, report);
-      if (result != StepResult::Done) break;
+      result = step(system, state, part, i == parts ? end : begin + i * part, report);
+      if (result != Run::Done) break;
     }
   }
   return result;
@@ -118,7 +129,7 @@ double StepDriver::controlledStep(double length) noexcept
 {
   // The bound is exact only for a frozen net; stiffening springs get a margin until the next look.
   const double stable = 0.95 * current().stableStep(m_mode);
-  const double floor = m_toleranceGivenUp && m_method == kImplicit ? kFrame / 64.0 : 0.0;
+  const double floor = m_toleranceGivenUp && m_method == kImplicit ? m_floorStep : 0.0;
   return std::min({stable, std::max(m_candidates[m_method].accurateStep, floor), length});
 }
 
@@ -179,6 +190,7 @@ bool StepDriver::retreat(System& system, MotionState& state, Run failure, int at
   state = m_start;
   if (attempt + 1 >= kMostAttempts) return giveUp(failure, report), false;
   m_candidates[m_method].accurateStep = tried / 4.0;
+  m_floorStep = std::min(m_floorStep, tried / 4.0);
   m_untilCheck = 0;
   m_checkGap = 1;
   if (m_auto && m_method != kImplicit && attempt >= 4) {

@@ -62,8 +62,9 @@ private:
   bool stretchFixed(System& system, MotionState& state, double end, StepReport& report);
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
   enum class Run { Done, Limit, NonFinite, NotConverged };
+  Run step(System& system, MotionState& state, double h, double end, StepReport& report);
+  Run stepOrParts(System& system, MotionState& state, double h, double end, StepReport& report);
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
-  StepResult stepOrParts(System& system, MotionState& state, double h, double end, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
   bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
   void learn(const System& system, double error, double budget, double step, double length);
@@ -82,8 +83,9 @@ private:
   FastestMode m_mode;
   std::int64_t m_stepsSinceBound = 0;
   bool m_toleranceGivenUp = false;
-  int m_settled = 0;    ///< stretches before the method may change again
-  int m_untilCheck = 0; ///< stretches until the next one that is done twice
+  double m_floorStep = 0.0; ///< smallest implicit step while the tolerance is given up [s]
+  int m_settled = 0;        ///< stretches before the method may change again
+  int m_untilCheck = 0;     ///< stretches until the next one that is done twice
   int m_checkGap = 1;
   std::int64_t m_maxSteps = 0;
 
