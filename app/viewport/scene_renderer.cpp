@@ -192,6 +192,7 @@ void SceneRenderer::draw(SceneModel& model, const Look& look)
   glDisable(GL_CULL_FACE);
   glDisable(GL_SCISSOR_TEST);
   glDisable(GL_STENCIL_TEST);
+  glEnable(GL_MULTISAMPLE);
   glEnable(GL_PROGRAM_POINT_SIZE);
   glDepthMask(GL_TRUE);
   glDepthFunc(GL_LEQUAL);

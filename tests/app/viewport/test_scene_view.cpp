@@ -38,6 +38,12 @@ public:
   SceneView scene;
 };
 
+/// The colour at a logical pixel, whatever the screen's scale.
+QColor colourAt(const QImage& picture, int x, int y)
+{
+  return picture.pixelColor((QPointF(x, y) * picture.devicePixelRatio()).toPoint());
+}
+
 int difference(const QColor& a, const QColor& b)
 {
   return std::abs(a.red() - b.red()) + std::abs(a.green() - b.green()) + std::abs(a.blue() - b.blue());
@@ -110,11 +116,11 @@ TEST(SceneViewGl, ASphereIsDrawnInTheMiddle)
   View view;
   view.scene.setNet(samples::sphere(3, 0.05), 1);
   const QImage picture = view.scene.picture();
-  ASSERT_EQ(picture.size(), QSize(640, 480));
-  const QColor background = picture.pixelColor(60, 240);
-  EXPECT_GT(difference(picture.pixelColor(320, 240), background), 60);
-  EXPECT_GT(difference(picture.pixelColor(320, 120), background), 60) << "up to 0.8 of the half height";
-  EXPECT_LT(difference(picture.pixelColor(320, 20), background), 60) << "but not above it";
+  ASSERT_EQ(picture.size(), QSize(640, 480) * picture.devicePixelRatio());
+  const QColor background = colourAt(picture, 60, 240);
+  EXPECT_GT(difference(colourAt(picture, 320, 240), background), 60);
+  EXPECT_GT(difference(colourAt(picture, 320, 120), background), 60) << "up to 0.8 of the half height";
+  EXPECT_LT(difference(colourAt(picture, 320, 20), background), 60) << "but not above it";
 }
 
 // Soft left, hard right: the left half has the map's dark violet, the right half its yellow.
@@ -240,8 +246,8 @@ TEST(SceneViewGl, EmptyNetsAndHugeOnesInTurn)
   view.scene.setNet(nullptr, 1);
   EXPECT_FALSE(view.scene.picture().isNull());
   view.scene.setNet(samples::sphere(4, 500.0, {1e5, 0, 0}), 2);
-  EXPECT_GT(difference(view.scene.picture().pixelColor(320, 240), view.scene.picture().pixelColor(40, 240)),
-            60);
+  const QImage huge = view.scene.picture();
+  EXPECT_GT(difference(colourAt(huge, 320, 240), colourAt(huge, 40, 240)), 60);
   view.scene.setNet(samples::sphere(0, 1e-6), 3);
   view.scene.fit();
   EXPECT_FALSE(view.scene.picture().isNull());
