@@ -67,10 +67,18 @@ ESM_CPU_CLONES SpringSums exponentialPass(const SpringBatch& batch, const Lanes*
   return detail::springPass<Exponential>(batch, x, v, force);
 }
 
-/// exp(s) - 1 - s, without cancellation near 0.
-double expMinusLine(double s) noexcept
+/// For one number, with the same bits as in the kernel.
+double expMinusOne(double s) noexcept
 {
-  if (std::abs(s) > 0.1) return std::expm1(s) - s;
+  Lanes result;
+  expMinusOne(Lanes{s, s, s, s}, result);
+  return result[0];
+}
+
+/// exp(s) - 1 - s, without cancellation near 0; growth = exp(s) - 1.
+double expMinusLine(double s, double growth) noexcept
+{
+  if (std::abs(s) > 0.1) return growth - s;
   double term = 0.5 * s * s, sum = term; // s^2/2! + s^3/3! + ...; s^12/12! is 2e-21
   for (int n = 3; n <= 12; ++n) sum += term *= s / n;
   return sum;
@@ -90,12 +98,12 @@ public:
     const double s = e / scale;
     const double inside = std::min(std::max(s, -kLargestExponent), kLargestExponent);
     const double outside = s - inside; // along the tangent
-    const double growth = std::expm1(inside), slope = growth + 1.0;
+    const double growth = expMinusOne(inside), slope = growth + 1.0;
     SpringResponse response;
     response.tension = k * scale * (growth + slope * outside);
     response.tangent = k * slope;
     response.energy =
-      k * scale * scale * (expMinusLine(inside) + growth * outside + 0.5 * slope * outside * outside);
+      k * scale * scale * (expMinusLine(inside, growth) + growth * outside + 0.5 * slope * outside * outside);
     return response;
   }
 };
