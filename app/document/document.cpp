@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/document.h"
+
+#include "app/document/append_net.h"
+#include "app/document/model_commands.h"
+#include "app/document/region_commands.h"
+#include "app/document/tissue_commands.h"
+#include "core/base/assert.h"
+#include "core/net/net_builder.h"
+#include "core/project/project_io.h"
+
+#include <QFileInfo>
+
+#include <algorithm>
+
+namespace esm {
+
+TissueSettings settingsOf(const TissueModel& tissue)
+{
+  return {tissue.thickness, tissue.density, tissue.law, tissue.lawParameter};
+}
+
+Document::Document(QObject* parent) : FuzzyDocument(parent)
+{
+  m_project.tissue = defaultTissue();
+  resizeNet(m_project.net, 0, 0);
+  connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+}
+
+Document::~Document()
+{
+  m_undo.disconnect(this); // clearing the stack must not call back into a half-gone document
+}
+
+std::shared_ptr<const SpringNet> Document::net() const
+{
+  if (!m_sharedNet) m_sharedNet = std::make_shared<const SpringNet>(m_project.net);
+  return m_sharedNet;
+}
+
+QString Document::displayName() const
+{
+  if (!m_project.name.empty()) return QString::fromStdString(m_project.name);
+  if (!m_path.isEmpty()) return QFileInfo(m_path).completeBaseName();
+  return tr("Untitled");
+}
+
+void Document::start(Project project, const QString& path)
+{
+  m_project = std::move(project);
+  m_sharedNet.reset();
+  m_prepared.reset();
+  m_derived = false; // until an edit has applied the tissue, the file's own numbers hold
+  m_path = path;
+  m_target = -1;
+  m_undo.clear();
+  emit projectReset();
+  emit ruleBaseChanged();
+  emit inputsChanged();
+  emit titleChanged();
+}
+
+Status Document::open(const QString& path)
+{
+  auto loaded = loadProject(path.toStdString());
+  if (!loaded) return loaded.error();
+  const QString ending = QFileInfo(path).suffix().toLower();
+  const bool isProject = ending == "esm" || ending == "esmb"; // a plain net is read, never written over
+  start(std::move(loaded).value(), isProject ? path : QString());
+  return {};
+}
+
+Status Document::saveAs(const QString& path)
+{
+  if (auto saved = saveProject(m_project, path.toStdString()); !saved) return saved.error();
+  m_path = path;
+  m_undo.setClean();
+  emit titleChanged();
+  return {};
+}
+
+void Document::setView(const ViewSettings& view)
+{
+  m_project.view = view;
+}
+
+// === Fuzzy panels
+
+const std::vector<fuzzy::InputValue>& Document::inputs() const
+{
+  const TissueModel& tissue = m_project.tissue;
+  return m_target < 0 ? tissue.inputs : tissue.regions[static_cast<std::size_t>(m_target)].inputs;
+}
+
+QString Document::inputTargetName() const
+{
+  if (m_target < 0) return tr("Base tissue");
+  return QString::fromStdString(m_project.tissue.regions[static_cast<std::size_t>(m_target)].name);
+}
+
+void Document::setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText)
+{
+  if (ruleBase == m_project.tissue.rules) return;
+  pushTissue(std::make_unique<SetRuleBaseCommand>(*this, std::move(ruleBase), undoText));
+}
+
+void Document::setInput(int input, fuzzy::InputValue value, int gesture)
+{
+  if (input < 0 || static_cast<std::size_t>(input) >= inputs().size()) return;
+  if (inputs()[static_cast<std::size_t>(input)] == value) return;
+  pushTissue(std::make_unique<SetInputCommand>(*this, m_target, input, std::move(value), gesture));
+}
+
+void Document::setInputTarget(int region)
+{
+  const int last = static_cast<int>(m_project.tissue.regions.size()) - 1;
+  region = std::clamp(region, -1, last);
+  const bool moved = region != m_target;
+  m_target = region;
+  if (moved) emit inputTargetChanged(region);
+  emit inputsChanged();
+}
+
+void Document::setRuleLanguage(Language language)
+{
+  if (language == m_language) return;
+  m_language = language;
+  emit ruleLanguageChanged();
+  emit inputsChanged(); // the target's name is in the window's language
+}
+
+// === Tissue and regions
+
+void Document::addRegion(Region region)
+{
+  region.inputs.resize(m_project.tissue.rules.inputs.size());
+  const int index = static_cast<int>(m_project.tissue.regions.size());
+  pushTissue(std::make_unique<AddRegionCommand>(*this, index, std::move(region)));
+}
+
+void Document::removeRegion(int index)
+{
+  if (index < 0 || static_cast<std::size_t>(index) >= m_project.tissue.regions.size()) return;
+  pushTissue(std::make_unique<RemoveRegionCommand>(*this, index));
+}
+
+void Document::moveRegion(int from, int to)
+{
+  const int count = static_cast<int>(m_project.tissue.regions.size());
+  if (from == to || from < 0 || to < 0 || from >= count || to >= count) return;
+  pushTissue(std::make_unique<MoveRegionCommand>(*this, from, to));
+}
+
+void Document::setRegion(int index, Region region, const QString& undoText, int gesture)
+{
+  if (index < 0 || static_cast<std::size_t>(index) >= m_project.tissue.regions.size()) return;
+  pushTissue(std::make_unique<SetRegionCommand>(*this, index, std::move(region), undoText, gesture));
+}
+
+void Document::setTissueSettings(const TissueSettings& settings, int gesture)
+{
+  if (settings == settingsOf(m_project.tissue)) return;
+  pushTissue(std::make_unique<SetTissueSettingsCommand>(*this, settings, gesture));
+}
+
+void Document::setParametersFromTissue(bool on)
+{
+  if (on == m_project.parametersFromTissue) return;
+  SpringNet net = m_project.net;
+  if (on && net.nodeCount() > 0) {
+    if (auto applied = applyTissue(m_project.tissue, net); !applied) {
+      emit problem(applied.error());
+      emit tissueSettingsChanged(); // the switch goes back
+      return;
+    }
+  }
+  m_undo.push(
+    new SetParametersFromTissueCommand(*this, on, std::make_shared<const SpringNet>(std::move(net))));
+}
+
+/// Tries the edit on copies first, so that the stack never holds a step that cannot be done.
+bool Document::pushTissue(std::unique_ptr<TissueCommand> command)
+{
+  TissueModel tissue = m_project.tissue;
+  command->apply(tissue);
+  if (m_project.parametersFromTissue && m_project.net.nodeCount() > 0) {
+    auto net = std::make_shared<SpringNet>(m_project.net);
+    if (auto applied = applyTissue(tissue, *net); !applied) {
+      emit problem(applied.error());
+      emit inputsChanged(); // widgets go back to what holds
+      emit regionsChanged();
+      emit tissueSettingsChanged();
+      return false;
+    }
+    m_prepared = std::move(net);
+  } else if (auto field = TissueField::create(tissue); !field) {
+    emit problem(field.error());
+    return false;
+  }
+  m_undo.push(command.release()); // runs redo()
+  return true;
+}
+
+void Document::deriveParameters()
+{
+  if (!m_project.parametersFromTissue || m_project.net.nodeCount() == 0) return;
+  if (auto applied = applyTissue(m_project.tissue, m_project.net); !applied) {
+    emit problem(applied.error());
+    return;
+  }
+  m_sharedNet.reset();
+  m_derived = true;
+}
+
+void Document::putNet(std::shared_ptr<const SpringNet> net)
+{
+  m_project.net = *net;
+  m_sharedNet = std::move(net);
+  m_derived = true;
+}
+
+void Document::keepTargetInRange()
+{
+  const int last = static_cast<int>(m_project.tissue.regions.size()) - 1;
+  if (m_target > last) setInputTarget(last);
+}
+
+// === Model
+
+Status Document::importModel(IncomingModel model, bool replace)
+{
+  ModelPart part;
+  part.derived = true;
+  part.parametersFromTissue = true;
+  part.loads.gravity = m_project.loads.gravity;
+  SpringNet net;
+  if (replace) {
+    part.name = model.name.toStdString();
+    part.source = model.source;
+    net = std::move(model.net);
+  } else {
+    part.name = m_project.name;
+    part.source = m_project.source;
+    part.loads = m_project.loads; // indices of the former nodes stay
+    net = m_project.net;
+    appendNet(net, model.net);
+  }
+  if (auto applied = applyTissue(m_project.tissue, net); !applied) return applied.error();
+  part.net = std::make_shared<const SpringNet>(std::move(net));
+  m_undo.push(new SetModelCommand(*this, std::move(part),
+                                  replace ? tr("import %1").arg(model.name) : tr("add %1").arg(model.name)));
+  return {};
+}
+
+void Document::rename(const QString& name)
+{
+  if (name.toStdString() != m_project.name) m_undo.push(new RenameCommand(*this, name.toStdString()));
+}
+
+void Document::setFixed(const std::vector<Index>& nodes, bool fixed)
+{
+  if (!nodes.empty()) m_undo.push(new SetFixedCommand(*this, nodes, fixed));
+}
+
+void Document::setGravity(const Eigen::Vector3d& gravity, int gesture)
+{
+  if (gravity != m_project.loads.gravity) m_undo.push(new SetGravityCommand(*this, gravity, gesture));
+}
+
+void Document::setSolver(const std::string& name)
+{
+  if (name != m_project.simulation.solver.solver) m_undo.push(new SetSolverCommand(*this, name));
+}
+
+} // namespace esm

@@ -1,0 +1,118 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/project/project.h"
+#include "fuzzyeditor/fuzzy_document.h"
+
+#include <QString>
+#include <QUndoStack>
+
+#include <memory>
+#include <vector>
+
+namespace esm {
+
+class TissueCommand;
+
+/// The tissue's numbers beside rules, inputs and regions.
+struct TissueSettings {
+  double thickness = 0.002; ///< of the wall [m]
+  double density = 1050.0;  ///< [kg/m^3]
+  SpringLaw law = SpringLaw::Exponential;
+  double lawParameter = 3.0; ///< [1]
+  bool operator==(const TissueSettings&) const = default;
+};
+TissueSettings settingsOf(const TissueModel& tissue);
+
+/// A model that comes in from a mesh file: what replaces the net or is added to it.
+struct IncomingModel {
+  QString name;
+  ImportRecipe source;
+  SpringNet net;
+};
+
+/// The open project, its undo stack and its file. Everything that edits is a command (see *_commands.h);
+/// panels call the functions below, never the project itself. Undoing everything gives back the project
+/// byte by byte. GUI thread.
+///
+/// After an edit of the tissue the springs get their parameters anew (core/tissue). A tissue that cannot be
+/// applied is refused before the command reaches the stack: problem() says why, nothing changes.
+class Document : public FuzzyDocument {
+  Q_OBJECT
+public:
+  explicit Document(QObject* parent = nullptr);
+  ~Document() override;
+
+  // === The whole
+  const Project& project() const noexcept { return m_project; }
+  std::shared_ptr<const SpringNet> net() const; ///< the project's net, shared with view and simulation
+  QUndoStack* undoStack() noexcept { return &m_undo; }
+  const QString& path() const noexcept { return m_path; } ///< empty: not saved as a project yet
+  QString displayName() const;
+  bool isModified() const { return !m_undo.isClean(); }
+
+  void start(Project project, const QString& path); ///< replaces everything; the undo stack is emptied
+  Status open(const QString& path);                 ///< on error everything is as before
+  Status saveAs(const QString& path);     ///< atomic; the former file stays as .bak
+  void setView(const ViewSettings& view); ///< saved with the project, no edit
+
+  // === Fuzzy panels
+  const fuzzy::RuleBase& ruleBase() const override { return m_project.tissue.rules; }
+  const std::vector<fuzzy::InputValue>& inputs() const override;
+  QString inputTargetName() const override;
+  Language ruleLanguage() const override { return m_language; }
+  void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) override;
+  void setInput(int input, fuzzy::InputValue value, int gesture) override;
+
+  int inputTarget() const noexcept { return m_target; } ///< region, or -1 for the base tissue
+  void setInputTarget(int region);
+  void setRuleLanguage(Language language);
+
+  // === Tissue and regions
+  void addRegion(Region region); ///< at the end: it covers the others
+  void removeRegion(int index);
+  void moveRegion(int from, int to);
+  void setRegion(int index, Region region, const QString& undoText, int gesture = 0);
+  void setTissueSettings(const TissueSettings& settings, int gesture = 0);
+  void setParametersFromTissue(bool on);
+
+  // === Model
+  /// On success one undo step. Errors: those of applyTissue(); nothing has changed then.
+  Status importModel(IncomingModel model, bool replace);
+  void rename(const QString& name);
+  void setFixed(const std::vector<Index>& nodes, bool fixed);
+  void setGravity(const Eigen::Vector3d& gravity, int gesture = 0);
+  void setSolver(const std::string& name);
+
+signals:
+  void projectReset();      ///< another project: everything changed
+  void netChanged();        ///< topology, fixed nodes, loads or solver: the simulation starts anew
+  void parametersChanged(); ///< same topology, other numbers
+  void regionsChanged();
+  void inputTargetChanged(int region);
+  void tissueSettingsChanged();
+  void titleChanged(); ///< name, path or modified
+  void problem(const esm::Error& error);
+
+private:
+  friend class DocumentCommand;
+  friend class TissueCommand;
+
+  bool pushTissue(std::unique_ptr<TissueCommand> command);
+  void deriveParameters();
+  void putNet(std::shared_ptr<const SpringNet> net);
+  void keepTargetInRange();
+
+  Project m_project;
+  mutable std::shared_ptr<const SpringNet> m_sharedNet; ///< copy of m_project.net, made on demand
+  std::shared_ptr<const SpringNet> m_prepared;          ///< net that pushTissue() tried and redo() takes
+  bool m_derived = false; ///< the net's parameters are what applyTissue() gives: undo need not store them
+  QUndoStack m_undo;
+  QString m_path;
+  int m_target = -1;
+  Language m_language = Language::English;
+};
+
+} // namespace esm

@@ -1,0 +1,77 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/command_line.h"
+#include "app/main_window.h"
+#include "app/scripted_run.h"
+#include "app/state_dump.h"
+
+#include <QApplication>
+#include <QSettings>
+#include <QSurfaceFormat>
+#include <QTimer>
+
+#include <clocale>
+
+namespace {
+
+/// Core profile 3.3 for every context; must be set before the application exists.
+void askForOpenGl()
+{
+  QSurfaceFormat format;
+  format.setRenderableType(QSurfaceFormat::OpenGL); // Wayland would otherwise default to OpenGL ES
+  format.setVersion(3, 3);
+  format.setProfile(QSurfaceFormat::CoreProfile);
+  format.setDepthBufferSize(24);
+  QSurfaceFormat::setDefaultFormat(format);
+}
+
+esm::Language chosenLanguage(const esm::CommandLine& options)
+{
+  const QString saved = QSettings().value(QStringLiteral("language")).toString();
+  const QString asked = QString::fromStdString(options.language);
+  return esm::languageFromCode(asked.isEmpty() ? saved : asked).value_or(esm::systemLanguage());
+}
+
+esm::Theme chosenTheme(const esm::CommandLine& options)
+{
+  const QString saved = QSettings().value(QStringLiteral("theme")).toString();
+  const QString asked = QString::fromStdString(options.theme);
+  return esm::themeFromName(asked.isEmpty() ? saved : asked).value_or(esm::Theme::System);
+}
+
+} // namespace
+
+int main(int argc, char** argv)
+{
+  esm::CommandLine options;
+  if (const int code = esm::parseCommandLine(argc, argv, options); code >= 0) return code;
+
+  askForOpenGl();
+  QApplication application(argc, argv);
+  std::setlocale(LC_NUMERIC, "C"); // Qt took the system's: libraries must go on reading 1.5 as 1.5
+  QApplication::setOrganizationName(QStringLiteral("esm"));
+  QApplication::setApplicationName(QStringLiteral("esm-modeler"));
+  QApplication::setApplicationVersion(QStringLiteral(ESM_VERSION));
+
+  esm::LanguageSwitch language;
+  language.set(chosenLanguage(options));
+  esm::applyTheme(chosenTheme(options));
+  esm::MainWindow window(&language);
+  window.setTheme(chosenTheme(options));
+  const bool scripted = !options.screenshot.empty();
+  if (!scripted) window.restoreLayout();
+  if (options.width > 0) window.resize(options.width, window.height());
+  if (options.height > 0) window.resize(window.width(), options.height);
+  window.show();
+
+  // Once the event loop runs: dialogs of opening need it.
+  QTimer::singleShot(0, &window, [&] {
+    if (options.file.empty())
+      window.openSample();
+    else if (!window.openPath(QString::fromStdString(options.file)) && scripted)
+      QApplication::exit(1);
+    if (scripted) new esm::ScriptedRun(&window, QString::fromStdString(options.screenshot), options.after);
+  });
+  if (!options.dumpState.empty()) new esm::StateDump(&window, QString::fromStdString(options.dumpState));
+  return QApplication::exec();
+}

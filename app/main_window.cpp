@@ -1,0 +1,299 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/main_window.h"
+
+#include "app/error_text.h"
+#include "app/icons.h"
+#include "app/panels/haptics_panel.h"
+#include "app/panels/node_panel.h"
+#include "app/panels/regions_panel.h"
+#include "app/panels/tissue_panel.h"
+#include "app/status_strip.h"
+#include "app/window_actions.h"
+#include "fuzzyeditor/fuzzy_evaluation.h"
+#include "fuzzyeditor/inputs_panel.h"
+#include "fuzzyeditor/membership_panel.h"
+#include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/why_panel.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QActionGroup>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QSettings>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace esm {
+
+MainWindow::MainWindow(LanguageSwitch* language, QWidget* parent)
+  : QMainWindow(parent),
+    m_document(new Document(this)),
+    m_jobs(new JobRunner(this)),
+    m_view(new SceneView(this)),
+    m_controller(new SimulationController(m_document, m_view, this)),
+    m_language(language),
+    m_evaluation(new FuzzyEvaluation(m_document, this)),
+    m_actions(new WindowActions(this)),
+    m_status(new StatusStrip(statusBar()))
+{
+  setObjectName(QStringLiteral("mainWindow"));
+  setWindowIcon(icon(Symbol::Program));
+  setAcceptDrops(true);
+  setDockNestingEnabled(true);
+  m_document->setRuleLanguage(language->language());
+  setCentralWidget(m_view);
+  createDocks();
+  connectDocument();
+  connectActions();
+  connectFileActions();
+  connectFrame();
+  qApp->installEventFilter(this);
+
+  retranslateUi();
+  showProject();
+  resize(1600, 1000);
+  applyDefaultLayout();
+  if (auto opened = m_controller->openDevice("simulated"); !opened)
+    statusBar()->showMessage(errorLead(opened.error().code), 8000);
+}
+
+/// Panels and controller look at the document, which QObject would delete first as the oldest child.
+MainWindow::~MainWindow()
+{
+  qApp->removeEventFilter(this);
+  for (QDockWidget* dock : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) delete dock;
+  delete m_controller;
+  delete m_view;
+}
+
+// === Panels
+
+QDockWidget* MainWindow::addDock(const char* name, Qt::DockWidgetArea area, QWidget* content)
+{
+  auto* dock = new QDockWidget(this);
+  dock->setObjectName(QLatin1String(name));
+  dock->setWidget(content);
+  addDockWidget(area, dock);
+  return dock;
+}
+
+void MainWindow::createDocks()
+{
+  m_regions = new RegionsPanel(m_document);
+  m_nodePanel = new NodePanel(m_document);
+  auto* why = new QWidget;
+  auto* whyLayout = new QVBoxLayout(why);
+  whyLayout->setContentsMargins(0, 0, 0, 0);
+  whyLayout->addWidget(m_nodePanel, 1);
+  auto* whyPanel = new WhyPanel(m_evaluation);
+  whyLayout->addWidget(whyPanel, 1);
+  auto* inputs = new InputsPanel(m_evaluation);
+  auto* membership = new MembershipPanel(m_evaluation);
+  auto* rules = new RulesPanel(m_evaluation);
+  connect(inputs, &InputsPanel::inputFocused, membership, &MembershipPanel::showInput);
+  connect(whyPanel, &WhyPanel::ruleActivated, rules, &RulesPanel::showRule);
+
+  m_dockRegions = addDock("dockRegions", Qt::LeftDockWidgetArea, m_regions);
+  m_dockTissue = addDock("dockTissue", Qt::LeftDockWidgetArea, new TissuePanel(m_document));
+  m_dockInputs = addDock("dockInputs", Qt::RightDockWidgetArea, inputs);
+  m_dockMf = addDock("dockMf", Qt::RightDockWidgetArea, membership);
+  m_dockWhy = addDock("dockWhy", Qt::RightDockWidgetArea, why);
+  m_dockRules = addDock("dockRules", Qt::BottomDockWidgetArea, rules);
+  m_dockHaptics = addDock("dockHaptics", Qt::BottomDockWidgetArea, new HapticsPanel(m_controller));
+  for (QDockWidget* dock :
+       {m_dockRules, m_dockInputs, m_dockMf, m_dockWhy, m_dockRegions, m_dockTissue, m_dockHaptics})
+    m_actions->docksMenu->addAction(dock->toggleViewAction());
+}
+
+void MainWindow::applyDefaultLayout()
+{
+  setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+  setCorner(Qt::BottomRightCorner, Qt::RightDockWidgetArea);
+  const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {
+    {m_dockRegions, Qt::LeftDockWidgetArea},  {m_dockTissue, Qt::LeftDockWidgetArea},
+    {m_dockInputs, Qt::RightDockWidgetArea},  {m_dockMf, Qt::RightDockWidgetArea},
+    {m_dockWhy, Qt::RightDockWidgetArea},     {m_dockRules, Qt::BottomDockWidgetArea},
+    {m_dockHaptics, Qt::BottomDockWidgetArea}};
+  for (const auto& [dock, area] : places) {
+    dock->setFloating(false);
+    addDockWidget(area, dock);
+    dock->show();
+  }
+  splitDockWidget(m_dockRegions, m_dockTissue, Qt::Vertical);
+  splitDockWidget(m_dockInputs, m_dockMf, Qt::Vertical);
+  splitDockWidget(m_dockMf, m_dockWhy, Qt::Vertical);
+  splitDockWidget(m_dockRules, m_dockHaptics, Qt::Horizontal);
+  const int w = width(), h = height();
+  resizeDocks({m_dockRegions, m_dockInputs}, {w * 17 / 100, w * 25 / 100}, Qt::Horizontal);
+  resizeDocks({m_dockRules, m_dockHaptics}, {w * 42 / 100, w * 33 / 100}, Qt::Horizontal);
+  resizeDocks({m_dockRules}, {h * 30 / 100}, Qt::Vertical);
+  resizeDocks({m_dockInputs, m_dockMf, m_dockWhy}, {h * 24 / 100, h * 32 / 100, h * 34 / 100}, Qt::Vertical);
+}
+
+// === Document to window
+
+void MainWindow::connectDocument()
+{
+  connect(m_document, &Document::projectReset, this, &MainWindow::showProject);
+  connect(m_document, &Document::titleChanged, this, &MainWindow::refreshTitle);
+  connect(m_document, &Document::regionsChanged, this, &MainWindow::refreshRegions);
+  connect(m_document, &Document::inputTargetChanged, this, &MainWindow::refreshRegions);
+  connect(m_document, &Document::netChanged, this, [this] {
+    if (m_selectedNode >= m_document->project().net.nodeCount()) selectNode(kNoIndex);
+    const SpringNet& net = m_document->project().net;
+    m_status->setNet(net.nodeCount(), net.springCount());
+    refreshHoldAction();
+  });
+  connect(m_document, &Document::problem, this, [this](const Error& error) {
+    statusBar()->showMessage(errorLead(error.code) + QLatin1Char(' ') + QString::fromStdString(error.detail),
+                             12000);
+  });
+  QUndoStack* undo = m_document->undoStack();
+  connect(undo, &QUndoStack::indexChanged, this, &MainWindow::retranslateUndo);
+  connect(m_actions->undo, &QAction::triggered, undo, &QUndoStack::undo);
+  connect(m_actions->redo, &QAction::triggered, undo, &QUndoStack::redo);
+}
+
+void MainWindow::showProject()
+{
+  const Project& project = m_document->project();
+  selectNode(kNoIndex);
+  m_status->setNet(project.net.nodeCount(), project.net.springCount());
+  m_view->setViewSettings(project.view);
+  m_actions->showSurface->setChecked(project.view.showSurface);
+  m_actions->showSprings->setChecked(project.view.showSprings);
+  const std::string names[] = {"none", "stiffness", "strain", "force"};
+  for (int i = 0; i < 4; ++i)
+    if (project.view.colouring == names[i]) {
+      m_actions->colouring->actions().at(i)->setChecked(true);
+      m_view->setColouring(static_cast<Colouring>(i));
+    }
+  for (QAction* action : m_actions->solver->actions())
+    action->setChecked(action->data().toString().toStdString() == project.simulation.solver.solver);
+  refreshRegions();
+  refreshTitle();
+  retranslateUndo();
+}
+
+void MainWindow::refreshRegions()
+{
+  m_view->setRegions(m_document->project().tissue.regions, m_document->inputTarget());
+}
+
+void MainWindow::selectNode(Index node)
+{
+  m_selectedNode = node;
+  m_nodePanel->setNode(node);
+  const SpringNet& net = m_document->project().net;
+  if (node != kNoIndex)
+    m_regions->setPlaceOfNew(Eigen::Vector3d(net.restPosition.col(node)));
+  else
+    m_regions->setPlaceOfNew(std::nullopt);
+  refreshHoldAction();
+}
+
+void MainWindow::refreshHoldAction()
+{
+  const SpringNet& net = m_document->project().net;
+  m_actions->holdNode->setEnabled(m_selectedNode != kNoIndex);
+  m_actions->holdNode->setChecked(m_selectedNode != kNoIndex &&
+                                  net.fixed[static_cast<std::size_t>(m_selectedNode)] != 0);
+}
+
+// === Actions
+
+void MainWindow::connectActions()
+{
+  const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
+  on(m_actions->fit, [this] { m_view->fit(); });
+  for (QAction* shown : {m_actions->showSurface, m_actions->showSprings})
+    connect(shown, &QAction::toggled, this, [this] {
+      m_view->setShown(m_actions->showSurface->isChecked(), m_actions->showSprings->isChecked());
+    });
+  connect(m_actions->colouring, &QActionGroup::triggered, this,
+          [this](QAction* action) { m_view->setColouring(static_cast<Colouring>(action->data().toInt())); });
+  on(m_actions->defaultLayout, [this] { applyDefaultLayout(); });
+  connect(m_actions->fullScreen, &QAction::toggled, this,
+          [this](bool full) { setWindowState(windowState().setFlag(Qt::WindowFullScreen, full)); });
+  connect(m_actions->theme, &QActionGroup::triggered, this, [this](QAction* action) {
+    const Theme theme = themeFromName(action->data().toString()).value_or(Theme::System);
+    setTheme(theme);
+    QSettings().setValue(QStringLiteral("theme"), themeName(theme));
+  });
+  connect(m_actions->language, &QActionGroup::triggered, this, [this](QAction* action) {
+    setLanguage(languageFromCode(action->data().toString()).value_or(Language::English));
+    QSettings().setValue(QStringLiteral("language"), action->data().toString());
+  });
+
+  on(m_actions->addRegion, [this] { m_regions->addRegion(); });
+  on(m_actions->holdNode, [this](bool hold) { m_document->setFixed({m_selectedNode}, hold); });
+  on(m_actions->play, [this] { m_controller->setPlaying(!m_controller->isPlaying()); });
+  on(m_actions->step, [this] { m_controller->stepOnce(); });
+  on(m_actions->reset, [this] { m_controller->reset(); });
+  connect(m_controller, &SimulationController::playingChanged, m_actions, &WindowActions::setPlaying);
+  connect(m_actions->tools, &QActionGroup::triggered, this, [this](QAction* action) {
+    m_controller->endPull();
+    m_view->setTool(static_cast<Tool>(action->data().toInt()));
+    refreshToolHint();
+  });
+  connect(m_actions->solver, &QActionGroup::triggered, this,
+          [this](QAction* action) { m_document->setSolver(action->data().toString().toStdString()); });
+  on(m_actions->arm, [this](bool armed) { armed ? m_controller->arm() : m_controller->disarm(); });
+  on(m_actions->stop, [this] { emergencyStop(); });
+  on(m_actions->keys, [this] { showKeys(); });
+  on(m_actions->about, [this] { showAbout(); });
+  on(m_actions->aboutQt, [] { QApplication::aboutQt(); });
+  connect(m_view, &SceneView::nodeSelected, this, &MainWindow::selectNode);
+}
+
+/// Numbers that change sixty times a second cannot be read: the status bar follows ten times.
+void MainWindow::connectFrame()
+{
+  connect(m_controller, &SimulationController::frame, this, [this] {
+    constexpr qint64 kPause = 100; // [ms]
+    const SimSnapshot& snapshot = m_controller->snapshot();
+    const bool stopped = snapshot.stability == Stability::Stopped && m_lastStability != Stability::Stopped;
+    m_lastStability = snapshot.stability;
+    if (stopped)
+      statusBar()->showMessage(
+        tr("The simulation stopped on its last good state. %1").arg(QString::fromStdString(snapshot.message)),
+        20000);
+    if (m_lastStatus.isValid() && m_lastStatus.elapsed() < kPause && !stopped) return;
+    m_lastStatus.start();
+    m_status->setRun(snapshot);
+    const HapticStatus device = m_controller->hapticStatus();
+    m_status->setDevice(device);
+    m_actions->arm->setEnabled(device.state != DeviceState::Absent);
+    m_actions->arm->setChecked(device.state == DeviceState::Arming || device.state == DeviceState::Active);
+  });
+}
+
+void MainWindow::emergencyStop()
+{
+  m_controller->stop();
+  statusBar()->showMessage(tr("Stopped: force zero, node released. “Force on” lets the device feel again."),
+                           6000);
+}
+
+/// Space plays and pauses everywhere but where it presses a button or ticks a row.
+bool MainWindow::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() == QEvent::ShortcutOverride) {
+    const auto* key = static_cast<QKeyEvent*>(event);
+    const bool pressable = qobject_cast<QAbstractButton*>(watched) != nullptr ||
+                           qobject_cast<QComboBox*>(watched) != nullptr ||
+                           watched->inherits("QAbstractItemView");
+    if (key->key() == Qt::Key_Space && key->modifiers() == Qt::NoModifier && pressable) {
+      event->accept();
+      return true;
+    }
+  }
+  return QMainWindow::eventFilter(watched, event);
+}
+
+} // namespace esm

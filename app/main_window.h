@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/document/document.h"
+#include "app/jobs/job.h"
+#include "app/language.h"
+#include "app/simulation_controller.h"
+#include "app/theme.h"
+#include "app/viewport/scene_view.h"
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+
+class QDockWidget;
+
+namespace esm {
+
+class FuzzyEvaluation;
+class NodePanel;
+class RegionsPanel;
+class StatusStrip;
+class WindowActions;
+
+/// The window of the modeler: the 3D preview in the middle, the panels in docks around it, tool bar, menus
+/// and status bar. It joins the parts and asks before anything is lost; the work is theirs.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+public:
+  /// @param language not owned, outlives the window.
+  explicit MainWindow(LanguageSwitch* language, QWidget* parent = nullptr);
+  ~MainWindow() override;
+
+  Document* document() noexcept { return m_document; }
+  SimulationController* controller() noexcept { return m_controller; }
+  SceneView* sceneView() noexcept { return m_view; }
+  WindowActions* actions() noexcept { return m_actions; }
+
+  // === Files (main_window_files.cpp)
+  /// A project or a mesh, by content of its name. Says in a message what went wrong.
+  bool openPath(const QString& path);
+  bool openSample(); ///< the first sample, playing; false: there is none
+  bool saveProject();
+  bool saveProjectAs();
+  void importPath(const QString& path);
+
+  void setTheme(Theme theme);
+  void setLanguage(Language language);
+  void selectNode(Index node);
+  void restoreLayout(); ///< of the last time, if there is one
+
+protected:
+  void closeEvent(QCloseEvent* event) override;
+  void changeEvent(QEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+private:
+  // main_window.cpp
+  void createDocks();
+  QDockWidget* addDock(const char* name, Qt::DockWidgetArea area, QWidget* content);
+  void applyDefaultLayout();
+  void connectDocument();
+  void connectActions();
+  void connectFrame();
+  void showProject();
+  void refreshRegions();
+  void refreshHoldAction();
+  void emergencyStop();
+
+  // main_window_texts.cpp
+  void retranslateUi();
+  void retranslateUndo();
+  void refreshTitle();
+  void refreshToolHint();
+  void showKeys();
+  void showAbout();
+
+  // main_window_files.cpp
+  void connectFileActions();
+  bool mayDropChanges(); ///< saved, or the user lets them go
+  void newProject();
+  bool playSample(const QString& path);
+  void chooseAndOpen();
+  void chooseAndImport();
+  void exportShape();
+  void savePicture();
+  void renameProject();
+  void rememberFile(const QString& path);
+  void fillRecentMenu();
+  void fillSampleMenu();
+  void showError(const QString& title, const Error& error);
+  void saveLayout();
+
+  Document* m_document;
+  JobRunner* m_jobs;
+  SceneView* m_view;
+  SimulationController* m_controller;
+  LanguageSwitch* m_language;
+  FuzzyEvaluation* m_evaluation;
+  WindowActions* m_actions;
+  StatusStrip* m_status;
+  RegionsPanel* m_regions = nullptr;
+  NodePanel* m_nodePanel = nullptr;
+  QDockWidget *m_dockRegions = nullptr, *m_dockTissue = nullptr, *m_dockInputs = nullptr, *m_dockMf = nullptr,
+              *m_dockWhy = nullptr, *m_dockRules = nullptr, *m_dockHaptics = nullptr;
+  Index m_selectedNode = kNoIndex;
+  Stability m_lastStability = Stability::Idle;
+  QElapsedTimer m_lastStatus;
+};
+
+} // namespace esm

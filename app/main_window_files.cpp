@@ -1,0 +1,312 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of MainWindow that deals with files, and with what must not get lost.
+#include "app/error_text.h"
+#include "app/import_dialog.h"
+#include "app/main_window.h"
+#include "app/sample_files.h"
+#include "app/window_actions.h"
+#include "core/project/export.h"
+
+#include <QAction>
+#include <QCloseEvent>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QSettings>
+#include <QStatusBar>
+
+namespace esm {
+
+namespace {
+
+constexpr int kLayoutVersion = 1; // of the docks: a saved layout of another version is ignored
+constexpr int kRecentFiles = 8;
+
+bool isProjectFile(const QString& path)
+{
+  const QString ending = QFileInfo(path).suffix().toLower();
+  return ending == QLatin1String("esm") || ending == QLatin1String("esmb") || ending == QLatin1String("json");
+}
+
+} // namespace
+
+void MainWindow::connectFileActions()
+{
+  const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
+  on(m_actions->newProject, [this] { newProject(); });
+  on(m_actions->open, [this] { chooseAndOpen(); });
+  on(m_actions->save, [this] { saveProject(); });
+  on(m_actions->saveAs, [this] { saveProjectAs(); });
+  on(m_actions->import, [this] { chooseAndImport(); });
+  on(m_actions->exportShape, [this] { exportShape(); });
+  on(m_actions->picture, [this] { savePicture(); });
+  on(m_actions->rename, [this] { renameProject(); });
+  on(m_actions->quit, [this] { close(); });
+}
+
+void MainWindow::showError(const QString& title, const Error& error)
+{
+  QMessageBox box(QMessageBox::Warning, title, errorLead(error.code), QMessageBox::Ok, this);
+  box.setObjectName(QStringLiteral("dlgError"));
+  box.setInformativeText(QString::fromStdString(error.detail));
+  box.exec();
+}
+
+// === Opening
+
+void MainWindow::newProject()
+{
+  if (!mayDropChanges()) return;
+  Project project;
+  project.tissue = defaultTissue();
+  m_controller->setPlaying(false);
+  m_document->start(std::move(project), QString());
+}
+
+bool MainWindow::openPath(const QString& path)
+{
+  if (!isProjectFile(path)) {
+    importPath(path);
+    return true;
+  }
+  if (!mayDropChanges()) return false;
+  if (auto opened = m_document->open(path); !opened) {
+    showError(tr("Open project"), opened.error());
+    return false;
+  }
+  rememberFile(path);
+  return true;
+}
+
+bool MainWindow::openSample()
+{
+  const QStringList samples = sampleFiles();
+  return !samples.isEmpty() && playSample(samples.front());
+}
+
+bool MainWindow::playSample(const QString& path)
+{
+  if (!mayDropChanges()) return false;
+  auto sample = loadSample(path);
+  if (!sample) {
+    showError(tr("Open sample"), sample.error());
+    return false;
+  }
+  m_document->start(std::move(sample).value(), QString()); // saving asks for a place of its own
+  m_controller->setPlaying(true);
+  return true;
+}
+
+void MainWindow::chooseAndOpen()
+{
+  const QString folder = QFileInfo(m_document->path()).absolutePath();
+  const QString path =
+    QFileDialog::getOpenFileName(this, tr("Open project"), m_document->path().isEmpty() ? QString() : folder,
+                                 tr("Projects (*.esm *.esmb)") + QStringLiteral(";;") +
+                                   tr("Plain nets (*.json)") + QStringLiteral(";;") + tr("All files (*)"));
+  if (!path.isEmpty()) openPath(path);
+}
+
+void MainWindow::chooseAndImport()
+{
+  const QString folder = QSettings().value(QStringLiteral("importFolder")).toString();
+  const QString path =
+    QFileDialog::getOpenFileName(this, tr("Import mesh"), folder,
+                                 tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae *.3ds *.fbx)") +
+                                   QStringLiteral(";;") + tr("All files (*)"));
+  if (path.isEmpty()) return;
+  QSettings().setValue(QStringLiteral("importFolder"), QFileInfo(path).absolutePath());
+  importPath(path);
+}
+
+void MainWindow::importPath(const QString& path)
+{
+  const bool empty = m_document->project().net.nodeCount() == 0;
+  ImportDialog dialog(path, m_jobs, empty, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  const bool replace = dialog.replaces();
+  if (auto imported = m_document->importModel(dialog.takeModel(), replace); !imported) {
+    showError(tr("Import mesh"), imported.error());
+    return;
+  }
+  m_view->fit();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event)
+{
+  const QList<QUrl> urls = event->mimeData()->urls();
+  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event)
+{
+  const QString path = event->mimeData()->urls().value(0).toLocalFile();
+  event->acceptProposedAction();
+  // The drag's source waits for this event: dialogs come after it.
+  QMetaObject::invokeMethod(
+    this, [this, path] { openPath(path); }, Qt::QueuedConnection);
+}
+
+// === Saving
+
+bool MainWindow::saveProject()
+{
+  if (m_document->path().isEmpty()) return saveProjectAs();
+  m_document->setView(m_view->viewSettings());
+  if (auto saved = m_document->saveAs(m_document->path()); !saved) {
+    showError(tr("Save project"), saved.error());
+    return false;
+  }
+  statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(m_document->path()).fileName()), 4000);
+  rememberFile(m_document->path());
+  return true;
+}
+
+bool MainWindow::saveProjectAs()
+{
+  const QString start =
+    m_document->path().isEmpty() ? m_document->displayName() + QStringLiteral(".esm") : m_document->path();
+  QString path = QFileDialog::getSaveFileName(this, tr("Save project"), start,
+                                              tr("Projects (*.esm)") + QStringLiteral(";;") +
+                                                tr("Compact projects (*.esmb)"));
+  if (path.isEmpty()) return false;
+  if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".esm");
+  m_document->setView(m_view->viewSettings());
+  if (auto saved = m_document->saveAs(path); !saved) {
+    showError(tr("Save project"), saved.error());
+    return false;
+  }
+  statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
+  rememberFile(path);
+  return true;
+}
+
+bool MainWindow::mayDropChanges()
+{
+  if (!m_document->isModified()) return true;
+  QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
+                  tr("“%1” has changes that are not saved.").arg(m_document->displayName()),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
+  box.setObjectName(QStringLiteral("dlgUnsaved"));
+  box.setInformativeText(tr("Save them?"));
+  box.setDefaultButton(QMessageBox::Save);
+  const int answer = box.exec();
+  if (answer == QMessageBox::Save) return saveProject();
+  return answer == QMessageBox::Discard;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event)
+{
+  if (!mayDropChanges()) {
+    event->ignore();
+    return;
+  }
+  m_controller->stop();
+  saveLayout();
+  event->accept();
+}
+
+void MainWindow::exportShape()
+{
+  const SimSnapshot& snapshot = m_controller->snapshot();
+  const auto net = m_document->net();
+  if (net->nodeCount() == 0 || !m_controller->snapshotIsCurrent()) {
+    statusBar()->showMessage(tr("There is no model to export."), 6000);
+    return;
+  }
+  const QString path =
+    QFileDialog::getSaveFileName(this, tr("Export shape"), m_document->displayName() + QStringLiteral(".obj"),
+                                 tr("OBJ with springs (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binary "
+                                    "(*.glb);;VTK (*.vtu);;Tables (*.csv)"));
+  if (path.isEmpty()) return;
+  const Eigen::Matrix3Xd position = snapshot.position; // the snapshot may move on
+  Frame frame;
+  frame.net = net.get();
+  frame.position = &position;
+  frame.tension = snapshot.tension.size() == net->springCount() ? &snapshot.tension : nullptr;
+  frame.time = snapshot.time;
+  if (auto written = exportFrame(frame, path.toStdString()); !written)
+    return showError(tr("Export shape"), written.error());
+  statusBar()->showMessage(tr("Exported %1").arg(QFileInfo(path).fileName()), 4000);
+}
+
+void MainWindow::savePicture()
+{
+  const QImage picture = m_view->picture();
+  const QString path = QFileDialog::getSaveFileName(this, tr("Picture of the preview"),
+                                                    m_document->displayName() + QStringLiteral(".png"),
+                                                    tr("Pictures (*.png *.jpg)"));
+  if (path.isEmpty()) return;
+  if (!picture.save(path))
+    showError(tr("Picture of the preview"), {ErrorCode::FileUnwritable, path.toStdString()});
+}
+
+void MainWindow::renameProject()
+{
+  bool accepted = false;
+  const QString name = QInputDialog::getText(this, tr("Rename project"), tr("Name"), QLineEdit::Normal,
+                                             m_document->displayName(), &accepted);
+  if (accepted && !name.trimmed().isEmpty()) m_document->rename(name.trimmed());
+}
+
+// === Recent files and layout
+
+void MainWindow::rememberFile(const QString& path)
+{
+  QSettings settings;
+  QStringList files = settings.value(QStringLiteral("recentFiles")).toStringList();
+  const QString absolute = QFileInfo(path).absoluteFilePath();
+  files.removeAll(absolute);
+  files.prepend(absolute);
+  settings.setValue(QStringLiteral("recentFiles"), QStringList(files.mid(0, kRecentFiles)));
+  fillRecentMenu();
+}
+
+void MainWindow::fillRecentMenu()
+{
+  QMenu* menu = m_actions->recentMenu;
+  menu->clear();
+  for (const QString& file : QSettings().value(QStringLiteral("recentFiles")).toStringList()) {
+    QAction* action = menu->addAction(QFileInfo(file).fileName(), this, [this, file] { openPath(file); });
+    action->setStatusTip(file);
+    action->setEnabled(QFileInfo::exists(file));
+  }
+  menu->addSeparator();
+  menu->addAction(tr("Clear list"), this, [this] {
+    QSettings().remove(QStringLiteral("recentFiles"));
+    fillRecentMenu();
+  });
+  menu->setEnabled(menu->actions().size() > 2);
+}
+
+void MainWindow::fillSampleMenu()
+{
+  QMenu* menu = m_actions->sampleMenu;
+  menu->clear();
+  for (const QString& file : sampleFiles()) {
+    QAction* action = menu->addAction(QFileInfo(file).completeBaseName());
+    connect(action, &QAction::triggered, this, [this, file] { playSample(file); });
+  }
+  menu->setEnabled(!menu->isEmpty());
+}
+
+void MainWindow::saveLayout()
+{
+  QSettings settings;
+  settings.setValue(QStringLiteral("geometry"), saveGeometry());
+  settings.setValue(QStringLiteral("layout"), saveState(kLayoutVersion));
+}
+
+void MainWindow::restoreLayout()
+{
+  const QSettings settings;
+  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
+  restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion);
+}
+
+} // namespace esm

@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <Eigen/Core>
+
+#include <deque>
+
+class QCustomPlot;
+
+namespace esm {
+
+/// A force as an arrow on a dial, seen from the front (x to the right, z up); the part that points away from
+/// or towards the viewer (y) is the bar beside it. The rim is the force limit.
+class ForceDial : public QWidget {
+  Q_OBJECT
+public:
+  explicit ForceDial(QWidget* parent = nullptr);
+  void setForce(const Eigen::Vector3d& force, double limit);
+  QSize sizeHint() const override { return {104, 104}; }
+  QSize minimumSizeHint() const override { return {72, 72}; }
+
+protected:
+  void paintEvent(QPaintEvent* event) override;
+
+private:
+  Eigen::Vector3d m_force = Eigen::Vector3d::Zero(); ///< [N]
+  double m_limit = 5.0;                              ///< [N]
+};
+
+/// The last seconds of force over time: what the tissue gives and what the device got.
+class ForceCurve : public QWidget {
+  Q_OBJECT
+public:
+  explicit ForceCurve(QWidget* parent = nullptr);
+  void addTissueForce(double time, double newtons);
+  void addDeviceForce(double time, double newtons);
+  void clear();
+  void redraw(); ///< call at the rate of the screen at most; does nothing while hidden
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void applyPalette();
+  void retranslateUi();
+  QCustomPlot* m_plot;
+  double m_now = 0.0; ///< newest time of either curve [s]
+};
+
+} // namespace esm

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/panels/gesture_spin_box.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+namespace esm {
+
+GestureSpinBox::GestureSpinBox(QWidget* parent) : QDoubleSpinBox(parent)
+{
+  setKeyboardTracking(false);
+  setFocusPolicy(Qt::StrongFocus);
+  connect(this, &QDoubleSpinBox::valueChanged, this, [this](double value) {
+    if (!m_showing) emit edited(value, m_gesture);
+  });
+}
+
+void GestureSpinBox::display(double value)
+{
+  m_showing = true;
+  setValue(value);
+  m_showing = false;
+}
+
+void GestureSpinBox::mousePressEvent(QMouseEvent* event)
+{
+  beginGesture();
+  QDoubleSpinBox::mousePressEvent(event);
+}
+
+void GestureSpinBox::keyPressEvent(QKeyEvent* event)
+{
+  if (!event->isAutoRepeat()) beginGesture();
+  QDoubleSpinBox::keyPressEvent(event);
+}
+
+void GestureSpinBox::wheelEvent(QWheelEvent* event)
+{
+  if (!hasFocus()) {
+    event->ignore();
+    return;
+  }
+  constexpr qint64 kPause = 700; // [ms] without rolling ends the gesture
+  if (!m_lastWheel.isValid() || m_lastWheel.elapsed() > kPause) beginGesture();
+  m_lastWheel.start();
+  QDoubleSpinBox::wheelEvent(event);
+}
+
+void GestureSpinBox::focusInEvent(QFocusEvent* event)
+{
+  beginGesture();
+  QDoubleSpinBox::focusInEvent(event);
+}
+
+void GestureSpinBox::beginGesture()
+{
+  static int last = 0; // over all fields, so that no two gestures share a number
+  m_gesture = ++last;
+}
+
+} // namespace esm

@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/sample_files.h"
+
+#include "core/net/net_builder.h"
+#include "core/project/project_io.h"
+#include "meshimport/mesh_importer.h"
+
+#include <QCoreApplication>
+#include <QDir>
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+QString samplesFolder()
+{
+  QStringList candidates;
+  if (const QString set = qEnvironmentVariable("ESM_RESOURCES"); !set.isEmpty()) candidates << set;
+  const QString program = QCoreApplication::applicationDirPath();
+  candidates << program + QStringLiteral("/../share/esm");
+  QString above = program;
+  for (int level = 0; level < 4; ++level, above += QStringLiteral("/.."))
+    candidates << above + QStringLiteral("/resources");
+  for (const QString& folder : candidates)
+    if (QDir(folder + QStringLiteral("/samples")).exists())
+      return QDir::cleanPath(folder + QStringLiteral("/samples"));
+  return {};
+}
+
+} // namespace
+
+QStringList sampleFiles()
+{
+  const QString folder = samplesFolder();
+  if (folder.isEmpty()) return {};
+  QStringList files, names;
+  for (const char* ending : {"*.esm", "*.obj", "*.stl", "*.ply"})
+    for (const QFileInfo& file :
+         QDir(folder).entryInfoList({QLatin1String(ending)}, QDir::Files, QDir::Name)) {
+      if (names.contains(file.completeBaseName())) continue; // it has a project
+      names << file.completeBaseName();
+      files << file.absoluteFilePath();
+    }
+  const auto isFirst = [](const QString& file) { return file.contains(QLatin1String("uterus")); };
+  std::stable_partition(files.begin(), files.end(), isFirst);
+  return files;
+}
+
+Result<Project> loadSample(const QString& path)
+{
+  if (path.endsWith(QLatin1String(".esm"))) return loadProject(path.toStdString());
+  auto imported = importMesh(path.toStdString());
+  if (!imported) return imported.error();
+  toScene(imported->mesh, LengthUnit::Millimetre, UpAxis::Z);
+  auto net = buildNet(imported->mesh);
+  if (!net) return net.error();
+
+  Project project;
+  const QFileInfo file(path);
+  project.name = file.completeBaseName().replace(QLatin1Char('_'), QLatin1Char(' ')).toStdString();
+  project.source.file = file.fileName().toStdString();
+  project.source.unit = lengthUnitName(LengthUnit::Millimetre);
+  project.net = std::move(net).value();
+  project.tissue = defaultTissue();
+  if (auto applied = applyTissue(project.tissue, project.net); !applied) return applied.error();
+  return project;
+}
+
+} // namespace esm

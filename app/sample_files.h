@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/base/result.h"
+#include "core/project/project.h"
+
+#include <QStringList>
+
+namespace esm {
+
+/// The organs that came with the program, the one to start with first: a project, or a mesh that has none.
+/// Looked for in $ESM_RESOURCES, beside the installed program (../share/esm) and above a build folder
+/// (resources/).
+QStringList sampleFiles();
+
+/// A project as it is; a mesh in mm with the default tissue.
+Result<Project> loadSample(const QString& path);
+
+} // namespace esm

@@ -1,0 +1,147 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/state_dump.h"
+
+#include <QApplication>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLocale>
+#include <QSaveFile>
+
+namespace esm {
+
+namespace {
+
+const char* stabilityName(Stability stability)
+{
+  switch (stability) {
+  case Stability::Good:
+    return "good";
+  case Stability::Slow:
+    return "slow";
+  case Stability::Stopped:
+    return "stopped";
+  case Stability::Idle:
+    break;
+  }
+  return "idle";
+}
+
+QJsonArray vectorJson(const Eigen::Vector3d& v)
+{
+  return {v.x(), v.y(), v.z()};
+}
+
+QJsonObject documentJson(Document* document)
+{
+  const Project& project = document->project();
+  QJsonObject json;
+  json["modified"] = document->isModified();
+  json["path"] = document->path();
+  json["nodes"] = project.net.nodeCount();
+  json["springs"] = project.net.springCount();
+  json["meanStiffness"] = project.net.springCount() > 0 ? project.net.stiffness.mean() : 0.0;
+  json["undoCount"] = document->undoStack()->count();
+  json["undoIndex"] = document->undoStack()->index();
+  json["undoText"] = document->undoStack()->undoText();
+  json["ruleCount"] = static_cast<int>(project.tissue.rules.rules.size());
+  json["target"] = document->inputTarget();
+  QJsonObject inputs;
+  for (std::size_t i = 0; i < document->inputs().size(); ++i) {
+    const fuzzy::Variable& variable = project.tissue.rules.inputs[i];
+    inputs[QString::fromStdString(variable.id)] =
+      QString::fromStdString(formatInput(document->inputs()[i], variable, Language::English));
+  }
+  json["inputs"] = inputs;
+  QJsonArray rules, regions;
+  for (const fuzzy::Rule& rule : project.tissue.rules.rules)
+    rules.append(QString::fromStdString(formatRule(rule, project.tissue.rules, Language::English)));
+  for (const Region& region : project.tissue.regions) {
+    QJsonObject entry{{"name", QString::fromStdString(region.name)}, {"enabled", region.enabled}};
+    entry["centre"] = vectorJson(region.ellipsoid.centre);
+    entry["semiAxes"] = vectorJson(region.ellipsoid.semiAxes);
+    regions.append(entry);
+  }
+  json["rules"] = rules;
+  json["regions"] = regions;
+  return json;
+}
+
+void addRun(QJsonObject& json, SimulationController* run)
+{
+  const SimSnapshot& snapshot = run->snapshot();
+  json["playing"] = snapshot.playing;
+  json["time"] = snapshot.time;
+  json["realTimeFactor"] = snapshot.realTimeFactor;
+  json["toolForce"] = vectorJson(snapshot.toolForce);
+  json["forceNorm"] = snapshot.toolForce.norm();
+  json["grabbedNode"] = snapshot.grabbedNode;
+  json["stability"] = stabilityName(snapshot.stability);
+  json["solver"] = QString::fromStdString(snapshot.solver);
+  json["message"] = QString::fromStdString(snapshot.message);
+  const HapticStatus device = run->hapticStatus();
+  json["device"] = QJsonObject{{"name", QString::fromStdString(device.device)},
+                               {"state", static_cast<int>(device.state)},
+                               {"rate", device.rate},
+                               {"force", device.force.norm()}};
+}
+
+/// A pixel of the screen where the pull tool meets a node: the front-most one nearest the middle.
+QJsonArray pullPoint(SceneView* view, const SimSnapshot& snapshot)
+{
+  const QPointF middle(0.5 * view->width(), 0.5 * view->height());
+  for (int ring = 0; ring < 40; ++ring)
+    for (const QPointF& way : {QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0)}) {
+      const QPointF pixel = middle + ring * way;
+      const Index node = view->nodeAt(pixel);
+      if (node == kNoIndex || node >= snapshot.position.cols()) continue;
+      const QPoint place = view->mapToGlobal(view->project(snapshot.position.col(node)).toPoint());
+      return {place.x(), place.y()};
+    }
+  return {};
+}
+
+QJsonObject visibleWidgets()
+{
+  QJsonObject places;
+  for (QWidget* widget : QApplication::allWidgets()) {
+    const QString name = widget->objectName();
+    if (name.isEmpty() || name.startsWith(QLatin1String("qt_")) || widget->visibleRegion().isEmpty())
+      continue;
+    const QPoint corner = widget->mapToGlobal(QPoint(0, 0));
+    places[name] = QJsonArray{corner.x(), corner.y(), widget->width(), widget->height()};
+  }
+  return places;
+}
+
+} // namespace
+
+StateDump::StateDump(MainWindow* window, const QString& file)
+  : QObject(window), m_window(window), m_file(file)
+{
+  connect(&m_timer, &QTimer::timeout, this, &StateDump::write);
+  m_timer.start(500);
+}
+
+void StateDump::write()
+{
+  QJsonObject json = documentJson(m_window->document());
+  addRun(json, m_window->controller());
+  json["title"] = m_window->windowTitle();
+  json["language"] = QLocale().name().left(2);
+  json["pullPoint"] = pullPoint(m_window->sceneView(), m_window->controller()->snapshot());
+  json["openGl"] = m_window->sceneView()->hasOpenGl();
+  const QWidget* modal = QApplication::activeModalWidget();
+  json["dialog"] =
+    modal != nullptr
+      ? (modal->objectName().isEmpty() ? QString(modal->metaObject()->className()) : modal->objectName())
+      : QString();
+  json["widgets"] = visibleWidgets();
+  QSaveFile file(m_file);
+  if (!file.open(QIODevice::WriteOnly)) return;
+  file.write(QJsonDocument(json).toJson());
+  file.commit();
+}
+
+} // namespace esm

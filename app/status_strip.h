@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runtime/sim_thread.h"
+#include "haptics/haptic_session.h"
+
+#include <QLabel>
+
+class QStatusBar;
+
+namespace esm {
+
+/// How the run goes, as light and words; cause and cure in the tool tip (and in the status line when the
+/// simulation had to stop).
+class StabilityLight : public QLabel {
+  Q_OBJECT
+public:
+  explicit StabilityLight(QWidget* parent = nullptr);
+  void show(Stability stability, bool playing, const std::string& message);
+  using QLabel::show;
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void refresh();
+  Stability m_stability = Stability::Idle;
+  bool m_playing = false;
+  QString m_message;
+};
+
+/// The fields of the status bar: tool, nodes, springs, real time, solver, stability, device, language.
+class StatusStrip : public QObject {
+  Q_OBJECT
+public:
+  explicit StatusStrip(QStatusBar* bar);
+  void setTool(const QString& hint) { m_tool->setText(hint); }
+  void setNet(Index nodes, Index springs);
+  void setRun(const SimSnapshot& snapshot);
+  void setDevice(const HapticStatus& status);
+  void setLanguage(const QString& code);
+  void retranslate();
+
+private:
+  QLabel* add(const char* name);
+  QLabel *m_tool, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
+  StabilityLight* m_light;
+  Index m_nodeCount = 0, m_springCount = 0;
+};
+
+} // namespace esm

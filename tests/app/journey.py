@@ -1,0 +1,198 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The ESM authors
+# SPDX-License-Identifier: GPL-3.0-or-later
+"""A modeler's way through the window by real mouse and keys: import, slider, a rule with a mistake and its
+cure, a region, play, pull, undo to the start, save. Asserts on the state dump and on the saved file; leaves
+pictures in OUT.
+
+usage: journey.py MODELER SAMPLES OUT      (under an X display, OUT holds start.esm; see journey.sh)
+"""
+import json
+import pathlib
+import subprocess
+import sys
+import time
+
+MODELER, SAMPLES, OUT = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
+STATE = OUT / "state.json"
+PATIENCE = 40.0  # [s] for one expectation; a debug build on a busy machine is slow
+
+
+def xdo(*arguments):
+    subprocess.run(["xdotool", *map(str, arguments)], check=True)
+
+
+def state():
+    try:
+        return json.loads(STATE.read_text())
+    except (OSError, ValueError):
+        return {}
+
+
+def until(what, condition):
+    """Waits for a state for which `condition` holds; a KeyError counts as not yet."""
+    end = time.monotonic() + PATIENCE
+    seen = {}
+    while time.monotonic() < end:
+        if program.poll() is not None:
+            fail(f"{what}: the program has ended with {program.returncode}")
+        seen = state()
+        try:
+            if seen and condition(seen):
+                print(f"ok   {what}", flush=True)
+                return seen
+        except (KeyError, IndexError):
+            pass
+        time.sleep(0.2)
+    seen.pop("widgets", None)
+    fail(f"{what}: not within {PATIENCE:.0f} s; state: {json.dumps(seen)[:1500]}")
+
+
+def fail(message):
+    picture("failure")
+    program.kill()
+    sys.exit(f"FAIL {message}")
+
+
+def picture(name):
+    subprocess.run(["import", "-window", "root", str(OUT / f"journey-{name}.png")], check=False)
+
+
+def place(name, x=0.5, y=0.5):
+    corner_x, corner_y, width, height = until(f"{name} can be seen", lambda s: name in s["widgets"])["widgets"][name]
+    return round(corner_x + x * width), round(corner_y + y * height)
+
+
+def click(name, x=0.5, y=0.5):
+    xdo("mousemove", *place(name, x, y))
+    xdo("click", 1)
+
+
+def drag(start, end, steps=12, hold=False):
+    xdo("mousemove", *start)
+    xdo("mousedown", 1)
+    for i in range(1, steps + 1):
+        xdo("mousemove", *(round(a + (b - a) * i / steps) for a, b in zip(start, end)))
+        time.sleep(0.05)
+    if not hold:
+        xdo("mouseup", 1)
+
+
+def keys(*names):
+    for name in names:
+        xdo("key", "--clearmodifiers", name)
+        time.sleep(0.1)
+
+
+def write(text):
+    xdo("type", "--delay", 25, text)
+
+
+def start(*arguments):
+    STATE.unlink(missing_ok=True)
+    return subprocess.Popen([MODELER, "--dump-state", str(STATE), "--lang", "en", "--theme", "light", *map(str, arguments)])
+
+
+def journey():
+    fresh = until("the window shows the project", lambda s: s["nodes"] > 0 and s["openGl"])
+    assert not fresh["modified"] and fresh["undoCount"] == 0, fresh
+
+    # Import: a file dialog, the report, one undo step
+    keys("ctrl+i")
+    until("the file dialog is open", lambda s: s["dialog"] == "QFileDialog")
+    time.sleep(0.5)
+    write(str(SAMPLES / "gallbladder.obj") + "\n")
+    until("the report is there", lambda s: s["dialog"] == "dlgImport" and "importOk" in s["widgets"])
+    time.sleep(2.0)
+    picture("import")
+    click("importOk")
+    counts = json.loads((SAMPLES / "counts.json").read_text())
+    counts = next(v for k, v in counts.items() if "gallbladder" in k)
+    imported = until("the model is imported", lambda s: s["dialog"] == "" and s["undoCount"] == 1)
+    assert imported["nodes"] == counts["nodes"], (imported["nodes"], counts["nodes"])
+    assert imported["springs"] == counts["springs"], (imported["springs"], counts["springs"])
+
+    # Slider: one drag, one step, stiffer springs
+    left = place("slider_hardness", 0.5)
+    drag(left, (place("slider_hardness", 0.97)[0], left[1]))
+    harder = until("harder tissue", lambda s: s["undoCount"] == 2 and float(s["inputs"]["hardness"]) > 0.8)
+    assert harder["meanStiffness"] > 1.5 * imported["meanStiffness"], (harder["meanStiffness"], imported["meanStiffness"])
+
+    # Rule as text: a mistake changes nothing, its cure is one step
+    click("rulesTabs", 0.13, 0.04)
+    keys("ctrl+End")
+    click("rulesText", 0.5, 0.8)
+    keys("ctrl+End", "Return")
+    write("IF hardness IS very hard THEN youngs_modulus IS hihg")
+    keys("Escape")
+    until("the mistake is shown", lambda s: "rulesTextMessage" in s["widgets"])
+    time.sleep(1.5)
+    assert state()["undoCount"] == 2 and state()["ruleCount"] == fresh["ruleCount"], state()["undoCount"]
+    picture("mistake")
+    click("rulesTextCure")
+    cured = until("the cure makes the rule", lambda s: s["ruleCount"] == fresh["ruleCount"] + 1)
+    assert cured["undoCount"] == 3, cured["undoCount"]
+    assert "very hard" in cured["rules"][-1] and "high" in cured["rules"][-1], cured["rules"][-1]
+
+    # Region: a soft ball; its inputs are the target now
+    click("regionAdd")
+    until("the region is there", lambda s: len(s["regions"]) == 1 and s["target"] == 0)
+    middle = place("slider_hardness", 0.9)
+    drag(middle, (place("slider_hardness", 0.06)[0], middle[1]))
+    softer = until("the region is softer", lambda s: s["undoCount"] == 5 and float(s["inputs"]["hardness"]) < 0.2)
+    assert softer["meanStiffness"] < cured["meanStiffness"]
+    picture("region")
+
+    # Play and pull: the force can be read
+    click("tool_actPlay")
+    until("it plays", lambda s: s["playing"] and s["time"] > 0.05)
+    click("tool_actToolPull")
+    point = until("there is something to pull", lambda s: len(s["pullPoint"]) == 2)["pullPoint"]
+    drag(point, (point[0] + 60, point[1] - 110), hold=True)
+    pulled = until("the hand feels a force", lambda s: s["forceNorm"] > 1e-4 and s["grabbedNode"] >= 0)
+    assert pulled["stability"] in ("good", "slow"), pulled["stability"]
+    assert pulled["device"]["state"] == 1 and pulled["device"]["force"] == 0, pulled["device"]  # never armed
+    time.sleep(1.0)
+    picture("pull")
+    xdo("mouseup", 1)
+    until("letting go ends the force", lambda s: s["grabbedNode"] < 0 and s["forceNorm"] == 0)
+    keys("Escape")
+    click("tool_actPlay")
+    until("it is paused", lambda s: not s["playing"])
+
+    # Undo to the start, save: the file is what it was
+    click("view3d", 0.02, 0.02)
+    for _ in range(5):
+        keys("ctrl+z")
+    back = until("everything is undone", lambda s: s["undoIndex"] == 0)
+    assert not back["modified"] and back["nodes"] == fresh["nodes"], back
+    assert back["meanStiffness"] == fresh["meanStiffness"]
+    keys("ctrl+s")
+    until("the former file stays beside the saved one", lambda s: (OUT / "start.esm.bak").exists())
+    before, after = (json.loads((OUT / name).read_text()) for name in ("start.esm.bak", "start.esm"))
+    before.pop("view", None), after.pop("view", None)
+    assert before == after, "the saved project differs from the one at the start"
+    print("ok   undo to the start saves the same project")
+
+    # A change is not lost without a question
+    click("regionAdd")
+    until("changed again", lambda s: s["modified"])
+    keys("ctrl+q")
+    until("it asks before closing", lambda s: s["dialog"] == "dlgUnsaved")
+    picture("unsaved")
+    keys("Escape")
+    until("cancel keeps the window", lambda s: s["dialog"] == "")
+    keys("ctrl+z", "ctrl+q")
+    assert program.wait(timeout=PATIENCE) == 0, program.returncode
+    print("ok   it ends with 0")
+
+
+(OUT / "start.esm.bak").unlink(missing_ok=True)
+program = start(OUT / "start.esm")
+try:
+    journey()
+except AssertionError as wrong:
+    fail(f"assertion: {wrong}")
+finally:
+    if program.poll() is None:
+        program.kill()

@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/document/append_net.h"
+#include "app/document/document.h"
+#include "core/base/file_io.h"
+#include "core/net/net_builder.h"
+#include "core/project/project_io.h"
+#include "tests/app/sheet.h"
+
+#include <QSignalSpy>
+#include <QTemporaryDir>
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+Region ball(const Project& project, const char* name, double radius)
+{
+  Region region;
+  region.name = name;
+  region.ellipsoid.centre = Eigen::Vector3d(0.02, 0.02, 0.0);
+  region.ellipsoid.semiAxes.setConstant(radius);
+  region.inputs = project.tissue.inputs;
+  region.inputs[0] = 0.9;
+  return region;
+}
+
+struct DocumentTest : testing::Test {
+  Document document;
+  QTemporaryDir folder;
+
+  void SetUp() override { document.start(test::sheetProject(), QString()); }
+  std::string json() const { return toJson(document.project()); }
+  double meanStiffness() const { return document.project().net.stiffness.mean(); }
+
+  /// One of every kind of edit.
+  void editEverything()
+  {
+    document.setInput(0, 0.8, 0);
+    document.setInput(1, fuzzy::Word{document.ruleBase().inputs[1].terms[0].id, {}}, 0);
+    fuzzy::RuleBase rules = document.ruleBase();
+    rules.rules[0].weight = 0.5;
+    document.setRuleBase(rules, "weight");
+    document.addRegion(ball(document.project(), "A", 0.02));
+    document.setInput(0, 0.1, 0); // of the region: it is the target now
+    document.addRegion(ball(document.project(), "B", 0.03));
+    document.moveRegion(1, 0);
+    Region moved = document.project().tissue.regions[0];
+    moved.ellipsoid.centre.x() += 0.01;
+    document.setRegion(0, moved, "move");
+    document.removeRegion(1);
+    document.setTissueSettings({0.004, 900.0, SpringLaw::Linear, 0.0});
+    document.setGravity({0, 0, -9.81});
+    document.setFixed({0, 3}, true);
+    document.rename("other");
+    document.setSolver("rk4");
+    IncomingModel model{"second", {}, buildNet(test::sheetMesh(4)).value()};
+    ASSERT_TRUE(document.importModel(model, false));
+    ASSERT_TRUE(document.importModel(model, true));
+    document.setParametersFromTissue(false);
+    document.setInput(2, 0.9, 0);
+  }
+};
+
+} // namespace
+
+// The promise of undo: nothing of an edit stays behind, not a bit.
+TEST_F(DocumentTest, UndoToTheStartIsByteEqual)
+{
+  const std::string before = json();
+  editEverything();
+  const std::string after = json();
+  EXPECT_NE(before, after);
+  QUndoStack* undo = document.undoStack();
+  EXPECT_EQ(undo->count(), 18);
+  while (undo->canUndo()) undo->undo();
+  EXPECT_EQ(json(), before);
+  EXPECT_FALSE(document.isModified());
+  while (undo->canRedo()) undo->redo();
+  EXPECT_EQ(json(), after);
+}
+
+// A file may hold parameters that this program would compute otherwise (an older version): they come back
+// too.
+TEST_F(DocumentTest, UndoGivesBackForeignParameters)
+{
+  Project project = test::sheetProject();
+  project.net.stiffness *= 1.25;
+  document.start(project, QString());
+  const std::string before = json();
+  document.setInput(0, 0.8, 1);
+  document.setInput(0, 0.9, 1);
+  document.setInput(1, 0.3, 0);
+  EXPECT_NE(json(), before);
+  document.undoStack()->undo();
+  document.undoStack()->undo();
+  EXPECT_EQ(json(), before);
+}
+
+// One drag of a slider sends many values; it is one step. The next drag is another one.
+TEST_F(DocumentTest, OneGestureIsOneStep)
+{
+  for (const int gesture : {1, 2})
+    for (const double value : {0.3, 0.4, 0.5 + 0.1 * gesture}) document.setInput(0, value, gesture);
+  ASSERT_EQ(document.undoStack()->count(), 2);
+  document.undoStack()->undo();
+  EXPECT_EQ(std::get<double>(document.inputs()[0]), 0.6);
+  document.undoStack()->redo();
+  EXPECT_EQ(std::get<double>(document.inputs()[0]), 0.7);
+
+  document.addRegion(ball(document.project(), "A", 0.02));
+  Region region = document.project().tissue.regions[0];
+  for (int i = 1; i <= 3; ++i) {
+    region.falloff = 0.1 * i;
+    document.setRegion(0, region, "falloff", 7);
+  }
+  EXPECT_EQ(document.undoStack()->count(), 4);
+  document.undoStack()->undo();
+  EXPECT_EQ(document.project().tissue.regions[0].falloff, Region{}.falloff);
+}
+
+TEST_F(DocumentTest, TypedValuesDoNotMerge)
+{
+  document.setInput(0, 0.3, 0);
+  document.setInput(0, 0.4, 0);
+  EXPECT_EQ(document.undoStack()->count(), 2);
+}
+
+// Harder tissue makes stiffer springs: the one parameter path of the house, end to end.
+TEST_F(DocumentTest, InputReachesTheSprings)
+{
+  document.setInput(0, 0.2, 0);
+  const double soft = meanStiffness();
+  QSignalSpy changed(&document, &Document::parametersChanged);
+  document.setInput(0, 0.9, 0);
+  EXPECT_GT(meanStiffness(), 1.5 * soft);
+  EXPECT_EQ(changed.count(), 1);
+  EXPECT_EQ(document.net()->stiffness.mean(), meanStiffness());
+}
+
+// A region speaks for its inside only: springs whose midpoint is outside keep their bits.
+TEST_F(DocumentTest, RegionChangesOnlySpringsInside)
+{
+  document.setInput(0, 0.2, 0);
+  const SpringNet before = document.project().net;
+  const Region region = ball(document.project(), "A", 0.02);
+  document.addRegion(region);
+  const SpringNet& after = document.project().net;
+  int inside = 0;
+  for (Index s = 0; s < after.springCount(); ++s) {
+    const Eigen::Vector3d middle =
+      0.5 * (after.restPosition.col(after.ends(0, s)) + after.restPosition.col(after.ends(1, s)));
+    if (region.ellipsoid.radius(middle) < 0.999) {
+      ++inside;
+      EXPECT_GT(after.stiffness[s], before.stiffness[s]) << "spring " << s;
+    } else {
+      EXPECT_EQ(after.stiffness[s], before.stiffness[s]) << "spring " << s;
+    }
+  }
+  EXPECT_GT(inside, 5);
+  EXPECT_LT(inside, after.springCount());
+}
+
+TEST_F(DocumentTest, RefusedTissueChangesNothing)
+{
+  const std::string before = json();
+  QSignalSpy problems(&document, &Document::problem);
+  Region flat = ball(document.project(), "flat", 0.02);
+  flat.ellipsoid.semiAxes.z() = 0.0;
+  document.addRegion(flat);
+  EXPECT_EQ(problems.count(), 1);
+  EXPECT_EQ(json(), before);
+  EXPECT_EQ(document.undoStack()->count(), 0);
+}
+
+TEST_F(DocumentTest, FailedOpenKeepsTheDocument)
+{
+  document.setInput(0, 0.7, 0);
+  const std::string before = json();
+  const QString bad = folder.filePath("bad.esm");
+  ASSERT_TRUE(writeFileAtomically(bad.toStdString(), R"({"format": "esm-project", "net": )"));
+  const Status opened = document.open(bad);
+  ASSERT_FALSE(opened);
+  EXPECT_NE(opened.error().detail.find("bad.esm"), std::string::npos) << opened.error().detail;
+  EXPECT_EQ(json(), before);
+  EXPECT_EQ(document.undoStack()->count(), 1);
+  EXPECT_TRUE(document.isModified());
+  EXPECT_FALSE(document.open(folder.filePath("absent.esm")));
+  EXPECT_EQ(json(), before);
+}
+
+TEST_F(DocumentTest, SaveMakesCleanAndOpensEqual)
+{
+  document.setInput(0, 0.7, 0);
+  const QString path = folder.filePath("a.esm");
+  ASSERT_TRUE(document.saveAs(path));
+  EXPECT_FALSE(document.isModified());
+  const std::string saved = json();
+  document.setInput(0, 0.8, 0);
+  EXPECT_TRUE(document.isModified());
+  ASSERT_TRUE(document.open(path));
+  EXPECT_EQ(json(), saved);
+  EXPECT_EQ(document.path(), path);
+}
+
+// A rule base with another set of inputs: values follow their variable by id, new ones start at the default.
+TEST_F(DocumentTest, InputsFollowTheirVariables)
+{
+  document.setInput(1, 0.33, 0);
+  fuzzy::RuleBase rules = document.ruleBase();
+  fuzzy::Variable extra = rules.inputs[0];
+  extra.id = "extra";
+  extra.name = {"extra", "extra"};
+  extra.defaultValue = 0.25;
+  rules.inputs.insert(rules.inputs.begin(), extra);
+  document.setRuleBase(rules, "add variable");
+  ASSERT_EQ(document.inputs().size(), 4u);
+  EXPECT_EQ(std::get<double>(document.inputs()[0]), 0.25);
+  EXPECT_EQ(std::get<double>(document.inputs()[2]), 0.33);
+}
+
+TEST_F(DocumentTest, TargetFollowsTheRegions)
+{
+  QSignalSpy moved(&document, &Document::inputTargetChanged);
+  document.addRegion(ball(document.project(), "A", 0.02));
+  EXPECT_EQ(document.inputTarget(), 0);
+  EXPECT_EQ(document.inputTargetName(), "A");
+  document.removeRegion(0);
+  EXPECT_EQ(document.inputTarget(), -1);
+  document.undoStack()->undo();
+  EXPECT_EQ(document.inputTarget(), 0);
+  EXPECT_EQ(moved.count(), 3);
+}
+
+// The first net's ids and places stay, the second's come above them, and the whole passes the net check.
+TEST(AppendNet, KeepsTheFirstAndRenumbersTheSecond)
+{
+  SpringNet net = test::sheetProject(4).net;
+  net.springId.back() = SpringId{500};
+  const SpringNet first = net, second = buildNet(test::sheetMesh(3)).value();
+  appendNet(net, second);
+  EXPECT_TRUE(checkNet(net));
+  EXPECT_EQ(net.nodeCount(), first.nodeCount() + second.nodeCount());
+  EXPECT_EQ(net.springCount(), first.springCount() + second.springCount());
+  EXPECT_EQ(net.triangleCount(), first.triangleCount() + second.triangleCount());
+  EXPECT_EQ(net.restPosition.leftCols(first.nodeCount()), first.restPosition);
+  EXPECT_EQ(net.ends(0, first.springCount()), second.ends(0, 0) + first.nodeCount());
+  EXPECT_EQ(net.springId[static_cast<std::size_t>(first.springCount())], SpringId{501});
+  EXPECT_EQ(net.nodeId[static_cast<std::size_t>(first.nodeCount())], NodeId{16});
+}

@@ -1,0 +1,240 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/error_text.h"
+#include "app/import_dialog.h"
+#include "app/main_window.h"
+#include "app/panels/regions_panel.h"
+#include "app/scripted_run.h"
+#include "app/state_dump.h"
+#include "app/window_actions.h"
+#include "core/base/file_io.h"
+#include "core/project/project_io.h"
+#include "tests/app/sheet.h"
+
+#include <QAbstractButton>
+#include <QAbstractItemView>
+#include <QAbstractSlider>
+#include <QAbstractSpinBox>
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QFile>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QPlainTextEdit>
+#include <QTemporaryDir>
+#include <QTest>
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+/// The window as a user without OpenGL gets it: the test platform has none.
+struct WindowTest : testing::Test {
+  LanguageSwitch language;
+  std::unique_ptr<MainWindow> window;
+  QTemporaryDir folder;
+
+  void SetUp() override
+  {
+    applyTheme(Theme::Light);
+    language.set(Language::English);
+    window = std::make_unique<MainWindow>(&language);
+    window->document()->start(test::sheetProject(), QString());
+    window->show();
+  }
+  void TearDown() override
+  {
+    window.reset();
+    language.set(Language::English);
+  }
+  template <class W>
+  W* find(const char* name)
+  {
+    W* widget = window->findChild<W*>(QLatin1String(name));
+    EXPECT_NE(widget, nullptr) << name;
+    return widget;
+  }
+  void click(const char* name) { QTest::mouseClick(find<QAbstractButton>(name), Qt::LeftButton); }
+};
+
+bool isInteractive(const QWidget* widget)
+{
+  if (widget->objectName().startsWith("qt_")) return false; // Qt's own parts
+  for (const QWidget* up = widget->parentWidget(); up != nullptr; up = up->parentWidget())
+    if (qobject_cast<const QAbstractSpinBox*>(up) || qobject_cast<const QComboBox*>(up) ||
+        qobject_cast<const QAbstractItemView*>(up) || up->inherits("QTabBar") ||
+        up->inherits("QDockWidgetTitleButton"))
+      return false; // the part of a widget that has a name
+  if (widget->inherits("QDockWidgetTitleButton") || widget->inherits("QToolBarExtension")) return false;
+  return qobject_cast<const QAbstractButton*>(widget) || qobject_cast<const QAbstractSlider*>(widget) ||
+         qobject_cast<const QAbstractSpinBox*>(widget) || qobject_cast<const QComboBox*>(widget) ||
+         qobject_cast<const QLineEdit*>(widget) || qobject_cast<const QAbstractItemView*>(widget) ||
+         qobject_cast<const QPlainTextEdit*>(widget);
+}
+
+} // namespace
+
+TEST_F(WindowTest, StartsWithoutOpenGlAndSaysSo)
+{
+  QTest::qWait(50);
+  EXPECT_FALSE(window->sceneView()->hasOpenGl());
+  for (const char* dock :
+       {"dockRules", "dockInputs", "dockMf", "dockWhy", "dockRegions", "dockTissue", "dockHaptics"})
+    EXPECT_TRUE(find<QDockWidget>(dock)->isVisible()) << dock;
+  EXPECT_EQ(find<QLabel>("lblNodes")->text(), "64 nodes");
+  EXPECT_TRUE(window->windowTitle().contains("sheet"));
+}
+
+// Tests and screen readers find every control by its name (rule R5 of the user interface).
+TEST_F(WindowTest, EveryControlHasAnObjectNameAndAnAccessibleName)
+{
+  int controls = 0;
+  for (const Language spoken : {Language::English, Language::German}) {
+    window->setLanguage(spoken);
+    for (const QWidget* widget : window->findChildren<QWidget*>()) {
+      if (!isInteractive(widget) || qobject_cast<const QAbstractSlider*>(widget) &&
+                                      widget->parentWidget()->objectName().startsWith("qt_scroll"))
+        continue;
+      ++controls;
+      EXPECT_FALSE(widget->objectName().isEmpty())
+        << widget->metaObject()->className() << " in " << qPrintable(widget->parentWidget()->objectName());
+      EXPECT_FALSE(widget->accessibleName().isEmpty())
+        << widget->metaObject()->className() << " " << qPrintable(widget->objectName());
+    }
+  }
+  EXPECT_GT(controls, 80);
+}
+
+TEST_F(WindowTest, SwitchesLanguageWhileItRuns)
+{
+  EXPECT_EQ(find<QDockWidget>("dockRules")->windowTitle(), "Fuzzy Rules");
+  window->setLanguage(Language::German);
+  EXPECT_EQ(find<QDockWidget>("dockRules")->windowTitle(), "Fuzzy-Regeln");
+  EXPECT_EQ(find<QLabel>("lblNodes")->text(), "64 Knoten");
+  EXPECT_EQ(window->document()->inputTargetName(), "Grundgewebe");
+  EXPECT_EQ(window->document()->ruleLanguage(), Language::German);
+  EXPECT_EQ(errorLead(ErrorCode::FileUnreadable), "Die Datei kann nicht gelesen werden.");
+  window->setLanguage(Language::English);
+  EXPECT_EQ(find<QDockWidget>("dockRules")->windowTitle(), "Fuzzy Rules");
+}
+
+TEST_F(WindowTest, RegionPanelEditsByCommands)
+{
+  click("regionAdd");
+  ASSERT_EQ(window->document()->project().tissue.regions.size(), 1u);
+  EXPECT_EQ(window->document()->inputTarget(), 0);
+  auto* falloff = find<QAbstractSpinBox>("regionFalloff");
+  falloff->setFocus();
+  falloff->stepUp();
+  falloff->stepUp(); // the arrow kept down
+  EXPECT_EQ(window->document()->undoStack()->count(), 2);
+  EXPECT_NEAR(window->document()->project().tissue.regions[0].falloff, 0.4, 1e-12);
+  click("regionDuplicate");
+  click("regionUp");
+  EXPECT_EQ(window->document()->inputTarget(), 0);
+  auto* list = find<QListWidget>("regionsList");
+  EXPECT_EQ(list->count(), 3);
+  list->item(1)->setCheckState(Qt::Unchecked);
+  EXPECT_FALSE(window->document()->project().tissue.regions[0].enabled);
+  list->setCurrentRow(0);
+  EXPECT_EQ(window->document()->inputTarget(), -1);
+  EXPECT_FALSE(find<QAbstractButton>("regionRemove")->isEnabled());
+}
+
+// Turns of a box [degrees] survive the way through the quaternion; 1e-9 is rounding.
+TEST(RegionTurns, RoundTrip)
+{
+  for (const Eigen::Vector3d& turns :
+       {Eigen::Vector3d(10, 20, 30), Eigen::Vector3d(-170, 80, 175), Eigen::Vector3d(0, 0, -90)})
+    EXPECT_TRUE(turnsOf(rotationOf(turns)).isApprox(turns, 1e-9)) << turns.transpose();
+}
+
+// A pull by hand: the force comes back as number without any device being armed; stop lets go.
+TEST_F(WindowTest, PullShowsForceAndStopEndsIt)
+{
+  SimulationController* run = window->controller();
+  run->setPlaying(true);
+  run->startPull(27, window->document()->project().net.restPosition.col(27));
+  run->movePull(window->document()->project().net.restPosition.col(27) + Eigen::Vector3d(0, 0, 0.01));
+  EXPECT_TRUE(QTest::qWaitFor([&] { return run->snapshot().toolForce.norm() > 1e-4; }, 5000));
+  EXPECT_EQ(run->snapshot().grabbedNode, 27);
+  EXPECT_NE(run->hapticStatus().state, DeviceState::Active);
+  window->actions()->stop->trigger();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return run->snapshot().grabbedNode == kNoIndex; }, 5000));
+  EXPECT_FALSE(run->isPulling());
+}
+
+TEST_F(WindowTest, ImportDialogReportsAndBuildsTheNet)
+{
+  const QString path = folder.filePath("two.obj");
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(),
+                                  "v 0 0 0\nv 40 0 0\nv 0 40 0\nv 40 40 0\nv 9 9 9\nf 1 2 3\nf 2 4 3\n"));
+  JobRunner jobs;
+  ImportDialog dialog(path, &jobs, true);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
+  EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("40 × 40 × 9 mm"));
+  EXPECT_TRUE(dialog.findChild<QLabel*>("importPrediction")->text().contains("4 nodes, 5 springs"));
+  EXPECT_FALSE(dialog.findChild<QAbstractButton*>("importAdd")->isEnabled());
+  dialog.findChild<QComboBox*>("importUnit")->setCurrentText("cm");
+  EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("400 × 400 × 90 mm"));
+  dialog.accept();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.result() == QDialog::Accepted; }));
+  const IncomingModel model = dialog.takeModel();
+  EXPECT_EQ(model.net.nodeCount(), 4);
+  EXPECT_EQ(model.source.unit, "cm");
+  ASSERT_TRUE(window->document()->importModel(model, true));
+  EXPECT_EQ(window->document()->undoStack()->count(), 1);
+}
+
+TEST_F(WindowTest, ImportDialogSaysWhyItCannot)
+{
+  const QString path = folder.filePath("empty.stl");
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), ""));
+  JobRunner jobs;
+  ImportDialog dialog(path, &jobs, true);
+  auto* message = dialog.findChild<QLabel*>("importMessage");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !message->text().isEmpty(); }));
+  EXPECT_TRUE(message->text().contains("empty.stl"));
+  EXPECT_FALSE(dialog.findChild<QAbstractButton*>("importOk")->isEnabled());
+}
+
+// A cancelled task runs to its end, but nobody hears of it.
+TEST(Jobs, CancelDropsTheResult)
+{
+  JobRunner jobs;
+  std::atomic<bool> ran = false;
+  bool heard = false;
+  jobs.start(
+    [&]() -> Result<int> {
+      ran = true;
+      return 1;
+    },
+    [&](Result<int>) { heard = true; });
+  jobs.cancel();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return ran.load(); }));
+  QTest::qWait(30);
+  EXPECT_FALSE(heard);
+  EXPECT_FALSE(jobs.busy());
+  jobs.start([]() -> Result<int> { throw std::bad_alloc(); },
+             [&](Result<int> result) { heard = !result && result.error().code == ErrorCode::Internal; });
+  EXPECT_TRUE(QTest::qWaitFor([&] { return heard; }));
+}
+
+TEST_F(WindowTest, StateDumpTellsWhatTheWindowShows)
+{
+  const QString path = folder.filePath("state.json");
+  StateDump dump(window.get(), path);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return QFile::exists(path); }));
+  QFile file(path);
+  ASSERT_TRUE(file.open(QIODevice::ReadOnly));
+  const QJsonObject state = QJsonDocument::fromJson(file.readAll()).object();
+  EXPECT_EQ(state["nodes"].toInt(), 64);
+  EXPECT_EQ(state["undoCount"].toInt(), 0);
+  EXPECT_TRUE(state["widgets"].toObject().contains("regionAdd"));
+}

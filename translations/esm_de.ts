@@ -1,0 +1,1606 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de_DE" sourcelanguage="en">
+<context>
+    <name>RuleDisplay</name>
+    <message>
+        <source>The word ‘%1’ is missing here.</source>
+        <translation>Hier fehlt das Wort „%1“.</translation>
+    </message>
+    <message>
+        <source>The word ‘%1’ is expected before ‘%2’.</source>
+        <translation>Vor „%2“ wird das Wort „%1“ erwartet.</translation>
+    </message>
+    <message>
+        <source>A rule begins with ‘%1’.</source>
+        <translation>Eine Regel beginnt mit „%1“.</translation>
+    </message>
+    <message>
+        <source>The name of a variable is missing here.</source>
+        <translation>Hier fehlt der Name einer Größe.</translation>
+    </message>
+    <message>
+        <source>‘%1’ stands where the name of a variable is expected.</source>
+        <translation>Statt „%1“ wird hier der Name einer Größe erwartet.</translation>
+    </message>
+    <message>
+        <source>A word that describes the variable is missing here.</source>
+        <translation>Hier fehlt ein Wort, das die Größe beschreibt.</translation>
+    </message>
+    <message>
+        <source>‘%1’ stands where a word for the variable is expected.</source>
+        <translation>Statt „%1“ wird hier ein Wort für die Größe erwartet.</translation>
+    </message>
+    <message>
+        <source>There is no variable named ‘%1’.</source>
+        <translation>Eine Größe „%1“ gibt es nicht.</translation>
+    </message>
+    <message>
+        <source>‘%1’ is not a word of this variable.</source>
+        <translation>„%1“ ist kein Wort dieser Größe.</translation>
+    </message>
+    <message>
+        <source>‘%1’ is a result and cannot stand in the condition.</source>
+        <translation>„%1“ ist ein Ergebnis und kann nicht in der Bedingung stehen.</translation>
+    </message>
+    <message>
+        <source>‘%1’ is an input and cannot stand in the conclusion.</source>
+        <translation>„%1“ ist eine Eingabe und kann nicht in der Folgerung stehen.</translation>
+    </message>
+    <message>
+        <source>A weight between 0 and 1 is expected here.</source>
+        <translation>Hier wird ein Gewicht zwischen 0 und 1 erwartet.</translation>
+    </message>
+    <message>
+        <source>A parenthesis lacks its partner.</source>
+        <translation>Einer Klammer fehlt ihr Gegenstück.</translation>
+    </message>
+    <message>
+        <source>‘%1’ does not belong here.</source>
+        <translation>„%1“ gehört nicht hierher.</translation>
+    </message>
+    <message>
+        <source>The text is empty.</source>
+        <translation>Der Text ist leer.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::Commands</name>
+    <message>
+        <source>rename</source>
+        <translation>umbenennen</translation>
+    </message>
+    <message>
+        <source>hold nodes</source>
+        <translation>Knoten festhalten</translation>
+    </message>
+    <message>
+        <source>free nodes</source>
+        <translation>Knoten freigeben</translation>
+    </message>
+    <message>
+        <source>change gravity</source>
+        <translation>Schwerkraft ändern</translation>
+    </message>
+    <message>
+        <source>choose solver</source>
+        <translation>Löser wählen</translation>
+    </message>
+    <message>
+        <source>take parameters from tissue</source>
+        <translation>Parameter aus dem Gewebe nehmen</translation>
+    </message>
+    <message>
+        <source>keep parameters as they are</source>
+        <translation>Parameter lassen, wie sie sind</translation>
+    </message>
+    <message>
+        <source>add region</source>
+        <translation>Region hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove region</source>
+        <translation>Region entfernen</translation>
+    </message>
+    <message>
+        <source>reorder regions</source>
+        <translation>Regionen umordnen</translation>
+    </message>
+    <message>
+        <source>change input</source>
+        <translation>Eingabe ändern</translation>
+    </message>
+    <message>
+        <source>change tissue</source>
+        <translation>Gewebe ändern</translation>
+    </message>
+</context>
+<context>
+    <name>esm::Document</name>
+    <message>
+        <source>Untitled</source>
+        <translation>Ohne Titel</translation>
+    </message>
+    <message>
+        <source>Base tissue</source>
+        <translation>Grundgewebe</translation>
+    </message>
+    <message>
+        <source>import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>add %1</source>
+        <translation>%1 hinzufügen</translation>
+    </message>
+</context>
+<context>
+    <name>esm::ErrorText</name>
+    <message>
+        <source>The file cannot be read.</source>
+        <translation>Die Datei kann nicht gelesen werden.</translation>
+    </message>
+    <message>
+        <source>The file cannot be written.</source>
+        <translation>Die Datei kann nicht geschrieben werden.</translation>
+    </message>
+    <message>
+        <source>The file is damaged or of another format.</source>
+        <translation>Die Datei ist beschädigt oder hat ein anderes Format.</translation>
+    </message>
+    <message>
+        <source>This format or feature is not supported.</source>
+        <translation>Dieses Format oder Merkmal wird nicht unterstützt.</translation>
+    </message>
+    <message>
+        <source>The file was written by a newer version of this program.</source>
+        <translation>Die Datei wurde von einer neueren Version dieses Programms geschrieben.</translation>
+    </message>
+    <message>
+        <source>A value is outside what is possible.</source>
+        <translation>Ein Wert liegt außerhalb des Möglichen.</translation>
+    </message>
+    <message>
+        <source>There is nothing of use in the file.</source>
+        <translation>In der Datei ist nichts Brauchbares.</translation>
+    </message>
+    <message>
+        <source>The computation could not be carried out.</source>
+        <translation>Die Berechnung war nicht durchführbar.</translation>
+    </message>
+    <message>
+        <source>The device is not available.</source>
+        <translation>Das Gerät ist nicht verfügbar.</translation>
+    </message>
+    <message>
+        <source>The task was cancelled.</source>
+        <translation>Die Aufgabe wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>An internal error occurred.</source>
+        <translation>Ein interner Fehler ist aufgetreten.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::ForceCurve</name>
+    <message>
+        <source>tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Force over the last four seconds</source>
+        <translation>Kraft der letzten vier Sekunden</translation>
+    </message>
+</context>
+<context>
+    <name>esm::GlProbe</name>
+    <message>
+        <source>it is switched off by ESM_VIEW=off</source>
+        <translation>sie ist durch ESM_VIEW=off abgeschaltet</translation>
+    </message>
+    <message>
+        <source>the display "%1" has no OpenGL</source>
+        <translation>die Anzeige „%1“ hat kein OpenGL</translation>
+    </message>
+    <message>
+        <source>the graphics driver offers no OpenGL context</source>
+        <translation>der Grafiktreiber bietet keinen OpenGL-Kontext</translation>
+    </message>
+    <message>
+        <source>the graphics driver offers OpenGL %1.%2 only</source>
+        <translation>der Grafiktreiber bietet nur OpenGL %1.%2</translation>
+    </message>
+</context>
+<context>
+    <name>esm::HapticsPanel</name>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>ready, force off</source>
+        <translation>bereit, Kraft aus</translation>
+    </message>
+    <message>
+        <source>force fades in</source>
+        <translation>Kraft blendet ein</translation>
+    </message>
+    <message>
+        <source>force on</source>
+        <translation>Kraft an</translation>
+    </message>
+    <message>
+        <source>force fades out</source>
+        <translation>Kraft blendet aus</translation>
+    </message>
+    <message>
+        <source>stopped, force off</source>
+        <translation>gestoppt, Kraft aus</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Haptic device</source>
+        <translation>Haptisches Gerät</translation>
+    </message>
+    <message>
+        <source>simulated</source>
+        <translation>simuliert</translation>
+    </message>
+    <message>
+        <source>Force limit</source>
+        <translation>Kraftgrenze</translation>
+    </message>
+    <message>
+        <source>Largest force that pull tool and device may give, in N</source>
+        <translation>Größte Kraft, die Ziehwerkzeug und Gerät ausüben dürfen, in N</translation>
+    </message>
+    <message>
+        <source>Force on</source>
+        <translation>Kraft an</translation>
+    </message>
+    <message>
+        <source>Let the device feel the force; it fades in</source>
+        <translation>Das Gerät die Kraft spüren lassen; sie blendet sich ein</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+    <message>
+        <source>Force zero at once (Esc)</source>
+        <translation>Kraft sofort null (Esc)</translation>
+    </message>
+    <message>
+        <source>Force in the hand</source>
+        <translation>Kraft in der Hand</translation>
+    </message>
+    <message>
+        <source>Force that a device would feel</source>
+        <translation>Kraft, die ein Gerät spüren würde</translation>
+    </message>
+    <message>
+        <source>Direction of the force: x to the right, z up, bar: y; the rim is the force limit</source>
+        <translation>Richtung der Kraft: x nach rechts, z nach oben, Balken: y; der Rand ist die Kraftgrenze</translation>
+    </message>
+</context>
+<context>
+    <name>esm::ImportDialog</name>
+    <message>
+        <source>Import %1</source>
+        <translation>%1 importieren</translation>
+    </message>
+    <message>
+        <source>Report on the mesh</source>
+        <translation>Bericht über das Netz</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>Count</source>
+        <translation>Anzahl</translation>
+    </message>
+    <message>
+        <source>Notes of the importer</source>
+        <translation>Hinweise zum Import</translation>
+    </message>
+    <message>
+        <source>Unit of the file</source>
+        <translation>Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>Axis of the file that points up</source>
+        <translation>Achse der Datei, die nach oben zeigt</translation>
+    </message>
+    <message>
+        <source>Join vertices at the same place</source>
+        <translation>Punkte am selben Ort verbinden</translation>
+    </message>
+    <message>
+        <source>Weld tolerance in the unit of the file</source>
+        <translation>Toleranz des Verbindens in der Einheit der Datei</translation>
+    </message>
+    <message>
+        <source>equal positions only</source>
+        <translation>nur gleiche Orte</translation>
+    </message>
+    <message>
+        <source>Size of the model</source>
+        <translation>Größe des Modells</translation>
+    </message>
+    <message>
+        <source>Net that will come of it</source>
+        <translation>Netz, das daraus entsteht</translation>
+    </message>
+    <message>
+        <source>Replace the model</source>
+        <translation>Modell ersetzen</translation>
+    </message>
+    <message>
+        <source>Rules, inputs and regions stay; loads on single nodes go with the old model</source>
+        <translation>Regeln, Eingaben und Regionen bleiben; Lasten an einzelnen Knoten gehen mit dem alten Modell</translation>
+    </message>
+    <message>
+        <source>Add to the model</source>
+        <translation>Zum Modell hinzufügen</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Reading the file</source>
+        <translation>Die Datei wird gelesen</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Up axis</source>
+        <translation>Achse nach oben</translation>
+    </message>
+    <message>
+        <source>Weld tolerance</source>
+        <translation>Toleranz</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Net</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Use</source>
+        <translation>Verwendung</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Vertices</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Line segments</source>
+        <translation>Liniensegmente</translation>
+    </message>
+    <message>
+        <source>Connected parts</source>
+        <translation>Zusammenhängende Teile</translation>
+    </message>
+    <message>
+        <source>Boundary edges</source>
+        <translation>Randkanten</translation>
+    </message>
+    <message>
+        <source>Non-manifold edges</source>
+        <translation>Mehrfach belegte Kanten</translation>
+    </message>
+    <message>
+        <source>Degenerate triangles</source>
+        <translation>Entartete Dreiecke</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles</source>
+        <translation>Doppelte Dreiecke</translation>
+    </message>
+    <message>
+        <source>Isolated vertices</source>
+        <translation>Einzelne Punkte</translation>
+    </message>
+    <message>
+        <source>Vertices without a place (NaN)</source>
+        <translation>Punkte ohne Ort (NaN)</translation>
+    </message>
+    <message>
+        <source>%1 nodes, %2 springs</source>
+        <translation>%1 Knoten, %2 Federn</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>Not the size of an organ: is the unit right?</source>
+        <translation>Nicht die Größe eines Organs: Stimmt die Einheit?</translation>
+    </message>
+</context>
+<context>
+    <name>esm::InputRow</name>
+    <message>
+        <source>%1 Is ‘%2’ meant?</source>
+        <translation>%1 Ist „%2“ gemeint?</translation>
+    </message>
+    <message>
+        <source>The value must lie between %1 and %2.</source>
+        <translation>Der Wert muss zwischen %1 und %2 liegen.</translation>
+    </message>
+    <message>
+        <source>%1, slider</source>
+        <translation>%1, Schieberegler</translation>
+    </message>
+    <message>
+        <source>%1, number</source>
+        <translation>%1, Zahl</translation>
+    </message>
+    <message>
+        <source>%1, word</source>
+        <translation>%1, Wort</translation>
+    </message>
+    <message>
+        <source>Type a number or a word, for instance ‘%1’.</source>
+        <translation>Eine Zahl oder ein Wort eingeben, zum Beispiel „%1“.</translation>
+    </message>
+    <message>
+        <source>Reset %1 to its default</source>
+        <translation>%1 auf die Voreinstellung zurücksetzen</translation>
+    </message>
+</context>
+<context>
+    <name>esm::InputsPanel</name>
+    <message>
+        <source>Tissue: %1</source>
+        <translation>Gewebe: %1</translation>
+    </message>
+    <message>
+        <source>No rule fires: this is the default.</source>
+        <translation>Keine Regel feuert: Das ist die Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Result</source>
+        <translation>Ergebnis</translation>
+    </message>
+</context>
+<context>
+    <name>esm::MainWindow</name>
+    <message>
+        <source>%1[*] – Elastodynamic Shape Modeler</source>
+        <translation>%1[*] – Elastodynamic Shape Modeler</translation>
+    </message>
+    <message>
+        <source>The simulation stopped on its last good state. %1</source>
+        <translation>Die Simulation hielt auf dem letzten guten Stand an. %1</translation>
+    </message>
+    <message>
+        <source>Stopped: force zero, node released. “Force on” lets the device feel again.</source>
+        <translation>Gestoppt: Kraft null, Knoten losgelassen. Mit „Kraft an“ spürt das Gerät wieder.</translation>
+    </message>
+    <message>
+        <source>Regions</source>
+        <translation>Regionen</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Fuzzy Input</source>
+        <translation>Fuzzy-Eingabe</translation>
+    </message>
+    <message>
+        <source>Membership</source>
+        <translation>Zugehörigkeit</translation>
+    </message>
+    <message>
+        <source>Why?</source>
+        <translation>Warum?</translation>
+    </message>
+    <message>
+        <source>Fuzzy Rules</source>
+        <translation>Fuzzy-Regeln</translation>
+    </message>
+    <message>
+        <source>Haptics</source>
+        <translation>Haptik</translation>
+    </message>
+    <message>
+        <source>&amp;Undo: %1</source>
+        <translation>&amp;Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo: %1</source>
+        <translation>&amp;Wiederholen: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Camera: drag turns, wheel zooms</source>
+        <translation>Kamera: Ziehen dreht, Rad zoomt</translation>
+    </message>
+    <message>
+        <source>Pull: drag a node (Esc lets go)</source>
+        <translation>Ziehen: einen Knoten fassen und ziehen (Esc lässt los)</translation>
+    </message>
+    <message>
+        <source>Select: click a node to see why it is as it is</source>
+        <translation>Auswahl: Knoten anklicken, um zu sehen, warum er so ist</translation>
+    </message>
+    <message>
+        <source>Keys</source>
+        <translation>Tasten</translation>
+    </message>
+    <message>
+        <source>In the preview: F fits, 1, 3 and 7 look from front, right and top, arrows turn, + and - zoom.</source>
+        <translation>In der Vorschau: F zeigt alles, 1, 3 und 7 blicken von vorn, rechts und oben, Pfeile drehen, + und - zoomen.</translation>
+    </message>
+    <message>
+        <source>About the Elastodynamic Shape Modeler</source>
+        <translation>Über den Elastodynamic Shape Modeler</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Elastodynamic Shape Modeler %1&lt;/h3&gt;&lt;p&gt;Meshes become spring-mass nets, words and rules give them their tissue, and their force can be felt.&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later (core libraries: MIT)&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Elastodynamic Shape Modeler %1&lt;/h3&gt;&lt;p&gt;Aus Netzen werden Feder-Masse-Netze, Wörter und Regeln geben ihnen ihr Gewebe, und ihre Kraft ist zu spüren.&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later (Kernbibliotheken: MIT)&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Open project</source>
+        <translation>Projekt öffnen</translation>
+    </message>
+    <message>
+        <source>Open sample</source>
+        <translation>Beispiel öffnen</translation>
+    </message>
+    <message>
+        <source>Projects (*.esm *.esmb)</source>
+        <translation>Projekte (*.esm *.esmb)</translation>
+    </message>
+    <message>
+        <source>Plain nets (*.json)</source>
+        <translation>Einfache Netze (*.json)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Import mesh</source>
+        <translation>Netz importieren</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae *.3ds *.fbx)</source>
+        <translation>Netze (*.obj *.stl *.ply *.off *.glb *.gltf *.dae *.3ds *.fbx)</translation>
+    </message>
+    <message>
+        <source>Save project</source>
+        <translation>Projekt sichern</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gesichert</translation>
+    </message>
+    <message>
+        <source>Projects (*.esm)</source>
+        <translation>Projekte (*.esm)</translation>
+    </message>
+    <message>
+        <source>Compact projects (*.esmb)</source>
+        <translation>Kompakte Projekte (*.esmb)</translation>
+    </message>
+    <message>
+        <source>Unsaved changes</source>
+        <translation>Ungesicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>„%1“ hat Änderungen, die nicht gesichert sind.</translation>
+    </message>
+    <message>
+        <source>Save them?</source>
+        <translation>Sollen sie gesichert werden?</translation>
+    </message>
+    <message>
+        <source>There is no model to export.</source>
+        <translation>Es gibt kein Modell zum Exportieren.</translation>
+    </message>
+    <message>
+        <source>Export shape</source>
+        <translation>Form exportieren</translation>
+    </message>
+    <message>
+        <source>OBJ with springs (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binary (*.glb);;VTK (*.vtu);;Tables (*.csv)</source>
+        <translation>OBJ mit Federn (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binär (*.glb);;VTK (*.vtu);;Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>%1 exportiert</translation>
+    </message>
+    <message>
+        <source>Picture of the preview</source>
+        <translation>Bild der Vorschau</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png *.jpg)</source>
+        <translation>Bilder (*.png *.jpg)</translation>
+    </message>
+    <message>
+        <source>Rename project</source>
+        <translation>Projekt umbenennen</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Clear list</source>
+        <translation>Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>esm::MembershipPanel</name>
+    <message>
+        <source>Input: %1</source>
+        <translation>Eingabe: %1</translation>
+    </message>
+    <message>
+        <source>Result: %1</source>
+        <translation>Ergebnis: %1</translation>
+    </message>
+    <message>
+        <source>Variable that the plot shows</source>
+        <translation>Größe, die das Diagramm zeigt</translation>
+    </message>
+</context>
+<context>
+    <name>esm::MembershipPlot</name>
+    <message>
+        <source>Plot of a variable's words</source>
+        <translation>Diagramm der Wörter einer Größe</translation>
+    </message>
+    <message>
+        <source>Plot of the words for %1</source>
+        <translation>Diagramm der Wörter für %1</translation>
+    </message>
+    <message>
+        <source>The words are: %1.</source>
+        <translation>Die Wörter sind: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::MistakeBar</name>
+    <message>
+        <source>&amp;Replace by ‘%1’</source>
+        <translation>Durch „%1“ &amp;ersetzen</translation>
+    </message>
+    <message>
+        <source>Replace the marked word by ‘%1’</source>
+        <translation>Das markierte Wort durch „%1“ ersetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>Discard the text that is no rule</source>
+        <translation>Den Text verwerfen, der keine Regel ist</translation>
+    </message>
+</context>
+<context>
+    <name>esm::NodePanel</name>
+    <message>
+        <source>Explanation of the selected node</source>
+        <translation>Erklärung zum gewählten Knoten</translation>
+    </message>
+    <message>
+        <source>Node %1</source>
+        <translation>Knoten %1</translation>
+    </message>
+    <message>
+        <source>, held fast,</source>
+        <translation>, festgehalten,</translation>
+    </message>
+    <message>
+        <source>Young's modulus %1 kPa, viscosity %2 ms, anchoring %3 kPa/mm</source>
+        <translation>Elastizitätsmodul %1 kPa, Viskosität %2 ms, Verankerung %3 kPa/mm</translation>
+    </message>
+    <message>
+        <source>Base tissue</source>
+        <translation>Grundgewebe</translation>
+    </message>
+    <message>
+        <source>%1 % from “%2”, because of these rules:</source>
+        <translation>%1 % aus „%2“ wegen dieser Regeln:</translation>
+    </message>
+    <message>
+        <source>no rule fired, defaults hold</source>
+        <translation>keine Regel griff, es gelten Vorgaben</translation>
+    </message>
+    <message>
+        <source>The springs keep the parameters of their file.</source>
+        <translation>Die Federn behalten die Parameter ihrer Datei.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::Overlay</name>
+    <message>
+        <source>Stiffness [N/m]</source>
+        <translation>Steifigkeit [N/m]</translation>
+    </message>
+    <message>
+        <source>Strain [%]</source>
+        <translation>Dehnung [%]</translation>
+    </message>
+    <message>
+        <source>Force [mN]</source>
+        <translation>Kraft [mN]</translation>
+    </message>
+    <message>
+        <source>%1 N</source>
+        <translation>%1 N</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Camera: drag to turn, right button to move, wheel to zoom, F to fit</source>
+        <translation>Kamera: Ziehen dreht, rechte Taste verschiebt, Rad zoomt, F zeigt alles</translation>
+    </message>
+    <message>
+        <source>Pull: release or Esc lets go</source>
+        <translation>Ziehen: Loslassen oder Esc gibt frei</translation>
+    </message>
+    <message>
+        <source>Pull: drag a point of the organ; beside it, dragging turns the view</source>
+        <translation>Ziehen: einen Punkt des Organs fassen; daneben dreht Ziehen die Ansicht</translation>
+    </message>
+    <message>
+        <source>Select: click a point of the organ; beside it, dragging turns the view</source>
+        <translation>Auswahl: einen Punkt des Organs anklicken; daneben dreht Ziehen die Ansicht</translation>
+    </message>
+    <message>
+        <source>Nothing to show yet: import a mesh or open a project.</source>
+        <translation>Noch nichts zu sehen: ein Netz importieren oder ein Projekt öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RegionsPanel</name>
+    <message>
+        <source>switch region on</source>
+        <translation>Region einschalten</translation>
+    </message>
+    <message>
+        <source>switch region off</source>
+        <translation>Region ausschalten</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>rename region</source>
+        <translation>Region umbenennen</translation>
+    </message>
+    <message>
+        <source>move region</source>
+        <translation>Region verschieben</translation>
+    </message>
+    <message>
+        <source>resize region</source>
+        <translation>Regionsgröße ändern</translation>
+    </message>
+    <message>
+        <source>turn region</source>
+        <translation>Region drehen</translation>
+    </message>
+    <message>
+        <source>change falloff</source>
+        <translation>Übergang ändern</translation>
+    </message>
+    <message>
+        <source>Region %1</source>
+        <translation>Region %1</translation>
+    </message>
+    <message>
+        <source>Base tissue</source>
+        <translation>Grundgewebe</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spring(s)</source>
+        <translation><numerusform>%n Feder</numerusform><numerusform>%n Federn</numerusform></translation>
+    </message>
+    <message>
+        <source>Regions, later ones cover earlier ones</source>
+        <translation>Regionen, spätere überdecken frühere</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Region hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate region</source>
+        <translation>Region verdoppeln</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>Region entfernen</translation>
+    </message>
+    <message>
+        <source>Move region up</source>
+        <translation>Region nach oben</translation>
+    </message>
+    <message>
+        <source>Move region down</source>
+        <translation>Region nach unten</translation>
+    </message>
+    <message>
+        <source>Name of the region</source>
+        <translation>Name der Region</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Centre [mm]</source>
+        <translation>Mitte [mm]</translation>
+    </message>
+    <message>
+        <source>Semi-axes [mm]</source>
+        <translation>Halbachsen [mm]</translation>
+    </message>
+    <message>
+        <source>Rotation [°]</source>
+        <translation>Drehung [°]</translation>
+    </message>
+    <message>
+        <source>Falloff</source>
+        <translation>Übergang</translation>
+    </message>
+    <message>
+        <source>Centre %1 in mm</source>
+        <translation>Mitte %1 in mm</translation>
+    </message>
+    <message>
+        <source>Semi-axis %1 in mm</source>
+        <translation>Halbachse %1 in mm</translation>
+    </message>
+    <message>
+        <source>Rotation about %1 in degrees</source>
+        <translation>Drehung um %1 in Grad</translation>
+    </message>
+    <message>
+        <source>Share of the radius over which the region fades out</source>
+        <translation>Anteil des Radius, über den die Region ausklingt</translation>
+    </message>
+    <message>
+        <source>Springs that the region affects</source>
+        <translation>Federn, auf die die Region wirkt</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RuleTableModel</name>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>Rule %1 is on.</source>
+        <translation>Regel %1 ist an.</translation>
+    </message>
+    <message>
+        <source>Rule %1 is off.</source>
+        <translation>Regel %1 ist aus.</translation>
+    </message>
+    <message>
+        <source>On</source>
+        <translation>An</translation>
+    </message>
+    <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Feuert</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>How strongly the rule fires for the current inputs, from 0 to 1.</source>
+        <translation>Wie stark die Regel bei den jetzigen Eingaben feuert, von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>How much the rule counts, from 0 to 1.</source>
+        <translation>Wie viel die Regel zählt, von 0 bis 1.</translation>
+    </message>
+    <message>
+        <source>Change the weight of rule %1</source>
+        <translation>Gewicht von Regel %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change the note of rule %1</source>
+        <translation>Notiz von Regel %1 ändern</translation>
+    </message>
+    <message>
+        <source>Change rule %1</source>
+        <translation>Regel %1 ändern</translation>
+    </message>
+    <message>
+        <source>Add a rule</source>
+        <translation>Regel hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate a rule</source>
+        <translation>Regel verdoppeln</translation>
+    </message>
+    <message>
+        <source>Duplicate %1 rules</source>
+        <translation>%1 Regeln verdoppeln</translation>
+    </message>
+    <message>
+        <source>Delete a rule</source>
+        <translation>Regel löschen</translation>
+    </message>
+    <message>
+        <source>Delete %1 rules</source>
+        <translation>%1 Regeln löschen</translation>
+    </message>
+    <message>
+        <source>Move a rule</source>
+        <translation>Regel verschieben</translation>
+    </message>
+    <message>
+        <source>Move %1 rules</source>
+        <translation>%1 Regeln verschieben</translation>
+    </message>
+    <message>
+        <source>Switch a rule on</source>
+        <translation>Regel einschalten</translation>
+    </message>
+    <message>
+        <source>Switch %1 rules on</source>
+        <translation>%1 Regeln einschalten</translation>
+    </message>
+    <message>
+        <source>Switch a rule off</source>
+        <translation>Regel ausschalten</translation>
+    </message>
+    <message>
+        <source>Switch %1 rules off</source>
+        <translation>%1 Regeln ausschalten</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RuleTextPage</name>
+    <message>
+        <source>Line %1: %2 The rules stay as they were until this is mended.</source>
+        <translation>Zeile %1: %2 Bis das behoben ist, gelten die Regeln wie zuvor.</translation>
+    </message>
+    <message>
+        <source>The rules cannot be used: %1.</source>
+        <translation>Die Regeln sind nicht verwendbar: %1.</translation>
+    </message>
+    <message>
+        <source>Edit the rules as text</source>
+        <translation>Regeln als Text bearbeiten</translation>
+    </message>
+    <message>
+        <source>Rules as text, one per line</source>
+        <translation>Regeln als Text, eine je Zeile</translation>
+    </message>
+    <message>
+        <source>Write one rule per line. Ctrl+Space proposes words.</source>
+        <translation>Eine Regel je Zeile schreiben. Strg+Leertaste schlägt Wörter vor.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RulesPanel</name>
+    <message>
+        <source>Rule %1: %2 The rule stays as it was until this is mended.</source>
+        <translation>Regel %1: %2 Bis das behoben ist, gilt die Regel wie zuvor.</translation>
+    </message>
+    <message>
+        <source>No rule fired for %1 (%2); it takes its default %3.</source>
+        <translation>Keine Regel feuerte für %1 (%2); es gilt die Voreinstellung %3.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a rule that says what holds now</source>
+        <translation>Eine Regel hinzufügen, die beschreibt, was jetzt gilt</translation>
+    </message>
+    <message>
+        <source>Duplicate</source>
+        <translation>Verdoppeln</translation>
+    </message>
+    <message>
+        <source>Duplicate the selected rules</source>
+        <translation>Die ausgewählten Regeln verdoppeln</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the selected rules</source>
+        <translation>Die ausgewählten Regeln löschen</translation>
+    </message>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Move the selected rules up</source>
+        <translation>Die ausgewählten Regeln nach oben verschieben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Move the selected rules down</source>
+        <translation>Die ausgewählten Regeln nach unten verschieben</translation>
+    </message>
+    <message>
+        <source>On/off</source>
+        <translation>An/aus</translation>
+    </message>
+    <message>
+        <source>Switch the selected rules on or off</source>
+        <translation>Die ausgewählten Regeln ein- oder ausschalten</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Text (with mistakes)</source>
+        <translation>Text (mit Fehlern)</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Ways to show the rules</source>
+        <translation>Ansichten der Regeln</translation>
+    </message>
+    <message>
+        <source>Rules as table</source>
+        <translation>Regeln als Tabelle</translation>
+    </message>
+    <message>
+        <source>Gaps in the rules</source>
+        <translation>Lücken in den Regeln</translation>
+    </message>
+</context>
+<context>
+    <name>esm::SceneView</name>
+    <message>
+        <source>3D preview</source>
+        <translation>3D-Vorschau</translation>
+    </message>
+    <message>
+        <source>Keys: F fits, 1, 3 and 7 look from the front, the right and the top, arrows turn, + and - zoom.</source>
+        <translation>Tasten: F zeigt alles, 1, 3 und 7 blicken von vorn, rechts und oben, Pfeile drehen, + und - zoomen.</translation>
+    </message>
+    <message>
+        <source>3D preview needs OpenGL 3.3; everything else works.</source>
+        <translation>Die 3D-Vorschau braucht OpenGL 3.3; alles andere funktioniert.</translation>
+    </message>
+    <message>
+        <source>Here %1.</source>
+        <translation>Hier: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::StabilityLight</name>
+    <message>
+        <source>no model</source>
+        <translation>kein Modell</translation>
+    </message>
+    <message>
+        <source>stable</source>
+        <translation>stabil</translation>
+    </message>
+    <message>
+        <source>paused</source>
+        <translation>angehalten</translation>
+    </message>
+    <message>
+        <source>behind real time</source>
+        <translation>langsamer als Echtzeit</translation>
+    </message>
+    <message>
+        <source>The model is too large or too stiff for this computer in real time: use fewer nodes, softer tissue or a looser tolerance.</source>
+        <translation>Das Modell ist für diesen Rechner in Echtzeit zu groß oder zu steif: weniger Knoten, weicheres Gewebe oder eine größere Toleranz helfen.</translation>
+    </message>
+    <message>
+        <source>stopped, last good state</source>
+        <translation>gestoppt, letzter guter Stand</translation>
+    </message>
+    <message>
+        <source>Stability: %1</source>
+        <translation>Stabilität: %1</translation>
+    </message>
+</context>
+<context>
+    <name>esm::StatusStrip</name>
+    <message numerus="yes">
+        <source>%n node(s)</source>
+        <translation><numerusform>%n Knoten</numerusform><numerusform>%n Knoten</numerusform></translation>
+    </message>
+    <message numerus="yes">
+        <source>%n spring(s)</source>
+        <translation><numerusform>%n Feder</numerusform><numerusform>%n Federn</numerusform></translation>
+    </message>
+    <message>
+        <source>real time %1×</source>
+        <translation>Echtzeit %1×</translation>
+    </message>
+    <message>
+        <source>t = %1 s</source>
+        <translation>t = %1 s</translation>
+    </message>
+    <message>
+        <source>Simulated time over wall time; a frame costs %1 % of its period</source>
+        <translation>Simulierte Zeit zu Wanduhrzeit; ein Bild kostet %1 % seiner Dauer</translation>
+    </message>
+    <message>
+        <source>solver %1</source>
+        <translation>Löser %1</translation>
+    </message>
+    <message>
+        <source>no device</source>
+        <translation>kein Gerät</translation>
+    </message>
+    <message>
+        <source>device %1 Hz</source>
+        <translation>Gerät %1 Hz</translation>
+    </message>
+    <message>
+        <source>%1: %2; %3 of %4 ticks late, worst %5 ms</source>
+        <translation>%1: %2; %3 von %4 Takten verspätet, höchstens %5 ms</translation>
+    </message>
+</context>
+<context>
+    <name>esm::TissuePanel</name>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wanddicke</translation>
+    </message>
+    <message>
+        <source>Thickness of the organ's wall in mm</source>
+        <translation>Dicke der Organwand in mm</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Density of the tissue in kg/m³</source>
+        <translation>Dichte des Gewebes in kg/m³</translation>
+    </message>
+    <message>
+        <source>Force law</source>
+        <translation>Kraftgesetz</translation>
+    </message>
+    <message>
+        <source>How the springs answer their extension</source>
+        <translation>Wie die Federn auf Dehnung antworten</translation>
+    </message>
+    <message>
+        <source>Stiffening</source>
+        <translation>Versteifung</translation>
+    </message>
+    <message>
+        <source>Parameter of the force law: how fast the tissue stiffens</source>
+        <translation>Parameter des Kraftgesetzes: wie schnell das Gewebe versteift</translation>
+    </message>
+    <message>
+        <source>Gravity along z</source>
+        <translation>Schwerkraft in z</translation>
+    </message>
+    <message>
+        <source>Acceleration along z in m/s²; -9.81 is the Earth's</source>
+        <translation>Beschleunigung in z in m/s²; -9,81 ist die der Erde</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>cubic</source>
+        <translation>kubisch</translation>
+    </message>
+    <message>
+        <source>exponential (tissue)</source>
+        <translation>exponentiell (Gewebe)</translation>
+    </message>
+    <message>
+        <source>Springs follow the tissue</source>
+        <translation>Federn folgen dem Gewebe</translation>
+    </message>
+    <message>
+        <source>Off: the springs keep the parameters that the net came with</source>
+        <translation>Aus: Die Federn behalten die Parameter, mit denen das Netz kam</translation>
+    </message>
+</context>
+<context>
+    <name>esm::WhyPanel</name>
+    <message>
+        <source>%1 is %2, the default, because no rule fired for it.</source>
+        <translation>%1 ist %2, die Voreinstellung, weil keine Regel dafür feuerte.</translation>
+    </message>
+    <message>
+        <source>%1 is %2, mainly because of rule %3: %4 (%5).</source>
+        <translation>%1 ist %2, vor allem wegen Regel %3: %4 (%5).</translation>
+    </message>
+    <message>
+        <source>One further rule did not fire.</source>
+        <translation>Eine weitere Regel feuerte nicht.</translation>
+    </message>
+    <message>
+        <source>%1 further rules did not fire.</source>
+        <translation>%1 weitere Regeln feuerten nicht.</translation>
+    </message>
+    <message>
+        <source>Tissue: %1</source>
+        <translation>Gewebe: %1</translation>
+    </message>
+    <message>
+        <source>Rule</source>
+        <translation>Regel</translation>
+    </message>
+    <message>
+        <source>Fires</source>
+        <translation>Feuert</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>Rules that fired, the strongest first</source>
+        <translation>Regeln, die feuerten, die stärkste zuerst</translation>
+    </message>
+</context>
+<context>
+    <name>esm::WindowActions</name>
+    <message>
+        <source>&amp;Pause</source>
+        <translation>&amp;Pause</translation>
+    </message>
+    <message>
+        <source>&amp;Play</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>New project without a model</source>
+        <translation>Neues Projekt ohne Modell</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen…</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Sichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Sichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>&amp;Import mesh…</source>
+        <translation>Netz &amp;importieren…</translation>
+    </message>
+    <message>
+        <source>Import a mesh: OBJ, STL, PLY and more</source>
+        <translation>Ein Netz importieren: OBJ, STL, PLY und andere</translation>
+    </message>
+    <message>
+        <source>Import</source>
+        <translation>Importieren</translation>
+    </message>
+    <message>
+        <source>&amp;Export shape…</source>
+        <translation>Form &amp;exportieren…</translation>
+    </message>
+    <message>
+        <source>Write the shape of this moment as mesh, VTU or CSV</source>
+        <translation>Die augenblickliche Form als Netz, VTU oder CSV schreiben</translation>
+    </message>
+    <message>
+        <source>&amp;Picture of the preview…</source>
+        <translation>&amp;Bild der Vorschau…</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>&amp;Beenden</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>&amp;Wiederholen</translation>
+    </message>
+    <message>
+        <source>Re&amp;name project…</source>
+        <translation>Projekt &amp;umbenennen…</translation>
+    </message>
+    <message>
+        <source>&amp;Fit model</source>
+        <translation>Alles &amp;zeigen</translation>
+    </message>
+    <message>
+        <source>Show the whole model (F)</source>
+        <translation>Das ganze Modell zeigen (F)</translation>
+    </message>
+    <message>
+        <source>&amp;Surface</source>
+        <translation>&amp;Oberfläche</translation>
+    </message>
+    <message>
+        <source>S&amp;prings</source>
+        <translation>&amp;Federn</translation>
+    </message>
+    <message>
+        <source>&amp;Default layout</source>
+        <translation>&amp;Standardanordnung</translation>
+    </message>
+    <message>
+        <source>F&amp;ull screen</source>
+        <translation>&amp;Vollbild</translation>
+    </message>
+    <message>
+        <source>Plain</source>
+        <translation>Einfarbig</translation>
+    </message>
+    <message>
+        <source>Stiffness</source>
+        <translation>Steifigkeit</translation>
+    </message>
+    <message>
+        <source>Strain</source>
+        <translation>Dehnung</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Colour: %1</source>
+        <translation>Farbe: %1</translation>
+    </message>
+    <message>
+        <source>What the colours show</source>
+        <translation>Was die Farben zeigen</translation>
+    </message>
+    <message>
+        <source>As the system</source>
+        <translation>Wie das System</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>&amp;Add region</source>
+        <translation>Region &amp;hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add an ellipsoid of other tissue at the selected node</source>
+        <translation>Ein Ellipsoid aus anderem Gewebe am gewählten Knoten hinzufügen</translation>
+    </message>
+    <message>
+        <source>&amp;Hold selected node</source>
+        <translation>Gewählten Knoten &amp;festhalten</translation>
+    </message>
+    <message>
+        <source>Hold the selected node fast in space</source>
+        <translation>Den gewählten Knoten im Raum festhalten</translation>
+    </message>
+    <message>
+        <source>S&amp;tep</source>
+        <translation>&amp;Schritt</translation>
+    </message>
+    <message>
+        <source>One frame ahead</source>
+        <translation>Ein Bild weiter</translation>
+    </message>
+    <message>
+        <source>&amp;Reset</source>
+        <translation>&amp;Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to the shape at rest</source>
+        <translation>Zurück zur Ruheform</translation>
+    </message>
+    <message>
+        <source>&amp;Camera</source>
+        <translation>&amp;Kamera</translation>
+    </message>
+    <message>
+        <source>Camera: drag to turn, middle button or Shift to move, wheel to zoom</source>
+        <translation>Kamera: Ziehen dreht, mittlere Taste oder Umschalt verschiebt, Rad zoomt</translation>
+    </message>
+    <message>
+        <source>P&amp;ull</source>
+        <translation>&amp;Ziehen</translation>
+    </message>
+    <message>
+        <source>Pull: drag a node and feel its force</source>
+        <translation>Ziehen: einen Knoten ziehen und seine Kraft spüren</translation>
+    </message>
+    <message>
+        <source>&amp;Select</source>
+        <translation>Aus&amp;wahl</translation>
+    </message>
+    <message>
+        <source>Select: click a node to see why it is as it is</source>
+        <translation>Auswahl: Knoten anklicken, um zu sehen, warum er so ist</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>&amp;Force on the device</source>
+        <translation>&amp;Kraft am Gerät</translation>
+    </message>
+    <message>
+        <source>Let the device feel the force; it fades in</source>
+        <translation>Das Gerät die Kraft spüren lassen; sie blendet sich ein</translation>
+    </message>
+    <message>
+        <source>&amp;Stop</source>
+        <translation>S&amp;topp</translation>
+    </message>
+    <message>
+        <source>Force zero at once and let go</source>
+        <translation>Kraft sofort null und loslassen</translation>
+    </message>
+    <message>
+        <source>&amp;Keys</source>
+        <translation>&amp;Tasten</translation>
+    </message>
+    <message>
+        <source>&amp;About this program</source>
+        <translation>Ü&amp;ber dieses Programm</translation>
+    </message>
+    <message>
+        <source>About &amp;Qt</source>
+        <translation>Über &amp;Qt</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>&amp;Zuletzt geöffnet</translation>
+    </message>
+    <message>
+        <source>Sa&amp;mples</source>
+        <translation>Beis&amp;piele</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Colour by</source>
+        <translation>&amp;Färbung</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>&amp;Fenster</translation>
+    </message>
+    <message>
+        <source>&amp;Theme</source>
+        <translation>&amp;Farbschema</translation>
+    </message>
+    <message>
+        <source>&amp;Language</source>
+        <translation>&amp;Sprache</translation>
+    </message>
+    <message>
+        <source>&amp;Tissue</source>
+        <translation>&amp;Gewebe</translation>
+    </message>
+    <message>
+        <source>&amp;Simulation</source>
+        <translation>&amp;Simulation</translation>
+    </message>
+    <message>
+        <source>T&amp;ool</source>
+        <translation>&amp;Werkzeug</translation>
+    </message>
+    <message>
+        <source>So&amp;lver</source>
+        <translation>&amp;Löser</translation>
+    </message>
+    <message>
+        <source>&amp;Haptics</source>
+        <translation>&amp;Haptik</translation>
+    </message>
+    <message>
+        <source>Hel&amp;p</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>Tool bar</source>
+        <translation>Werkzeugleiste</translation>
+    </message>
+</context>
+</TS>
