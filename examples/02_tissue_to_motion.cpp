@@ -41,7 +41,7 @@ esm::Status run(const std::string& meshFile, const std::string& motionFile)
   if (!simulation) return simulation.error();
   auto writer = esm::TrajectoryWriter::create(motionFile);
   if (!writer) return writer.error();
-  for (int frame = 0; frame <= 30; ++frame) {
+  for (int frame = 0; frame <= 12; ++frame) {
     const auto& state = simulation->state();
     if (auto added = writer->addFrame({&*net, &state.position, &state.velocity, nullptr, state.time}); !added)
       return added.error();
