@@ -73,8 +73,8 @@ Scene tube()
   for (Index r = 0; r < kRings; ++r)
     for (Index a = 0; a < kAround; ++a) {
       const double angle = 2 * std::numbers::pi * (a + 0.5 * (r % 2)) / kAround;
-      positions.emplace_back(kLength * r / (kRings - 1), kRadius * std::cos(angle),
-                             kRadius * std::sin(angle));
+      positions.push_back(
+        onGrid({kLength * r / (kRings - 1), kRadius * std::cos(angle), kRadius * std::sin(angle)}));
       const Index here = r * kAround + a, next = r * kAround + (a + 1) % kAround;
       edges.emplace_back(here, next);
       if (r + 1 == kRings) continue;
@@ -153,7 +153,9 @@ Scene uterus()
   }
   net.viscosity = 2e-4 * net.stiffness;
   net.mass.setConstant(4.8e-5);
-  anchorAll(net, 1.0, 2e-4);
+  net.restLength *=
+    0.9; // stretched over its content, as the organ is: a slack closed surface buckles chaotically
+  anchorAll(net, 5.0, 1e-3);
   NodalForce press;
   const Eigen::Vector3d centre(0.0, 0.0, axes.z());
   for (Index i = 0; i < net.nodeCount(); ++i)
