@@ -89,12 +89,14 @@ void MainWindow::createDocks()
   auto* why = new QWidget;
   auto* whyLayout = new QVBoxLayout(why);
   whyLayout->setContentsMargins(0, 0, 0, 0);
-  whyLayout->addWidget(m_nodePanel, 1);
+  whyLayout->addWidget(m_nodePanel);
   auto* whyPanel = new WhyPanel(m_evaluation);
   whyLayout->addWidget(whyPanel, 1);
   auto* inputs = new InputsPanel(m_evaluation);
   auto* membership = new MembershipPanel(m_evaluation);
   auto* rules = new RulesPanel(m_evaluation);
+  connect(m_nodePanel, &NodePanel::explained, whyPanel, &WhyPanel::showInference);
+  connect(m_nodePanel, &NodePanel::nothingSelected, whyPanel, &WhyPanel::showCurrentInputs);
   connect(inputs, &InputsPanel::inputFocused, membership, &MembershipPanel::showInput);
   connect(whyPanel, &WhyPanel::ruleActivated, rules, &RulesPanel::showRule);
 

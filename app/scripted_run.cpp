@@ -6,6 +6,7 @@
 
 #include <QAction>
 #include <QCoreApplication>
+#include <QPainter>
 #include <QPixmap>
 
 #include <cmath>
@@ -58,7 +59,10 @@ void ScriptedRun::takeHold()
 void ScriptedRun::finish()
 {
   m_timer.stop();
-  const bool saved = m_window->grab().save(m_picture);
+  QPixmap picture = m_window->grab(); // without the preview's overlays
+  SceneView* view = m_window->sceneView();
+  if (view->hasOpenGl()) QPainter(&picture).drawImage(view->mapTo(m_window, QPoint(0, 0)), view->picture());
+  const bool saved = picture.save(m_picture);
   if (!saved) std::fprintf(stderr, "esm-modeler: %s: the picture cannot be written\n", qPrintable(m_picture));
   QCoreApplication::exit(saved ? 0 : 1);
 }

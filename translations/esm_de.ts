@@ -758,16 +758,16 @@
         <translation>Grundgewebe</translation>
     </message>
     <message>
-        <source>%1 % from “%2”, because of these rules:</source>
-        <translation>%1 % aus „%2“ wegen dieser Regeln:</translation>
-    </message>
-    <message>
-        <source>no rule fired, defaults hold</source>
-        <translation>keine Regel griff, es gelten Vorgaben</translation>
-    </message>
-    <message>
         <source>The springs keep the parameters of their file.</source>
         <translation>Die Federn behalten die Parameter ihrer Datei.</translation>
+    </message>
+    <message>
+        <source>%1 % from %2</source>
+        <translation>%1 % aus %2</translation>
+    </message>
+    <message>
+        <source>Node %1, %2</source>
+        <translation>Knoten %1, %2</translation>
     </message>
 </context>
 <context>
@@ -857,7 +857,10 @@
     </message>
     <message numerus="yes">
         <source>%n spring(s)</source>
-        <translation><numerusform>%n Feder</numerusform><numerusform>%n Federn</numerusform></translation>
+        <translation>
+            <numerusform>%n Feder</numerusform>
+            <numerusform>%n Federn</numerusform>
+        </translation>
     </message>
     <message>
         <source>Regions, later ones cover earlier ones</source>
@@ -1183,11 +1186,17 @@
     <name>esm::StatusStrip</name>
     <message numerus="yes">
         <source>%n node(s)</source>
-        <translation><numerusform>%n Knoten</numerusform><numerusform>%n Knoten</numerusform></translation>
+        <translation>
+            <numerusform>%n Knoten</numerusform>
+            <numerusform>%n Knoten</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n spring(s)</source>
-        <translation><numerusform>%n Feder</numerusform><numerusform>%n Federn</numerusform></translation>
+        <translation>
+            <numerusform>%n Feder</numerusform>
+            <numerusform>%n Federn</numerusform>
+        </translation>
     </message>
     <message>
         <source>real time %1×</source>

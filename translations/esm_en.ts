@@ -5,18 +5,27 @@
     <name>esm::RegionsPanel</name>
     <message numerus="yes">
         <source>%n spring(s)</source>
-        <translation><numerusform>%n spring</numerusform><numerusform>%n springs</numerusform></translation>
+        <translation>
+            <numerusform>%n spring</numerusform>
+            <numerusform>%n springs</numerusform>
+        </translation>
     </message>
 </context>
 <context>
     <name>esm::StatusStrip</name>
     <message numerus="yes">
         <source>%n node(s)</source>
-        <translation><numerusform>%n node</numerusform><numerusform>%n nodes</numerusform></translation>
+        <translation>
+            <numerusform>%n node</numerusform>
+            <numerusform>%n nodes</numerusform>
+        </translation>
     </message>
     <message numerus="yes">
         <source>%n spring(s)</source>
-        <translation><numerusform>%n spring</numerusform><numerusform>%n springs</numerusform></translation>
+        <translation>
+            <numerusform>%n spring</numerusform>
+            <numerusform>%n springs</numerusform>
+        </translation>
     </message>
 </context>
 </TS>

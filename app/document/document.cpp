@@ -30,7 +30,7 @@ Document::Document(QObject* parent) : FuzzyDocument(parent)
 
 Document::~Document()
 {
-  m_undo.disconnect(this); // clearing the stack must not call back into a half-gone document
+  m_undo.disconnect(); // its destructor clears it, and those who listen may be half gone
 }
 
 std::shared_ptr<const SpringNet> Document::net() const

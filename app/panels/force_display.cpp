@@ -127,7 +127,7 @@ void ForceCurve::redraw()
   double top = 0.5; // [N]: so that noise does not fill the picture
   for (int i = 0; i < 2; ++i)
     for (const QCPGraphData& point : *m_plot->graph(i)->data()) top = std::max(top, point.value);
-  m_plot->xAxis->setRange(m_now - kShownSeconds, m_now);
+  m_plot->xAxis->setRange(std::max(0.0, m_now - kShownSeconds), std::max(kShownSeconds, m_now));
   m_plot->yAxis->setRange(0.0, 1.15 * top);
   m_plot->replot(QCustomPlot::rpQueuedReplot);
 }

@@ -19,8 +19,8 @@ class ForceDial : public QWidget {
 public:
   explicit ForceDial(QWidget* parent = nullptr);
   void setForce(const Eigen::Vector3d& force, double limit);
-  QSize sizeHint() const override { return {104, 104}; }
-  QSize minimumSizeHint() const override { return {72, 72}; }
+  QSize sizeHint() const override { return {140, 120}; }
+  QSize minimumSizeHint() const override { return {118, 90}; }
 
 protected:
   void paintEvent(QPaintEvent* event) override;

@@ -6,8 +6,6 @@
 
 #include <QEvent>
 #include <QLocale>
-#include <QTextBrowser>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -20,34 +18,20 @@ QString number(double value, int digits = 3)
   return QLocale().toString(value, 'g', digits);
 }
 
-/// The rules that fired, strongest first, as list items.
-QString firingItems(const fuzzy::RuleBase& rules, fuzzy::Inference inference, Language language)
-{
-  std::stable_sort(inference.firings.begin(), inference.firings.end(),
-                   [](const auto& a, const auto& b) { return a.degree > b.degree; });
-  QString items;
-  for (const fuzzy::RuleFiring& firing : inference.firings) {
-    if (firing.degree <= 0.0) break;
-    const std::string text =
-      fuzzy::formatRule(rules.rules[static_cast<std::size_t>(firing.rule)], rules, language);
-    items += QStringLiteral("<li><b>%1</b> · %2</li>")
-               .arg(number(firing.degree, 2), QString::fromStdString(text).toHtmlEscaped());
-  }
-  return items;
-}
-
 } // namespace
 
-NodePanel::NodePanel(Document* document, QWidget* parent)
-  : QWidget(parent), m_document(document), m_text(new QTextBrowser(this))
+NodePanel::NodePanel(Document* document, QWidget* parent) : QLabel(parent), m_document(document)
 {
-  m_text->setObjectName(QStringLiteral("nodeWhy"));
-  m_text->setFrameShape(QFrame::NoFrame);
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_text);
-  const auto forget = [this] { setNode(kNoIndex); }; // another net has other nodes
-  connect(document, &Document::projectReset, this, forget);
+  setObjectName(QStringLiteral("nodeWhy"));
+  setTextFormat(Qt::RichText);
+  setWordWrap(true);
+  setMargin(6);
+  setTextInteractionFlags(Qt::TextBrowserInteraction);
+  connect(this, &QLabel::linkActivated, this, [this](const QString& region) {
+    m_chosen = region.toInt();
+    refresh();
+  });
+  connect(document, &Document::projectReset, this, [this] { setNode(kNoIndex); });
   connect(document, &Document::netChanged, this, [this] {
     if (m_node >= m_document->project().net.nodeCount()) m_node = kNoIndex;
     refresh();
@@ -61,56 +45,72 @@ NodePanel::NodePanel(Document* document, QWidget* parent)
 void NodePanel::setNode(Index node)
 {
   m_node = node;
+  m_chosen.reset();
   refresh();
 }
 
 void NodePanel::refresh()
 {
-  m_text->setAccessibleName(tr("Explanation of the selected node"));
+  setAccessibleName(tr("Explanation of the selected node"));
   setVisible(m_node != kNoIndex);
-  if (m_node != kNoIndex) m_text->setHtml(sentence());
+  if (m_node == kNoIndex) {
+    emit nothingSelected();
+    return;
+  }
+  const Project& project = m_document->project();
+  if (auto field = TissueField::create(project.tissue))
+    showExplanation(field->explain(project.net.restPosition.col(m_node)));
+  else
+    setText(errorText(field.error()).toHtmlEscaped());
 }
 
-QString NodePanel::sentence() const
+QString NodePanel::shareName(const RegionShare& share) const
+{
+  if (share.region < 0) return tr("Base tissue");
+  return QString::fromStdString(
+    m_document->project().tissue.regions[static_cast<std::size_t>(share.region)].name);
+}
+
+void NodePanel::showExplanation(const Explanation& why)
 {
   const Project& project = m_document->project();
+  const auto node = static_cast<std::size_t>(m_node);
   const Eigen::Vector3d place = project.net.restPosition.col(m_node);
-  auto field = TissueField::create(project.tissue);
-  if (!field) return errorText(field.error()).toHtmlEscaped();
-  const Explanation why = field->explain(place);
+  QString html = QStringLiteral("<b>%1</b>%2 (%3 / %4 / %5 mm)<br>")
+                   .arg(tr("Node %1").arg(static_cast<int>(project.net.nodeId[node])),
+                        project.net.fixed[node] != 0 ? tr(", held fast,") : QString(),
+                        number(1e3 * place.x()), number(1e3 * place.y()), number(1e3 * place.z()));
+  html += tr("Young's modulus %1 kPa, viscosity %2 ms, anchoring %3 kPa/mm")
+            .arg(number(1e-3 * why.parameters.youngsModulus), number(1e3 * why.parameters.viscosity),
+                 number(1e-6 * why.parameters.anchoring));
 
-  const bool fixed = project.net.fixed[static_cast<std::size_t>(m_node)] != 0;
-  QString html =
-    QStringLiteral("<p><b>%1</b>%2 (%3 / %4 / %5 mm)</p>")
-      .arg(tr("Node %1").arg(static_cast<int>(project.net.nodeId[static_cast<std::size_t>(m_node)])),
-           fixed ? tr(", held fast,") : QString(), number(1e3 * place.x()), number(1e3 * place.y()),
-           number(1e3 * place.z()));
-  html += QStringLiteral("<p>%1</p>")
-            .arg(tr("Young's modulus %1 kPa, viscosity %2 ms, anchoring %3 kPa/mm")
-                   .arg(number(1e-3 * why.parameters.youngsModulus), number(1e3 * why.parameters.viscosity),
-                        number(1e-6 * why.parameters.anchoring)));
-  for (std::size_t i = 0; i < why.shares.size(); ++i) {
-    const RegionShare& share = why.shares[i];
-    const QString name =
-      share.region < 0
-        ? tr("Base tissue")
-        : QString::fromStdString(project.tissue.regions[static_cast<std::size_t>(share.region)].name);
-    const QString rules = firingItems(project.tissue.rules, why.inferences[i], m_document->ruleLanguage());
-    html +=
-      QStringLiteral("<p style='margin-bottom:0'>%1</p><ul style='margin-top:2px'>%2</ul>")
-        .arg(tr("%1 % from “%2”, because of these rules:")
-               .arg(number(100.0 * share.weight), name.toHtmlEscaped()),
-             rules.isEmpty() ? QStringLiteral("<li>%1</li>").arg(tr("no rule fired, defaults hold")) : rules);
+  const auto chosen = [this](const RegionShare& share) { return m_chosen == share.region; };
+  auto told = std::find_if(why.shares.begin(), why.shares.end(), chosen);
+  if (told == why.shares.end())
+    told = std::max_element(why.shares.begin(), why.shares.end(),
+                            [](const RegionShare& a, const RegionShare& b) { return a.weight < b.weight; });
+  QStringList parts;
+  for (const RegionShare& share : why.shares) {
+    const QString name = shareName(share).toHtmlEscaped();
+    const bool shown = share.region == told->region;
+    parts << tr("%1 % from %2")
+               .arg(number(100.0 * share.weight),
+                    shown ? QStringLiteral("<b>%1</b>").arg(name)
+                          : QStringLiteral("<a href='%1'>%2</a>").arg(share.region).arg(name));
   }
+  html += QStringLiteral("<br>") + parts.join(QStringLiteral(", "));
   if (!project.parametersFromTissue)
-    html += QStringLiteral("<p><i>%1</i></p>").arg(tr("The springs keep the parameters of their file."));
-  return html;
+    html += QStringLiteral("<br><i>%1</i>").arg(tr("The springs keep the parameters of their file."));
+  setText(html);
+  if (told == why.shares.end()) return;
+  emit explained(tr("Node %1, %2").arg(static_cast<int>(project.net.nodeId[node])).arg(shareName(*told)),
+                 why.inferences[static_cast<std::size_t>(told - why.shares.begin())]);
 }
 
 void NodePanel::changeEvent(QEvent* event)
 {
   if (event->type() == QEvent::LanguageChange) refresh();
-  QWidget::changeEvent(event);
+  QLabel::changeEvent(event);
 }
 
 } // namespace esm

@@ -4,31 +4,38 @@
 
 #include "app/document/document.h"
 
-#include <QWidget>
+#include <QLabel>
 
-class QTextBrowser;
+#include <optional>
 
 namespace esm {
 
-/// Why the tissue is as it is at the selected node: parameters there, the regions' shares, and the rules that
-/// led to them, in words. Part of the dock Why.
-class NodePanel : public QWidget {
+/// The upper part of the dock Why: the selected node, the tissue's parameters at its rest place and whose
+/// tissue it is by how much. The share that is chosen (first the largest) is explained by its rules below;
+/// each name is a link that chooses it.
+class NodePanel : public QLabel {
   Q_OBJECT
 public:
   explicit NodePanel(Document* document, QWidget* parent = nullptr);
-  void setNode(Index node); ///< kNoIndex: none
+  void setNode(Index node); ///< kNoIndex: none, the panel hides
   Index node() const noexcept { return m_node; }
+
+signals:
+  /// The rules' account of the chosen share; `place` is its heading.
+  void explained(const QString& place, const esm::fuzzy::Inference& inference);
+  void nothingSelected();
 
 protected:
   void changeEvent(QEvent* event) override;
 
 private:
   void refresh();
-  QString sentence() const;
+  void showExplanation(const Explanation& why);
+  QString shareName(const RegionShare& share) const;
 
   Document* m_document;
-  QTextBrowser* m_text;
   Index m_node = kNoIndex;
+  std::optional<int> m_chosen; ///< region of the share, -1 the base tissue; empty: the largest share
 };
 
 } // namespace esm

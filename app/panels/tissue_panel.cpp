@@ -33,7 +33,7 @@ TissuePanel::TissuePanel(Document* document, QWidget* parent)
   m_law = new QComboBox(this);
   m_law->setObjectName(QStringLiteral("tissueLaw"));
   m_law->addItems({QString(), QString(), QString()});
-  m_form->addRow(QString(), m_law);
+  m_form->addRow(new QLabel(this), m_law);
   m_lawParameter = addNumber(QStringLiteral("tissueLawParameter"), 0.0, 50.0, 0.5, 1);
   m_gravity = addNumber(QStringLiteral("gravityZ"), -50.0, 50.0, 0.5, 2);
   m_fromTissue = new QCheckBox(this);
@@ -73,7 +73,7 @@ GestureSpinBox* TissuePanel::addNumber(const QString& name, double low, double h
   number->setRange(low, high);
   number->setSingleStep(step);
   number->setDecimals(decimals);
-  m_form->addRow(QString(), number);
+  m_form->addRow(new QLabel(this), number);
   return number;
 }
 
