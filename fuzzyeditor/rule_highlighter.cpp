@@ -65,10 +65,11 @@ void RuleHighlighter::setMarks(std::vector<LineMarks> marks)
     rehighlight();
     return;
   }
+  const LineMarks none;
   for (QTextBlock block = document()->begin(); block.isValid(); block = block.next()) {
     const auto line = static_cast<std::size_t>(block.blockNumber());
-    const LineMarks before = line < old.size() ? old[line] : LineMarks();
-    const LineMarks after = line < m_marks.size() ? m_marks[line] : LineMarks();
+    const LineMarks& before = line < old.size() ? old[line] : none;
+    const LineMarks& after = line < m_marks.size() ? m_marks[line] : none;
     if (before != after) rehighlightBlock(block);
   }
 }

@@ -37,7 +37,8 @@ esm_install() {
 esm_build() {
   local preset=$1
   shift
-  export CCACHE_NOHASHDIR=1 # the same object for the same source, whichever checkout it lies in
+  # The same object for the same source, whichever checkout it lies in.
+  export CCACHE_NOHASHDIR=1 CCACHE_BASEDIR=$esm_root
   if [ ! -f "$esm_root/build/$preset/build.ninja" ]; then
     esm_say "Configuring ($preset)"
     (cd "$esm_root" && cmake --preset "$preset" >"/tmp/esm-configure.$$" 2>&1) ||
