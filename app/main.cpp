@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 #include "app/main_window.h"
+#include "app/sample_files.h"
 #include "app/scripted_run.h"
 #include "app/state_dump.h"
 
@@ -11,6 +12,7 @@
 #include <QTimer>
 
 #include <clocale>
+#include <cstdio>
 
 namespace {
 
@@ -39,6 +41,20 @@ esm::Theme chosenTheme(const esm::CommandLine& options)
   return esm::themeFromName(asked.isEmpty() ? saved : asked).value_or(esm::Theme::System);
 }
 
+/// Without dialogs: nobody may be there to answer.
+void runScript(esm::MainWindow& window, const esm::CommandLine& options)
+{
+  if (options.file.empty()) {
+    window.openSample();
+  } else if (auto project = esm::projectFromFile(QString::fromStdString(options.file)); project) {
+    window.document()->start(std::move(project).value(), QString());
+  } else {
+    std::fprintf(stderr, "esm-modeler: %s\n", project.error().detail.c_str());
+    return QApplication::exit(1);
+  }
+  new esm::ScriptedRun(&window, QString::fromStdString(options.screenshot), options.after);
+}
+
 } // namespace
 
 int main(int argc, char** argv)
@@ -60,17 +76,20 @@ int main(int argc, char** argv)
   window.setTheme(chosenTheme(options));
   const bool scripted = !options.screenshot.empty();
   if (!scripted) window.restoreLayout();
-  if (options.width > 0) window.resize(options.width, window.height());
-  if (options.height > 0) window.resize(window.width(), options.height);
+  if (options.width > 0 || options.height > 0) {
+    window.resize(options.width > 0 ? options.width : window.width(),
+                  options.height > 0 ? options.height : window.height());
+    window.applyDefaultLayout();
+  }
   window.show();
 
   // Once the event loop runs: dialogs of opening need it.
   QTimer::singleShot(0, &window, [&] {
+    if (scripted) return runScript(window, options);
     if (options.file.empty())
       window.openSample();
-    else if (!window.openPath(QString::fromStdString(options.file)) && scripted)
-      QApplication::exit(1);
-    if (scripted) new esm::ScriptedRun(&window, QString::fromStdString(options.screenshot), options.after);
+    else
+      window.openPath(QString::fromStdString(options.file));
   });
   if (!options.dumpState.empty()) new esm::StateDump(&window, QString::fromStdString(options.dumpState));
   return QApplication::exec();

@@ -24,6 +24,7 @@
 #include <QDockWidget>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QScreen>
 #include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -56,7 +57,7 @@ MainWindow::MainWindow(LanguageSwitch* language, QWidget* parent)
 
   retranslateUi();
   showProject();
-  resize(1600, 1000);
+  resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
   applyDefaultLayout();
   if (auto opened = m_controller->openDevice("simulated"); !opened)
     statusBar()->showMessage(errorLead(opened.error().code), 8000);
@@ -129,7 +130,12 @@ void MainWindow::applyDefaultLayout()
   splitDockWidget(m_dockRegions, m_dockTissue, Qt::Vertical);
   splitDockWidget(m_dockInputs, m_dockMf, Qt::Vertical);
   splitDockWidget(m_dockMf, m_dockWhy, Qt::Vertical);
-  splitDockWidget(m_dockRules, m_dockHaptics, Qt::Horizontal);
+  constexpr int kNarrow = 1450; // [pixel]: below, rules and haptics do not fit beside each other
+  if (width() < kNarrow)
+    tabifyDockWidget(m_dockRules, m_dockHaptics);
+  else
+    splitDockWidget(m_dockRules, m_dockHaptics, Qt::Horizontal);
+  m_dockRules->raise();
   const int w = width(), h = height();
   resizeDocks({m_dockRegions, m_dockInputs}, {w * 17 / 100, w * 25 / 100}, Qt::Horizontal);
   resizeDocks({m_dockRules, m_dockHaptics}, {w * 42 / 100, w * 33 / 100}, Qt::Horizontal);

@@ -47,6 +47,8 @@ public:
   void setTheme(Theme theme);
   void setLanguage(Language language);
   void selectNode(Index node);
+  Index selectedNode() const noexcept { return m_selectedNode; }
+  void applyDefaultLayout();
   void restoreLayout(); ///< of the last time, if there is one
 
 protected:
@@ -60,7 +62,6 @@ private:
   // main_window.cpp
   void createDocks();
   QDockWidget* addDock(const char* name, Qt::DockWidgetArea area, QWidget* content);
-  void applyDefaultLayout();
   void connectDocument();
   void connectActions();
   void connectFrame();

@@ -27,12 +27,6 @@ namespace {
 constexpr int kLayoutVersion = 1; // of the docks: a saved layout of another version is ignored
 constexpr int kRecentFiles = 8;
 
-bool isProjectFile(const QString& path)
-{
-  const QString ending = QFileInfo(path).suffix().toLower();
-  return ending == QLatin1String("esm") || ending == QLatin1String("esmb") || ending == QLatin1String("json");
-}
-
 } // namespace
 
 void MainWindow::connectFileActions()
@@ -92,7 +86,7 @@ bool MainWindow::openSample()
 bool MainWindow::playSample(const QString& path)
 {
   if (!mayDropChanges()) return false;
-  auto sample = loadSample(path);
+  auto sample = projectFromFile(path);
   if (!sample) {
     showError(tr("Open sample"), sample.error());
     return false;

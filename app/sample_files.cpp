@@ -49,9 +49,15 @@ QStringList sampleFiles()
   return files;
 }
 
-Result<Project> loadSample(const QString& path)
+bool isProjectFile(const QString& path)
 {
-  if (path.endsWith(QLatin1String(".esm"))) return loadProject(path.toStdString());
+  return QStringList{QStringLiteral("esm"), QStringLiteral("esmb"), QStringLiteral("json")}.contains(
+    QFileInfo(path).suffix().toLower());
+}
+
+Result<Project> projectFromFile(const QString& path)
+{
+  if (isProjectFile(path)) return loadProject(path.toStdString());
   auto imported = importMesh(path.toStdString());
   if (!imported) return imported.error();
   toScene(imported->mesh, LengthUnit::Millimetre, UpAxis::Z);

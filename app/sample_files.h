@@ -14,7 +14,8 @@ namespace esm {
 /// (resources/).
 QStringList sampleFiles();
 
-/// A project as it is; a mesh in mm with the default tissue.
-Result<Project> loadSample(const QString& path);
+/// Any file without questions: a project as it is, a mesh in mm, z up, with the default tissue.
+Result<Project> projectFromFile(const QString& path);
+bool isProjectFile(const QString& path); ///< by its ending: esm, esmb or json
 
 } // namespace esm

@@ -128,6 +128,7 @@ void StateDump::write()
 {
   QJsonObject json = documentJson(m_window->document());
   addRun(json, m_window->controller());
+  json["selectedNode"] = m_window->selectedNode();
   json["title"] = m_window->windowTitle();
   json["language"] = QLocale().name().left(2);
   json["pullPoint"] = pullPoint(m_window->sceneView(), m_window->controller()->snapshot());

@@ -12,7 +12,7 @@ namespace esm {
 /// nothing. Journeys with real mouse and keys read it to find widgets (places on the screen) and to assert:
 ///
 ///   title modified path language nodes springs playing time undoCount undoIndex inputs ruleCount regions
-///   target toolForce stability solver message meanStiffness device pullPoint
+///   target selectedNode toolForce stability solver message meanStiffness device pullPoint
 ///   widgets { objectName: [x, y, width, height] of those that can be seen }, dialog (its object name)
 class StateDump : public QObject {
   Q_OBJECT

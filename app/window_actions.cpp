@@ -292,7 +292,7 @@ void WindowActions::retranslateRun()
   setPlaying(m_playing);
   say(step, tr("S&tep"), tr("One frame ahead"));
   say(reset, tr("&Reset"), tr("Back to the shape at rest"));
-  say(toolCamera, tr("&Camera"), tr("Camera: drag to turn, middle button or Shift to move, wheel to zoom"));
+  say(toolCamera, tr("&Camera"), tr("Camera: drag to turn, right button to move, wheel to zoom"));
   say(toolPull, tr("P&ull"), tr("Pull: drag a node and feel its force"));
   say(toolSelect, tr("&Select"), tr("Select: click a node to see why it is as it is"));
   solverAuto->setText(tr("Automatic"));

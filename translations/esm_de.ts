@@ -298,8 +298,12 @@
         <translation>Kraft, die ein Gerät spüren würde</translation>
     </message>
     <message>
-        <source>Direction of the force: x to the right, z up, bar: y; the rim is the force limit</source>
-        <translation>Richtung der Kraft: x nach rechts, z nach oben, Balken: y; der Rand ist die Kraftgrenze</translation>
+        <source>Stopped by the user; arm again to go on</source>
+        <translation>Vom Benutzer gestoppt; „Kraft an“ schaltet wieder ein</translation>
+    </message>
+    <message>
+        <source>Direction of the force: x to the right, z up, bar: y; the number is the force at the rim</source>
+        <translation>Richtung der Kraft: x nach rechts, z nach oben, Balken: y; die Zahl ist die Kraft am Rand</translation>
     </message>
 </context>
 <context>
@@ -1496,10 +1500,6 @@
         <translation>&amp;Kamera</translation>
     </message>
     <message>
-        <source>Camera: drag to turn, middle button or Shift to move, wheel to zoom</source>
-        <translation>Kamera: Ziehen dreht, mittlere Taste oder Umschalt verschiebt, Rad zoomt</translation>
-    </message>
-    <message>
         <source>P&amp;ull</source>
         <translation>&amp;Ziehen</translation>
     </message>
@@ -1610,6 +1610,10 @@
     <message>
         <source>Tool bar</source>
         <translation>Werkzeugleiste</translation>
+    </message>
+    <message>
+        <source>Camera: drag to turn, right button to move, wheel to zoom</source>
+        <translation>Kamera: Ziehen dreht, rechte Taste verschiebt, Rad zoomt</translation>
     </message>
 </context>
 </TS>

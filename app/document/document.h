@@ -55,8 +55,8 @@ public:
 
   void start(Project project, const QString& path); ///< replaces everything; the undo stack is emptied
   Status open(const QString& path);                 ///< on error everything is as before
-  Status saveAs(const QString& path);     ///< atomic; the former file stays as .bak
-  void setView(const ViewSettings& view); ///< saved with the project, no edit
+  Status saveAs(const QString& path);               ///< atomic; the former file stays as .bak
+  void setView(const ViewSettings& view);           ///< saved with the project, no edit
 
   // === Fuzzy panels
   const fuzzy::RuleBase& ruleBase() const override { return m_project.tissue.rules; }

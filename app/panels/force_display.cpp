@@ -17,7 +17,17 @@ namespace esm {
 
 namespace {
 constexpr double kShownSeconds = 4.0;
+
+/// The next of 0.1, 0.2, 0.5, 1, 2, 5, ... [N] above a force.
+double rimFor(double force)
+{
+  double rim = 0.1;
+  for (const double factor : {2.0, 2.5, 2.0, 2.0, 2.5, 2.0, 2.0, 2.5, 2.0})
+    if (rim < force) rim *= factor;
+  return rim;
 }
+
+} // namespace
 
 ForceDial::ForceDial(QWidget* parent) : QWidget(parent)
 {
@@ -25,10 +35,11 @@ ForceDial::ForceDial(QWidget* parent) : QWidget(parent)
   setSizePolicy(policy);
 }
 
-void ForceDial::setForce(const Eigen::Vector3d& force, double limit)
+void ForceDial::setForce(const Eigen::Vector3d& force)
 {
   m_force = force;
-  m_limit = std::max(limit, 1e-6);
+  const double needed = rimFor(force.norm());
+  if (needed > m_rim || force.norm() < 0.15 * m_rim) m_rim = needed; // no flicker between two scales
   update();
 }
 
@@ -56,8 +67,11 @@ void ForceDial::paintEvent(QPaintEvent*)
   painter.drawText(QRectF(centre.x() + 2, centre.y() - radius + 1, 12, 12), Qt::AlignCenter,
                    QStringLiteral("z"));
 
+  painter.drawText(QRectF(0, height() - 16, centre.x() - 0.5 * radius, 16), Qt::AlignLeft | Qt::AlignBottom,
+                   QStringLiteral("%1 N").arg(QLocale().toString(m_rim, 'g', 2)));
+
   const QColor colour = signalColours(palette()).force;
-  const double share = std::clamp(m_force.y() / m_limit, -1.0, 1.0);
+  const double share = std::clamp(m_force.y() / m_rim, -1.0, 1.0);
   const QRectF bar(width() - 10, centre.y() - radius, 6, 2 * radius);
   painter.setPen(QPen(faint, 1.0));
   painter.setBrush(palette().base());
@@ -65,7 +79,7 @@ void ForceDial::paintEvent(QPaintEvent*)
   painter.fillRect(QRectF(bar.left() + 1, centre.y(), 4, -share * radius).normalized(), colour);
   painter.drawLine(QPointF(bar.left() - 2, centre.y()), QPointF(bar.right() + 2, centre.y()));
 
-  QPointF arrow(m_force.x() / m_limit * radius, -m_force.z() / m_limit * radius);
+  QPointF arrow(m_force.x() / m_rim * radius, -m_force.z() / m_rim * radius);
   const double length = std::hypot(arrow.x(), arrow.y());
   if (length > radius) arrow *= radius / length;
   if (length < 2.0) {

@@ -45,6 +45,14 @@ QColor stateColour(DeviceState state, const QPalette& palette)
   return palette.color(QPalette::WindowText);
 }
 
+/// The device layer speaks English; what it says in daily use is known here.
+QString reasonText(const std::string& reason)
+{
+  [[maybe_unused]] constexpr const char* kKnown =
+    QT_TRANSLATE_NOOP("esm::HapticsPanel", "Stopped by the user; arm again to go on");
+  return QCoreApplication::translate("esm::HapticsPanel", reason.c_str());
+}
+
 } // namespace
 
 QString deviceStateText(DeviceState state)
@@ -169,7 +177,7 @@ void HapticsPanel::refreshState()
   QPalette colours = m_state->palette();
   colours.setColor(QPalette::WindowText, stateColour(status.state, palette()));
   m_state->setPalette(colours);
-  if (status.state != DeviceState::Absent) m_reason->setText(QString::fromStdString(status.reason));
+  if (status.state != DeviceState::Absent) m_reason->setText(reasonText(status.reason));
   m_arm->setEnabled(status.state != DeviceState::Absent);
   m_arm->setChecked(status.state == DeviceState::Arming || status.state == DeviceState::Active);
   m_limit->display(m_controller->forceLimit());
@@ -193,7 +201,7 @@ void HapticsPanel::refreshForce()
   m_curve->redraw();
   if (!isVisible()) return;
   m_force->setText(tr("%1 N").arg(QLocale().toString(force.norm(), 'f', 2)));
-  m_dial->setForce(force, m_controller->forceLimit());
+  m_dial->setForce(force);
 }
 
 void HapticsPanel::changeEvent(QEvent* event)
@@ -220,7 +228,8 @@ void HapticsPanel::retranslateUi()
   describe(m_stop, tr("Force zero at once (Esc)"));
   m_forceLabel->setText(tr("Force in the hand"));
   describe(m_force, tr("Force that a device would feel"));
-  describe(m_dial, tr("Direction of the force: x to the right, z up, bar: y; the rim is the force limit"));
+  describe(m_dial,
+           tr("Direction of the force: x to the right, z up, bar: y; the number is the force at the rim"));
   QFont big = font();
   big.setPointSizeF(big.pointSizeF() * 1.7);
   big.setBold(true);

@@ -166,6 +166,14 @@ def journey():
     assert softer["meanStiffness"] < cured["meanStiffness"]
     picture("region")
 
+    # Why: a click on the model explains the node, with the region's share
+    click("tool_actToolSelect")
+    point = until("there is something to select", lambda s: len(s["pullPoint"]) == 2)["pullPoint"]
+    xdo("mousemove", *point)
+    xdo("click", 1)
+    until("the node is explained", lambda s: s["selectedNode"] >= 0 and "nodeWhy" in s["widgets"])
+    picture("why")
+
     # Play and pull: the force can be read
     click("tool_actPlay")
     until("it plays", lambda s: s["playing"] and s["time"] > 0)

@@ -18,3 +18,15 @@ export XDG_RUNTIME_DIR="$home/runtime" XDG_CONFIG_HOME="$home/config" XDG_STATE_
 export QT_QPA_PLATFORM=xcb QT_QPA_PLATFORMTHEME=
 unset WAYLAND_DISPLAY
 xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" python3 "$here/journey.py" "$modeler" "$samples" "$out"
+
+for look in "en light" "de dark"; do
+  read -r language theme <<<"$look"
+  xvfb-run -a -s "-screen 0 1600x1000x24 -noreset" "$modeler" "$out/start.esm" --lang "$language" --theme "$theme" \
+    --screenshot "$out/window-$language-$theme.png" --after 3
+  test -s "$out/window-$language-$theme.png"
+done
+if QT_QPA_PLATFORM=offscreen "$modeler" "$out/absent.esm" --screenshot "$out/none.png" 2>"$out/error.txt"; then
+  echo "FAIL an absent file must not end with 0" >&2
+  exit 1
+fi
+grep -q "absent.esm" "$out/error.txt" && echo "ok   an absent file ends with 1 and its name"

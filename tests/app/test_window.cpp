@@ -168,6 +168,28 @@ TEST_F(WindowTest, PullShowsForceAndStopEndsIt)
   EXPECT_FALSE(run->isPulling());
 }
 
+// Only after "Force on" the device feels the pull, and never more than the limit.
+TEST_F(WindowTest, ArmedDeviceFeelsThePullUpToTheLimit)
+{
+  SimulationController* run = window->controller();
+  const Eigen::Vector3d place = window->document()->project().net.restPosition.col(27);
+  run->setForceLimit(0.3);
+  run->setPlaying(true);
+  run->startPull(27, place);
+  run->movePull(place + Eigen::Vector3d(0, 0, 0.02));
+  QTest::qWait(300);
+  EXPECT_EQ(run->hapticStatus().force.norm(), 0.0);
+  run->arm();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return run->hapticStatus().force.norm() > 0.01; }, 15000));
+  for (int i = 0; i < 20; ++i) {
+    QTest::qWait(20);
+    EXPECT_LE(run->hapticStatus().force.norm(), 0.3 + 1e-12);
+  }
+  run->stop();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return run->hapticStatus().force.norm() == 0.0; }, 2000));
+  EXPECT_EQ(run->hapticStatus().state, DeviceState::Fault);
+}
+
 TEST_F(WindowTest, ImportDialogReportsAndBuildsTheNet)
 {
   const QString path = folder.filePath("two.obj");
