@@ -101,22 +101,6 @@ Scene tube()
   return scene;
 }
 
-Scene stiffTube()
-{
-  Scene scene = tube();
-  scene.name = "stiff";
-  scene.duration = 0.25;
-  scene.finestStep = 5e-7;
-  std::mt19937 random(3);
-  SpringNet& net = scene.net;
-  for (Index s = 0; s < net.springCount(); ++s) {
-    net.stiffness[s] = std::pow(10.0, uniform(random, 0.0, 6.0));
-    net.viscosity[s] = 1e-5 * net.stiffness[s];
-  }
-  for (Index i = 0; i < net.nodeCount(); ++i) net.mass[i] = std::pow(10.0, uniform(random, -6.0, -2.0));
-  return scene;
-}
-
 Scene uterus()
 {
   constexpr Index kRings = 26, kAround = 48;
@@ -199,7 +183,7 @@ Scene smallSheet()
 
 std::vector<Scene> allScenes()
 {
-  return {tube(), uterus(), smallSheet(), stiffTube()};
+  return {tube(), uterus(), smallSheet()};
 }
 
 } // namespace esm::bench

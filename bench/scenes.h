@@ -27,8 +27,6 @@ Scene tube();
 Scene uterus();
 /// A sheet of 625 nodes that hangs from its upper edge and is blown at. Linear.
 Scene smallSheet();
-/// The tube with stiffness over six decades and masses over four.
-Scene stiffTube();
 
 std::vector<Scene> allScenes();
 

@@ -76,6 +76,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_settled = 0;
   m_toleranceGivenUp = false;
   m_floorStep = kFrame / 64.0;
+  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / kMostEvaluations;
   m_bound.prepare(system);
   m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;
@@ -168,6 +169,19 @@ void StepDriver::reconsider(System& system)
   use(m_method, system);
   m_settled = 16;
   explain(system);
+}
+
+double StepDriver::floorStep() const noexcept
+{
+  if (!m_auto) return 0.0;
+  if (m_method == kImplicit) return m_toleranceGivenUp ? m_floorStep : 0.0;
+  return m_explicitFloorStep;
+}
+
+void StepDriver::sayToleranceGivenUp(const System& system)
+{
+  explain(system);
+  m_why += "; the tolerance would cost too many steps and may not hold";
 }
 
 void StepDriver::explain(const System& system)

@@ -129,8 +129,7 @@ double StepDriver::controlledStep(double length) noexcept
 {
   // The bound is exact only for a frozen net; stiffening springs get a margin until the next look.
   const double stable = 0.95 * current().stableStep(m_mode);
-  const double floor = m_toleranceGivenUp && m_method == kImplicit ? m_floorStep : 0.0;
-  return std::min({stable, std::max(m_candidates[m_method].accurateStep, floor), length});
+  return std::min({stable, std::max(m_candidates[m_method].accurateStep, floorStep()), length});
 }
 
 bool StepDriver::stretchControlled(System& system, MotionState& state, double end, StepReport& report)
@@ -146,7 +145,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const double budget = budgetFor(m_start, length);
     current().setSolveTolerance(std::max(0.02 * budget / count, 1e-13 * m_extent));
     Run result = run(system, state, end, steps, report);
-    if (result == Run::Limit) return giveUp(result, report), false;
+    if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     if (result == Run::Done) {
       if (!checkDue(system, state, rms(state.v))) {
         --m_untilCheck;
@@ -157,7 +156,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       state = m_start;
       current().restart();
       result = run(system, state, end, 2 * steps, report);
-      if (result == Run::Limit) return giveUp(result, report), false;
+      if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     }
     if (result != Run::Done) {
       if (!retreat(system, state, result, attempt, report)) return false;
@@ -167,19 +166,45 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const double coarseError = rms(m_coarse, state.x) * ratio / (ratio - 1.0);
     // Kept is the finer run; at the floor step it is kept as it is.
     const double allowed = budgetFor(state, length);
-    const bool accepted = coarseError / ratio <= allowed || (m_toleranceGivenUp && m_method == kImplicit);
+    // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
+    const double rough = 0.1 * std::max(rms(m_start.x, m_rest), 1e-6 * m_extent);
+    const bool atFloor = length / count <= floorStep() && coarseError <= rough;
+    const bool accepted =
+      coarseError / ratio <= allowed || atFloor || (m_toleranceGivenUp && m_method == kImplicit);
     learn(system, coarseError, allowed, length / count, length);
     if (accepted) {
+      if (atFloor && coarseError / ratio > allowed) sayToleranceGivenUp(system);
       measure(state, length);
       reconsider(system);
       return true;
     }
     report.rejectedSteps += 3 * steps;
     state = m_start;
+    reconsider(system);
     current().restart();
   }
   giveUp(Run::NotConverged, report);
   return false;
+}
+
+/// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so
+/// that limited calls get on too, unless energy came from nowhere: then the start of the stretch is the last
+/// good state.
+void StepDriver::stopAtLimit(const System& system, MotionState& state, StepReport& report)
+{
+  const auto energy = [&](const MotionState& at) {
+    return system.kineticEnergy(at.v) + system.elasticEnergy(at.x) +
+           system.forces().gravityEnergy(at.x.data());
+  };
+  const double before = energy(m_start), work = state.work - m_start.work;
+  const double gained = energy(state) - before - work;
+  if (!(gained <= 0.05 * (std::abs(before) + system.kineticEnergy(m_start.v) + std::abs(work)))) {
+    state = m_start;
+    current().restart();
+    m_candidates[m_method].accurateStep = 0.25 * controlledStep(kFrame);
+    m_untilCheck = 0;
+  }
+  giveUp(Run::Limit, report);
 }
 
 /// After a failed run: back to the start of the stretch with a smaller step. @return false to give up.
@@ -226,7 +251,7 @@ double StepDriver::budgetFor(const MotionState& state, double length) const noex
   double scale = std::max(m_displacement, rms(state.x, m_rest));
   if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_squareOverTime / state.time));
   // In the first moments the displacement is not yet what the motion will make of it.
-  if (state.time < 6.0 * kFrame) scale = std::max(scale, std::max(m_speed, rms(state.v)) * kFrame);
+  if (state.time < 6.0 * kFrame) scale = std::max(scale, std::max(m_speed, rms(state.v)) * 3.0 * kFrame);
   return kSafety * m_settings.tolerance * std::max(scale, 1e-6 * m_extent) *
          std::min(1.0, length / kErrorHorizon);
 }

@@ -65,10 +65,13 @@ private:
   Run step(System& system, MotionState& state, double h, double end, StepReport& report);
   Run stepOrParts(System& system, MotionState& state, double h, double end, StepReport& report);
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
   bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
   void learn(const System& system, double error, double budget, double step, double length);
   double controlledStep(double length) noexcept;
+  double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
+  void sayToleranceGivenUp(const System& system);
   double budgetFor(const MotionState& state, double length) const noexcept;
   void measure(const MotionState& state, double length) noexcept;
   void giveUp(Run failure, StepReport& report);
@@ -83,9 +86,10 @@ private:
   FastestMode m_mode;
   std::int64_t m_stepsSinceBound = 0;
   bool m_toleranceGivenUp = false;
-  double m_floorStep = 0.0; ///< smallest implicit step while the tolerance is given up [s]
-  int m_settled = 0;        ///< stretches before the method may change again
-  int m_untilCheck = 0;     ///< stretches until the next one that is done twice
+  double m_floorStep = 0.0;         ///< smallest implicit step while the tolerance is given up [s]
+  double m_explicitFloorStep = 0.0; ///< smallest step that accuracy may cost under `auto` [s]
+  int m_settled = 0;                ///< stretches before the method may change again
+  int m_untilCheck = 0;             ///< stretches until the next one that is done twice
   int m_checkGap = 1;
   std::int64_t m_maxSteps = 0;
 
