@@ -152,10 +152,13 @@ void MainWindow::connectDocument()
   connect(m_document, &Document::regionsChanged, this, &MainWindow::refreshRegions);
   connect(m_document, &Document::inputTargetChanged, this, &MainWindow::refreshRegions);
   connect(m_document, &Document::netChanged, this, [this] {
-    if (m_selectedNode >= m_document->project().net.nodeCount()) selectNode(kNoIndex);
     const SpringNet& net = m_document->project().net;
     m_status->setNet(net.nodeCount(), net.springCount());
-    refreshHoldAction();
+    if (m_selectedNode < net.nodeCount()) refreshHoldAction();
+  });
+  connect(m_document, &Document::modelReplaced, this, [this] {
+    selectNode(kNoIndex);
+    m_view->fit();
   });
   connect(m_document, &Document::problem, this, [this](const Error& error) {
     statusBar()->showMessage(errorLead(error.code) + QLatin1Char(' ') + QString::fromStdString(error.detail),

@@ -124,11 +124,8 @@ void MainWindow::importPath(const QString& path)
   ImportDialog dialog(path, m_jobs, empty, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const bool replace = dialog.replaces();
-  if (auto imported = m_document->importModel(dialog.takeModel(), replace); !imported) {
+  if (auto imported = m_document->importModel(dialog.takeModel(), replace); !imported)
     showError(tr("Import mesh"), imported.error());
-    return;
-  }
-  m_view->fit();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)

@@ -9,6 +9,7 @@
 #include <QPainter>
 #include <QPixmap>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -28,12 +29,14 @@ ScriptedRun::ScriptedRun(MainWindow* window, const QString& picture, double seco
 void ScriptedRun::tick()
 {
   const double now = 1e-3 * static_cast<double>(m_clock.elapsed());
-  constexpr double kSettle = 0.5; // [s] until the first frames are there
+  constexpr double kSettle = 0.3; // [s] until the first frames are there
+  constexpr double kRise = 0.7;   // [s] a hand does not jump
   SimulationController* run = m_window->controller();
   if (now > kSettle && !run->isPulling() && run->snapshotIsCurrent()) takeHold();
   if (run->isPulling()) {
-    const double sway = 0.75 + 0.25 * std::cos(2.0 * std::numbers::pi * 0.8 * (now - m_seconds));
-    run->movePull(m_start + sway * m_reach); // at its farthest when the picture is taken
+    const double sway = 0.85 + 0.15 * std::cos(2.0 * std::numbers::pi * 0.8 * (now - m_seconds));
+    const double ramp = std::clamp((now - kSettle) / kRise, 0.0, 1.0);
+    run->movePull(m_start + ramp * sway * m_reach); // at its farthest when the picture is taken
   }
   if (now >= m_seconds) finish();
 }
@@ -51,7 +54,7 @@ void ScriptedRun::takeHold()
   const double size = (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
   const Eigen::Vector3d middle = nodes.rowwise().mean();
   m_start = nodes.col(node);
-  m_reach = 0.22 * size * ((m_start - middle).normalized() + Eigen::Vector3d(0, 0, 0.4));
+  m_reach = 0.09 * size * ((m_start - middle).normalized() + Eigen::Vector3d(0, 0, 0.4));
   m_window->selectNode(node);
   m_window->controller()->startPull(node, m_start);
 }

@@ -6,6 +6,7 @@
 #include <QScreen>
 
 #include <algorithm>
+#include <utility>
 
 namespace esm {
 
@@ -18,6 +19,11 @@ double refreshRate()
   const double rate = screen != nullptr ? screen->refreshRate() : 0.0;
   return rate >= 24.0 && rate <= 360.0 ? rate : 60.0;
 }
+
+/// On the wall clock a frame in time is worth more than its last digits, and the eye forgives a twentieth of
+/// the motion. The command line keeps to the project's own tolerance.
+constexpr double kPreviewTolerance = 0.05;
+constexpr double kPreviewEffort = 1e6; ///< about half of each frame, see SolverSettings
 
 } // namespace
 
@@ -57,7 +63,10 @@ void SimulationController::load()
     return;
   }
   const Project& project = m_document->project();
-  m_generation = m_sim.load(*net, project.loads, project.simulation.solver);
+  SolverSettings settings = project.simulation.solver;
+  settings.tolerance = std::max(settings.tolerance, kPreviewTolerance);
+  settings.effort = kPreviewEffort;
+  m_generation = m_sim.load(*net, project.loads, std::move(settings));
   m_view->setNet(net, m_generation);
   if (m_playing) m_sim.play();
 }

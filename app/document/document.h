@@ -89,6 +89,7 @@ public:
 signals:
   void projectReset();      ///< another project: everything changed
   void netChanged();        ///< topology, fixed nodes, loads or solver: the simulation starts anew
+  void modelReplaced();     ///< nodes are others than before: forget what was selected (after netChanged)
   void parametersChanged(); ///< same topology, other numbers
   void regionsChanged();
   void inputTargetChanged(int region);

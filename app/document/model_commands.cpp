@@ -34,6 +34,7 @@ void SetModelCommand::put(const ModelPart& part)
   target.parametersFromTissue = part.parametersFromTissue;
   netReplaced(part.derived);
   emit document().netChanged();
+  emit document().modelReplaced();
   emit document().titleChanged();
 }
 

@@ -47,8 +47,9 @@ void ForceDial::paintEvent(QPaintEvent*)
 {
   QPainter painter(this);
   painter.setRenderHint(QPainter::Antialiasing);
-  const double radius = 0.5 * std::min(width() - 14, height()) - 4.0;
-  const QPointF centre(0.5 * (width() - 14), 0.5 * height());
+  constexpr int kBar = 14, kLabel = 16; // [pixel] kept for the bar at the right and the number below
+  const double radius = 0.5 * std::min(width() - kBar, height() - kLabel) - 4.0;
+  const QPointF centre(0.5 * (width() - kBar), 0.5 * (height() - kLabel));
   QColor faint = palette().color(QPalette::WindowText);
   faint.setAlphaF(0.3F);
 
@@ -67,7 +68,8 @@ void ForceDial::paintEvent(QPaintEvent*)
   painter.drawText(QRectF(centre.x() + 2, centre.y() - radius + 1, 12, 12), Qt::AlignCenter,
                    QStringLiteral("z"));
 
-  painter.drawText(QRectF(0, height() - 16, centre.x() - 0.5 * radius, 16), Qt::AlignLeft | Qt::AlignBottom,
+  painter.drawText(QRectF(0, centre.y() + radius + 2, width() - kBar, kLabel),
+                   Qt::AlignHCenter | Qt::AlignTop,
                    QStringLiteral("%1 N").arg(QLocale().toString(m_rim, 'g', 2)));
 
   const QColor colour = signalColours(palette()).force;

@@ -221,6 +221,17 @@ TEST_F(DocumentTest, InputsFollowTheirVariables)
   EXPECT_EQ(std::get<double>(document.inputs()[2]), 0.33);
 }
 
+// Another model has other nodes: who remembers one must hear of it, on undo as well.
+TEST_F(DocumentTest, AnotherModelIsAnnounced)
+{
+  QSignalSpy replaced(&document, &Document::modelReplaced);
+  document.setFixed({1}, true);
+  EXPECT_EQ(replaced.count(), 0);
+  ASSERT_TRUE(document.importModel({"second", {}, buildNet(test::sheetMesh(4)).value()}, true));
+  document.undoStack()->undo();
+  EXPECT_EQ(replaced.count(), 2);
+}
+
 TEST_F(DocumentTest, TargetFollowsTheRegions)
 {
   QSignalSpy moved(&document, &Document::inputTargetChanged);
