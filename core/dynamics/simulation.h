@@ -26,6 +26,11 @@ struct SolverSettings {
   double tolerance = 1e-3;     ///< wanted error, metric of docs/FILE_FORMAT.md (relative, RMS), > 0
   double fixedStep = 0.0; ///< [s]; > 0 takes this substep without error control (for convergence studies)
   int threads = 1;
+  /// Spring evaluations (about 8 ns each) that `auto` may spend on a sixtieth of a second of motion. Where
+  /// the tolerance asks for more, it is given up, the net stays bounded by implicit steps of up to 1/60 s,
+  /// and why() says so. The default is half a second of one core; whoever keeps time with a clock asks for
+  /// less.
+  double effort = 1e8;
 };
 
 struct Energies {

@@ -13,9 +13,6 @@ namespace esm {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0;
-/// Spring evaluations per frame that `auto` may spend on accuracy, about half a second of one core: 30 times
-/// slower than real time.
-constexpr double kMostEvaluations = 1e8;
 /// Implicit steps per frame to begin with; measured from then on.
 constexpr double kImplicitGuess = 4.0;
 
@@ -75,8 +72,8 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_checkGap = 1;
   m_settled = 0;
   m_toleranceGivenUp = false;
-  m_floorStep = kFrame / 64.0;
-  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / kMostEvaluations;
+  m_floorStep = 0.0;
+  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system);
   m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;
@@ -126,7 +123,7 @@ double StepDriver::cost(Method method, const System& system)
 bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
 {
   const auto springs = static_cast<double>(system.forces().activeSprings());
-  return springs * kFrame / m_candidates[kVerlet].integrator->stableStep(m_mode) > kMostEvaluations;
+  return springs * kFrame / m_candidates[kVerlet].integrator->stableStep(m_mode) > m_settings.effort;
 }
 
 void StepDriver::choose(System& system, const MotionState&)
@@ -139,7 +136,7 @@ void StepDriver::choose(System& system, const MotionState&)
     if (steps > 500.0 &&
         (toleranceIsTooDear(system) || cost(kVerlet, system) > 2.0 * cost(kImplicit, system)))
       m_method = kImplicit;
-    m_toleranceGivenUp = m_method == kImplicit && toleranceIsTooDear(system);
+    giveToleranceUp(system, m_method == kImplicit && toleranceIsTooDear(system));
   }
   use(m_method, system);
   explain(system);
@@ -164,11 +161,20 @@ void StepDriver::reconsider(System& system)
       if (tooDear || cost(kVerlet, system) > 3.0 * cost(kImplicit, system)) m_method = kImplicit;
     }
   }
-  m_toleranceGivenUp = tooDear && m_method == kImplicit;
+  giveToleranceUp(system, tooDear && m_method == kImplicit);
   if (m_method == before) return;
   use(m_method, system);
   m_settled = 16;
   explain(system);
+}
+
+void StepDriver::giveToleranceUp(const System& system, bool yes)
+{
+  if (yes && !m_toleranceGivenUp) {
+    const double affordable = m_settings.effort / m_candidates[kImplicit].integrator->stepCost(system);
+    m_floorStep = kFrame / std::clamp(affordable, 1.0, 64.0);
+  }
+  m_toleranceGivenUp = yes;
 }
 
 double StepDriver::floorStep() const noexcept

@@ -70,6 +70,7 @@ private:
   bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
   void learn(const System& system, double error, double budget, double step, double length);
   double controlledStep(double length) noexcept;
+  void giveToleranceUp(const System& system, bool yes);
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
   double budgetFor(const MotionState& state, double length) const noexcept;

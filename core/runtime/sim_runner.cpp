@@ -14,6 +14,7 @@ namespace {
 constexpr double kLeastRate = 1.0, kMostRate = 1000.0;     ///< frames per second
 constexpr double kMostSlices = 256.0;                      ///< of a frame
 constexpr double kSliceTime = 0.02, kMostSliceTime = 0.25; ///< wanted, and never longer [s]
+constexpr std::int64_t kFewSteps = 4;                      ///< too few to be worth dividing
 constexpr std::int64_t kFirstSteps = 64, kLeastSteps = 16, kMostSteps = 1 << 20;
 
 double seconds(std::chrono::steady_clock::duration duration)
@@ -189,8 +190,10 @@ StepReport SimRunner::advanceSliced(double interval, const std::function<bool()>
     part.stepLimit = false; // ours, no fault of the net
     sum.add(part);
     left -= part.simulatedTime;
-    if (took > kSliceTime) m_slice *= 0.5;
-    if (took < 0.25 * kSliceTime) m_slice *= 2.0;
+    // A slice of a few dear steps (an implicit solver's) would only cost the same again when made shorter.
+    const bool indivisible = part.steps <= kFewSteps;
+    if (took > kSliceTime && !indivisible) m_slice *= 0.5;
+    if (took < 0.25 * kSliceTime || indivisible) m_slice *= 2.0;
     const double stepTime = took / static_cast<double>(std::max<std::int64_t>(part.steps, 1));
     m_stepLimit = std::clamp<std::int64_t>(std::llround(kMostSliceTime / std::max(stepTime, 1e-9)),
                                            kLeastSteps, kMostSteps);
