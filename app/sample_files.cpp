@@ -44,7 +44,7 @@ QStringList sampleFiles()
       names << file.completeBaseName();
       files << file.absoluteFilePath();
     }
-  const auto isFirst = [](const QString& file) { return file.contains(QLatin1String("uterus")); };
+  const auto isFirst = [](const QString& file) { return file.contains(QLatin1String("fallopian_tube")); };
   std::stable_partition(files.begin(), files.end(), isFirst);
   return files;
 }

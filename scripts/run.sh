@@ -38,10 +38,11 @@ esm_say "1/5 Importing the fallopian tube"
 
 esm_say "2/5 Giving it tissue by rules: a softer stretch in the middle, both ends held"
 "$bin/esm" apply tube.esm -o poked.esm \
-  --set "hardness=hard" --set elasticity=0.6 --set "shiftability=shiftable" \
-  --region "0.028,0,0.012,0.014,0.012,0.012" --set "hardness=very soft" \
+  --set hardness=0.5 --set "elasticity=elastic" --set "shiftability=hardly shiftable" \
+  --region "0.028,0,0.012,0.014,0.012,0.012" --set "hardness=rather soft" --set "elasticity=elastic" \
+  --set "shiftability=hardly shiftable" \
   --fix-box "-1,-1,-1,0.002,1,1" --fix-box "0.0545,-1,-1,1,1,1" \
-  --poke "0.028,0,0.0155,0,0,-0.15,0.005,1.2"
+  --poke "0.028,0,0.0155,0,0,-0.08,0.005"
 
 esm_say "3/5 Poking it for 2 s"
 "$bin/esm" simulate poked.esm --duration 2 --frames 60 -o poke.pvd --force-curve force.csv \
