@@ -23,7 +23,7 @@ double refreshRate()
 /// On the wall clock a frame in time is worth more than its last digits, and the eye forgives a twentieth of
 /// the motion. The command line keeps to the project's own tolerance.
 constexpr double kPreviewTolerance = 0.05;
-constexpr double kPreviewEffort = 1e6; ///< about half of each frame, see SolverSettings
+constexpr double kPreviewEffort = 5e5; ///< about a quarter of each frame, see SolverSettings
 
 } // namespace
 

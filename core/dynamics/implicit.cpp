@@ -18,7 +18,8 @@ const double kDiagonal = 0.5 * kMiddle;      // implicit share of both stages
 const double kOuter = 0.25 * std::sqrt(2.0); // share of the first two slopes in the last stage
 
 constexpr int kMaxIterations = 25;
-constexpr int kMostLeaps = 3; ///< see leap()
+constexpr int kRoughIterations = 4; ///< of a stage, where only boundedness counts
+constexpr int kMostLeaps = 3;       ///< see leap()
 
 class TrBdf2 final : public Integrator {
 public:
@@ -39,7 +40,11 @@ public:
   {
     return std::numeric_limits<double>::infinity();
   }
-  void setSolveTolerance(double tolerance) noexcept override { m_tolerance = tolerance; }
+  void setSolveTolerance(double tolerance, bool rough) noexcept override
+  {
+    m_tolerance = tolerance;
+    m_rough = rough;
+  }
 
   /// Two stages of a few iterations; a factor serves about four steps, and its multiplications go six to the
   /// time of a spring (measured on the uterus sample: 6.5 ms a step, of a spring 8.5 ns).
@@ -131,7 +136,7 @@ private:
       if (!std::isfinite(norm)) return StepResult::NonFinite;
       if (norm == 0.0) return StepResult::Done;
       const bool usable = std::abs(m_factoredShare - s) < 0.01 * s;
-      if (!usable && !refactor(system, s, wantConvex, report)) return StepResult::NotConverged;
+      if (!usable && !refactor(system, s, wantConvex || m_rough, report)) return StepResult::NotConverged;
       ++report.newtonIterations;
       m_matrix.solve(m_right, m_change);
       const double move = scale * m_change.norm(); // RMS over nodes [m]
@@ -144,7 +149,8 @@ private:
         if (!gained) norm = residual(system, t, s, m_v, rates);
         return StepResult::Done;
       }
-      const bool slow = !gained || next > 0.2 * norm;
+      if (m_rough && gained && iteration + 1 >= kRoughIterations) return StepResult::Done;
+      const bool slow = !gained || (!m_rough && next > 0.2 * norm);
       if (gained) {
         norm = next;
         m_factorIsFresh = wantConvex = false;
@@ -204,6 +210,7 @@ private:
   ImplicitMatrix m_matrix;
   Eigen::VectorXd m_right, m_change;
   double m_tolerance = 1e-9;    ///< [m]
+  bool m_rough = false;         ///< a few iterations that gain are enough
   double m_factoredShare = 0.0; ///< s of the factor at hand, 0 = none
   bool m_factorIsFresh = false; ///< made at the present iterate
   bool m_factorIsConvex = false;

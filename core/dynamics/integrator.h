@@ -34,8 +34,9 @@ public:
   virtual int order() const noexcept = 0;
   /// Largest stable step for such motions [s]; infinity for an implicit method.
   virtual double stableStep(const FastestMode& mode) const noexcept = 0;
-  /// How exactly an implicit method must solve for positions [m].
-  virtual void setSolveTolerance(double /*tolerance*/) noexcept {}
+  /// How exactly an implicit method must solve for positions [m]; `rough`: a few iterations that gain are
+  /// enough, the state only has to stay bounded.
+  virtual void setSolveTolerance(double /*tolerance*/, bool /*rough*/) noexcept {}
   /// Cost of a step in spring evaluations.
   virtual double stepCost(const System& system) = 0;
 };

@@ -117,7 +117,7 @@ StepDriver::Run StepDriver::stepOrParts(System& system, MotionState& state, doub
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
 {
-  current().setSolveTolerance(1e-12 * m_extent);
+  current().setSolveTolerance(1e-12 * m_extent, false);
   const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
   const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
   if (result != Run::Done) giveUp(result, report);
@@ -145,7 +145,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const double budget = budgetFor(m_start, length);
     // What nobody checks needs no digits beyond what the eye can see.
     const bool unchecked = m_toleranceGivenUp && m_method == kImplicit;
-    current().setSolveTolerance(std::max(0.02 * budget / count, (unchecked ? 1e-6 : 1e-13) * m_extent));
+    current().setSolveTolerance(std::max(0.02 * budget / count, (unchecked ? 1e-4 : 1e-13) * m_extent),
+                                unchecked);
     Run result = run(system, state, end, steps, report);
     if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     if (result == Run::Done) {
