@@ -18,8 +18,11 @@ const double kDiagonal = 0.5 * kMiddle;      // implicit share of both stages
 const double kOuter = 0.25 * std::sqrt(2.0); // share of the first two slopes in the last stage
 
 constexpr int kMaxIterations = 25;
-constexpr int kRoughIterations = 4; ///< of a stage, where only boundedness counts
-constexpr int kMostLeaps = 3;       ///< see leap()
+/// Where only boundedness counts, a stage is solved after so many iterations, if they left so much of its
+/// residual.
+constexpr int kRoughIterations = 4;
+constexpr double kRoughResidual = 0.1;
+constexpr int kMostLeaps = 3; ///< see leap()
 
 class TrBdf2 final : public Integrator {
 public:
@@ -128,6 +131,7 @@ private:
   {
     double norm = residual(system, t, s, m_v, rates);
     if (m_matrix.size() == 0) return std::isfinite(norm) ? StepResult::Done : StepResult::NonFinite;
+    const double first = norm;
     const double scale = s / std::sqrt(static_cast<double>(m_matrix.size()) / 3.0);
     m_factorIsFresh = false;
     int leaps = 0;
@@ -149,8 +153,9 @@ private:
         if (!gained) norm = residual(system, t, s, m_v, rates);
         return StepResult::Done;
       }
-      if (m_rough && gained && iteration + 1 >= kRoughIterations) return StepResult::Done;
-      const bool slow = !gained || (!m_rough && next > 0.2 * norm);
+      if (m_rough && next <= kRoughResidual * first && iteration + 1 >= kRoughIterations)
+        return StepResult::Done;
+      const bool slow = !gained || next > (m_rough ? 0.8 : 0.2) * norm;
       if (gained) {
         norm = next;
         m_factorIsFresh = wantConvex = false;

@@ -148,6 +148,13 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     current().setSolveTolerance(std::max(0.02 * budget / count, (unchecked ? 1e-4 : 1e-13) * m_extent),
                                 unchecked);
     Run result = run(system, state, end, steps, report);
+    if (unchecked && result == Run::Done && energyAppeared(system, state)) { // too rough: once more, exactly
+      report.rejectedSteps += steps;
+      state = m_start;
+      current().restart();
+      current().setSolveTolerance(std::max(0.02 * budget / count, 1e-6 * m_extent), false);
+      result = run(system, state, end, steps, report);
+    }
     if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     if (result == Run::Done) {
       if (unchecked || !checkDue(system, state, rms(state.v))) {
@@ -190,10 +197,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   return false;
 }
 
-/// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so
-/// that limited calls get on too, unless energy came from nowhere: then the start of the stretch is the last
-/// good state.
-void StepDriver::stopAtLimit(const System& system, MotionState& state, StepReport& report)
+/// Whether the net has more energy than at the start of the stretch without work that explains it.
+bool StepDriver::energyAppeared(const System& system, const MotionState& state) const
 {
   const auto energy = [&](const MotionState& at) {
     return system.kineticEnergy(at.v) + system.elasticEnergy(at.x) +
@@ -201,7 +206,15 @@ void StepDriver::stopAtLimit(const System& system, MotionState& state, StepRepor
   };
   const double before = energy(m_start), work = state.work - m_start.work;
   const double gained = energy(state) - before - work;
-  if (!(gained <= 0.05 * (std::abs(before) + system.kineticEnergy(m_start.v) + std::abs(work)))) {
+  return !(gained <= 0.05 * (std::abs(before) + system.kineticEnergy(m_start.v) + std::abs(work)));
+}
+
+/// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so
+/// that limited calls get on too, unless energy came from nowhere: then the start of the stretch is the last
+/// good state.
+void StepDriver::stopAtLimit(const System& system, MotionState& state, StepReport& report)
+{
+  if (energyAppeared(system, state)) {
     state = m_start;
     current().restart();
     m_candidates[m_method].accurateStep = 0.25 * controlledStep(kFrame);

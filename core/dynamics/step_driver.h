@@ -65,6 +65,7 @@ private:
   Run step(System& system, MotionState& state, double h, double end, StepReport& report);
   Run stepOrParts(System& system, MotionState& state, double h, double end, StepReport& report);
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  bool energyAppeared(const System& system, const MotionState& state) const;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
   bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
