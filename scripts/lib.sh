@@ -8,9 +8,9 @@ esm_say() { printf '\033[1m== %s\033[0m\n' "$*"; }
 esm_die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 
 # What building and running need, what testing needs besides, what only the checks of .ci/run need.
-esm_build_packages=(g++ cmake ninja-build ccache libeigen3-dev libassimp-dev libcli11-dev nlohmann-json3-dev
-  qt6-base-dev libqt6opengl6-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libgl-dev libqcustomplot-dev
-  libgl1-mesa-dri libgtest-dev libgmock-dev libbenchmark-dev python3)
+esm_build_packages=(g++ cmake ninja-build ccache libeigen3-dev libassimp-dev zlib1g-dev libcli11-dev nlohmann-json3-dev
+  qt6-base-dev libqt6opengl6-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libgl-dev
+  libqcustomplot-dev libgl1-mesa-dri libgtest-dev libgmock-dev libbenchmark-dev python3)
 esm_show_packages=(xvfb xauth fonts-dejavu-core)
 esm_test_packages=(python3-jsonschema xdotool imagemagick x11-apps locales git)
 esm_check_packages=(clang-format clang-tidy)
