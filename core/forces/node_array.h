@@ -18,8 +18,8 @@ namespace esm {
 
 /// Four doubles that the compiler keeps in one AVX register, or in two SSE2 ones: lane by lane the same
 /// arithmetic, so both give the same bits.
-typedef double Lanes __attribute__((vector_size(32)));
-typedef std::int64_t LaneBits __attribute__((vector_size(32)));
+using Lanes = double __attribute__((vector_size(32)));
+using LaneBits = std::int64_t __attribute__((vector_size(32)));
 
 /// Memory on cache line borders: std::allocator forgets the alignment of a vector type.
 template <class T>
