@@ -26,13 +26,13 @@ ESM_INLINE void squareRoot(Lanes& value) noexcept
 ESM_INLINE void transpose(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3, Lanes& x,
                           Lanes& y, Lanes& z) noexcept
 {
-  const Lanes low = __builtin_shuffle(r0, r1, LaneBits{0, 4, 1, 5});  // x0 x1 y0 y1
-  const Lanes high = __builtin_shuffle(r2, r3, LaneBits{0, 4, 1, 5}); // x2 x3 y2 y3
-  const Lanes lowZ = __builtin_shuffle(r0, r1, LaneBits{2, 6, 3, 7});
-  const Lanes highZ = __builtin_shuffle(r2, r3, LaneBits{2, 6, 3, 7});
-  x = __builtin_shuffle(low, high, LaneBits{0, 1, 4, 5});
-  y = __builtin_shuffle(low, high, LaneBits{2, 3, 6, 7});
-  z = __builtin_shuffle(lowZ, highZ, LaneBits{0, 1, 4, 5});
+  const Lanes low = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);  // x0 x1 y0 y1
+  const Lanes high = __builtin_shufflevector(r2, r3, 0, 4, 1, 5); // x2 x3 y2 y3
+  const Lanes lowZ = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
+  const Lanes highZ = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
+  x = __builtin_shufflevector(low, high, 0, 1, 4, 5);
+  y = __builtin_shufflevector(low, high, 2, 3, 6, 7);
+  z = __builtin_shufflevector(lowZ, highZ, 0, 1, 4, 5);
 }
 
 ESM_INLINE void loadLanes(const double* from, Lanes& to) noexcept
