@@ -53,6 +53,7 @@ StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings)
 
 void StepDriver::begin(System& system, const MotionState& state)
 {
+  m_part = NetPart{{}, {}, state.x.size(), 0.0};
   m_rest = state.x;
   m_start = state;
   m_coarse = state.x;
@@ -89,6 +90,38 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
   m_stepsSinceBound = 0;
   m_untilCheck = 0;
   m_checkGap = 1;
+}
+
+void StepDriver::partChanged(System& system, const MotionState& state, NetPart part)
+{
+  m_rest.swap(part.rest);
+  m_part = std::move(part);
+  for (Candidate& candidate : m_candidates) candidate.prepared = false;
+  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
+  m_bound.prepare(system);
+  m_mode = m_bound.compute(system, state.x, state.v);
+  m_stepsSinceBound = 0;
+  giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
+  prepare(m_method, system);
+  explain(system);
+}
+
+ErrorScale StepDriver::errorScale() const noexcept
+{
+  return {m_displacement, m_squareOverTime, m_speed, m_topSpeed};
+}
+
+void StepDriver::setErrorScale(const ErrorScale& scale) noexcept
+{
+  m_displacement = scale.displacement;
+  m_squareOverTime = scale.squareOverTime;
+  m_speed = scale.speed;
+  m_topSpeed = scale.topSpeed;
+}
+
+Index StepDriver::nameOf(Index node) const noexcept
+{
+  return m_part.nodes.empty() ? node : m_part.nodes[static_cast<std::size_t>(node)];
 }
 
 void StepDriver::prepare(Method method, const System& system)
@@ -195,7 +228,7 @@ void StepDriver::explain(const System& system)
   m_name = integratorTable()[m_method].name;
   const double step = m_candidates[kVerlet].integrator->stableStep(m_mode);
   const bool bounded = std::isfinite(step) && m_mode.node != kNoIndex;
-  const std::string need = bounded ? "springs at node " + std::to_string(m_mode.node) + " (" +
+  const std::string need = bounded ? "springs at node " + std::to_string(nameOf(m_mode.node)) + " (" +
                                        formatDouble(m_mode.springStiffness, 3) + " N/m on " +
                                        formatDouble(system.mass()[static_cast<std::size_t>(m_mode.node)], 3) +
                                        " kg) need explicit steps of " + microseconds(step)
@@ -215,7 +248,7 @@ void StepDriver::explain(const System& system)
 void StepDriver::giveUp(Run failure, StepReport& report)
 {
   const std::string place =
-    m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(m_mode.node) + ")";
+    m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(nameOf(m_mode.node)) + ")";
   if (failure == Run::Limit) {
     report.stepLimit = true;
     m_why = "the work limit of " + std::to_string(m_maxSteps) +

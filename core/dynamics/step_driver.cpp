@@ -16,21 +16,27 @@ constexpr int kMostAttempts = 24;     ///< of one stretch
 constexpr int kLongestCheckGap = 32;  ///< stretches
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
-double rms(const NodeArray& a, const NodeArray& b) noexcept
+double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
 {
   Lanes sum = {0, 0, 0, 0};
   for (std::size_t i = 0; i < a.size(); ++i) {
     const Lanes d = a[i] - b[i];
     sum += d * d;
   }
-  return std::sqrt(sumLanes(sum) / static_cast<double>(std::max<std::size_t>(a.size(), 1)));
+  return sumLanes(sum);
 }
 
-double rms(const NodeArray& a) noexcept
+/// RMS over `count` nodes, of which those outside the array have the value 0.
+double rms(const NodeArray& a, const NodeArray& b, std::size_t count) noexcept
+{
+  return std::sqrt(sumOfSquares(a, b) / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+double rms(const NodeArray& a, std::size_t count) noexcept
 {
   Lanes sum = {0, 0, 0, 0};
   for (const Lanes& value : a) sum += value * value;
-  return std::sqrt(sumLanes(sum) / static_cast<double>(std::max<std::size_t>(a.size(), 1)));
+  return std::sqrt(sumLanes(sum) / static_cast<double>(std::max<std::size_t>(count, 1)));
 }
 
 } // namespace
@@ -142,7 +148,9 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const double count = std::ceil(length / step * (1.0 - 1e-9));
     if (!(count < 1e12)) return giveUp(Run::NotConverged, report), false;
     const auto steps = static_cast<std::int64_t>(count);
-    const double budget = budgetFor(m_start, length);
+    // An implicit solver measures over the nodes that it has.
+    const auto whole = static_cast<double>(m_part.wholeCount), here = static_cast<double>(state.x.size());
+    const double budget = budgetFor(m_start, length) * std::sqrt(whole / std::max(here, 1.0));
     // What nobody checks needs no digits beyond what the eye can see.
     const bool unchecked = m_toleranceGivenUp && m_method == kImplicit;
     current().setSolveTolerance(std::max(0.02 * budget / count, (unchecked ? 1e-4 : 1e-13) * m_extent),
@@ -157,7 +165,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     }
     if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     if (result == Run::Done) {
-      if (unchecked || !checkDue(system, state, rms(state.v))) {
+      if (unchecked || !checkDue(system, state, rms(state.v, m_part.wholeCount))) {
         --m_untilCheck;
         measure(state, length);
         if (unchecked) reconsider(system);
@@ -174,11 +182,11 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       continue;
     }
     const double ratio = current().order() == 4 ? 16.0 : 4.0; // of the errors at h and h/2
-    const double coarseError = rms(m_coarse, state.x) * ratio / (ratio - 1.0);
+    const double coarseError = rms(m_coarse, state.x, m_part.wholeCount) * ratio / (ratio - 1.0);
     // Kept is the finer run; at the floor step it is kept as it is.
     const double allowed = budgetFor(state, length);
     // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
-    const double rough = 0.1 * std::max(rms(m_start.x, m_rest), 1e-6 * m_extent);
+    const double rough = 0.1 * std::max(rmsDisplacement(m_start.x), 1e-6 * m_extent);
     const bool atFloor = length / count <= floorStep() && coarseError <= rough;
     const bool accepted = coarseError / ratio <= allowed || atFloor;
     learn(system, coarseError, allowed, length / count, length);
@@ -264,19 +272,26 @@ void StepDriver::learn(const System&, double error, double budget, double step, 
 /// Error that a stretch may add [m], RMS over nodes.
 double StepDriver::budgetFor(const MotionState& state, double length) const noexcept
 {
-  double scale = std::max(m_displacement, rms(state.x, m_rest));
+  double scale = std::max(m_displacement, rmsDisplacement(state.x));
   if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_squareOverTime / state.time));
   // In the first moments the displacement is not yet what the motion will make of it.
-  if (state.time < 6.0 * kFrame) scale = std::max(scale, std::max(m_speed, rms(state.v)) * 3.0 * kFrame);
+  if (state.time < 6.0 * kFrame)
+    scale = std::max(scale, std::max(m_speed, rms(state.v, m_part.wholeCount)) * 3.0 * kFrame);
   return kSafety * m_settings.tolerance * std::max(scale, 1e-6 * m_extent) *
          std::min(1.0, length / kErrorHorizon);
 }
 
+double StepDriver::rmsDisplacement(const NodeArray& x) const noexcept
+{
+  const double sum = sumOfSquares(x, m_rest) + m_part.squareElsewhere;
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(m_part.wholeCount, 1)));
+}
+
 void StepDriver::measure(const MotionState& state, double length) noexcept
 {
-  m_displacement = rms(state.x, m_rest);
+  m_displacement = rmsDisplacement(state.x);
   m_squareOverTime += m_displacement * m_displacement * length;
-  m_speed = rms(state.v);
+  m_speed = rms(state.v, m_part.wholeCount);
   m_topSpeed = std::max(m_topSpeed, m_speed);
 }
 

@@ -9,6 +9,21 @@
 
 namespace esm {
 
+/// Says that a System is a part of a net whose other nodes rest: errors are still measured over the whole.
+struct NetPart {
+  std::vector<Index> nodes;     ///< place of each node in the whole net; empty: the system is the whole net
+  NodeArray rest;               ///< their positions at t = 0 [m]
+  std::size_t wholeCount = 0;   ///< nodes of the whole net
+  double squareElsewhere = 0.0; ///< sum of squared displacements of the nodes outside [m^2]
+};
+
+/// What the error is measured against, RMS over the nodes of the whole net.
+struct ErrorScale {
+  double displacement = 0.0;          ///< now [m]
+  double squareOverTime = 0.0;        ///< integral of its square [m^2 s]
+  double speed = 0.0, topSpeed = 0.0; ///< now and so far [m/s]
+};
+
 /// Chooses method and step, and takes the steps.
 ///
 /// Time is cut at the loads' events, and between them into stretches of at most a frame (1/60 s) with equal
@@ -32,6 +47,11 @@ public:
   void parametersChanged(System& system, const MotionState& state);
   /// Tools have come, moved or gone.
   void toolsChanged(System& system, const MotionState& state, bool sameNodes);
+  /// The next calls are about this part of the net, in motion as before: what was learned stays.
+  void partChanged(System& system, const MotionState& state, NetPart part);
+  /// For a caller that takes an advance() back.
+  ErrorScale errorScale() const noexcept;
+  void setErrorScale(const ErrorScale& scale) noexcept;
 
   StepReport advance(System& system, MotionState& state, double interval, std::int64_t maxSteps);
 
@@ -76,6 +96,8 @@ private:
   void sayToleranceGivenUp(const System& system);
   double budgetFor(const MotionState& state, double length) const noexcept;
   void measure(const MotionState& state, double length) noexcept;
+  double rmsDisplacement(const NodeArray& x) const noexcept;
+  Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(Run failure, StepReport& report);
   void explain(const System& system);
 
@@ -94,6 +116,8 @@ private:
   int m_untilCheck = 0;             ///< stretches until the next one that is done twice
   int m_checkGap = 1;
   std::int64_t m_maxSteps = 0;
+
+  NetPart m_part; ///< without `rest`, which is below
 
   // What the error is measured against
   NodeArray m_rest;                       ///< positions at t = 0 [m]
