@@ -7,29 +7,27 @@ namespace {
 
 /// f = k e (1 + a (e/L)^2)
 struct Cubic {
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, const Lanes& rest,
-                                 Lanes& f) noexcept
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, Lanes& f) noexcept
   {
     Lanes k, a;
-    detail::loadLanes(&batch.stiffness[i], k);
-    detail::loadLanes(&batch.parameter[i], a);
-    const Lanes strain = e / rest;
-    f = k * e * (1.0 + a * (strain * strain));
+    detail::loadLanes(&batch.factor[i], k);
+    detail::loadLanes(&batch.growth[i], a);
+    f = k * e * (1.0 + a * (e * e));
   }
 };
 
-ESM_CPU_CLONES SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                                    Lanes* force) noexcept
+ESM_CPU_CLONES SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                    Lanes* damper) noexcept
 {
-  return detail::springPass<Cubic>(batch, x, v, force);
+  return detail::springPass<Cubic>(batch, x, v, force, damper);
 }
 
 class CubicLaw final : public SpringLawKernel {
 public:
-  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                       Lanes* force) const noexcept override
+  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                       Lanes* damper) const noexcept override
   {
-    return cubicPass(batch, x, v, force);
+    return cubicPass(batch, x, v, force, damper);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

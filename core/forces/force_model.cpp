@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numeric>
 
 namespace esm {
 namespace {
@@ -20,28 +21,14 @@ SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept
   return law;
 }
 
-void append(SpringBatch& batch, const SpringNet& net, Index s)
+/// Springs by the lower of their ends: neighbours in memory are touched together.
+std::vector<Index> byLowerEnd(const SpringNet& net)
 {
-  batch.a.push_back(net.ends(0, s));
-  batch.b.push_back(net.ends(1, s));
-  batch.restLength.push_back(net.restLength[s]);
-  batch.stiffness.push_back(net.stiffness[s]);
-  batch.viscosity.push_back(net.viscosity[s]);
-  batch.parameter.push_back(net.lawParameter[s]);
-  batch.spring.push_back(s);
-}
-
-void pad(SpringBatch& batch)
-{
-  batch.count = batch.a.size();
-  while (batch.a.size() % 4 != 0) {
-    batch.a.push_back(0);
-    batch.b.push_back(0);
-    batch.restLength.push_back(1.0);
-    batch.stiffness.push_back(0.0);
-    batch.viscosity.push_back(0.0);
-    batch.parameter.push_back(batch.law == SpringLaw::Table ? 0.0 : 1.0);
-  }
+  std::vector<Index> order(static_cast<std::size_t>(net.springCount()));
+  std::iota(order.begin(), order.end(), Index{0});
+  const auto lower = [&](Index s) { return std::min(net.ends(0, s), net.ends(1, s)); };
+  std::stable_sort(order.begin(), order.end(), [&](Index s, Index t) { return lower(s) < lower(t); });
+  return order;
 }
 
 } // namespace
@@ -49,28 +36,30 @@ void pad(SpringBatch& batch)
 ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
   : m_springCount(static_cast<std::size_t>(net.springCount()))
 {
-  std::array<SpringBatch, 16> bins; // law x tension-only x damped
-  for (Index s = 0; s < net.springCount(); ++s) {
+  std::array<std::vector<Index>, 16> bins; // law x tension-only x damped
+  for (const Index s : byLowerEnd(net)) {
     if (net.stiffness[s] == 0.0 && net.viscosity[s] == 0.0) continue;
     const auto place = static_cast<std::size_t>(s);
     const SpringLaw law = effectiveLaw(net.law[place], net.lawParameter[s]);
-    const bool tensionOnly = net.tensionOnly[place] != 0, damped = net.viscosity[s] > 0.0;
-    SpringBatch& bin = bins[static_cast<std::size_t>(law) * 4 + (tensionOnly ? 2u : 0u) + (damped ? 1u : 0u)];
-    bin.law = law;
-    bin.tensionOnly = tensionOnly;
-    bin.damped = damped;
-    append(bin, net, s);
+    bins[static_cast<std::size_t>(law) * 4 + (net.tensionOnly[place] != 0 ? 2u : 0u) +
+         (net.viscosity[s] > 0.0 ? 1u : 0u)]
+      .push_back(s);
   }
-  for (SpringBatch& bin : bins) {
-    if (bin.a.empty()) continue;
-    if (bin.law == SpringLaw::Table) bin.tables = net.tables;
-    pad(bin);
-    m_nonlinear = m_nonlinear || bin.law != SpringLaw::Linear;
-    for (std::size_t i = 0; i < bin.count; ++i) m_ends.push_back({bin.a[i], bin.b[i]});
-    m_activeSprings += static_cast<std::int64_t>(bin.count);
-    m_batches.push_back(std::move(bin));
+  for (std::size_t kind = 0; kind < bins.size(); ++kind) {
+    if (bins[kind].empty()) continue;
+    SpringBatch batch;
+    batch.law = static_cast<SpringLaw>(kind / 4);
+    batch.tensionOnly = kind % 4 >= 2;
+    batch.damped = kind % 2 == 1;
+    for (const Index s : conflictFreeOrder(net, bins[kind])) batch.append(net, s);
+    batch.finish();
+    if (batch.law == SpringLaw::Table) batch.tables = net.tables;
+    m_nonlinear = m_nonlinear || batch.law != SpringLaw::Linear;
+    for (std::size_t i = 0; i < batch.count; ++i) m_ends.push_back({batch.a[i], batch.b[i]});
+    m_activeSprings += static_cast<std::int64_t>(batch.count);
+    m_damperSize += esm::damperSize(batch);
+    m_batches.push_back(std::move(batch));
   }
-  for (Index node = 0; node < net.nodeCount(); ++node) m_weight.push_back(toLanes(net.mass[node] * gravity));
   for (Index i = 0; i < net.anchors.count(); ++i) {
     const double k = net.anchors.stiffness[i], c = net.anchors.viscosity[i];
     if (k > 0.0 || c > 0.0)
@@ -81,29 +70,20 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
     const Eigen::ArrayXd drag = net.massDamping * net.mass;
     m_massDrag.assign(drag.begin(), drag.end());
   }
+  m_nodeForces = NodeForces(net, gravity, m_anchors, m_massDrag);
 }
 
-SpringSums ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force) const noexcept
+SpringSums ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force,
+                                     Lanes* damper) const noexcept
 {
-  std::copy(m_weight.begin(), m_weight.end(), force);
   SpringSums sums;
+  sums.heat = m_nodeForces.set(x, v, force);
   for (const SpringBatch& batch : m_batches) {
-    const SpringSums part = springLawKernel(batch.law).addForces(batch, x, v, force);
+    const SpringSums part = springLawKernel(batch.law).addForces(batch, x, v, force, damper);
+    if (damper != nullptr) damper += esm::damperSize(batch);
     sums.heat += part.heat;
     sums.degenerate += part.degenerate;
   }
-  Lanes heat = {0, 0, 0, 0};
-  for (const Anchor& anchor : m_anchors) {
-    const Lanes drag = v[anchor.node] * anchor.viscosity;
-    force[anchor.node] -= (x[anchor.node] - anchor.point) * anchor.stiffness + drag;
-    heat += drag * v[anchor.node];
-  }
-  for (std::size_t i = 0; i < m_massDrag.size(); ++i) {
-    const Lanes drag = v[i] * m_massDrag[i];
-    force[i] -= drag;
-    heat += drag * v[i];
-  }
-  sums.heat += sumLanes(heat);
   return sums;
 }
 
@@ -116,6 +96,15 @@ void ForceModel::forEachSpring(const Lanes* x, const Visit& visit) const
       const Lanes d = x[batch.b[i]] - x[batch.a[i]];
       visit(batch, i, d, std::sqrt(dot(d, d)));
     }
+}
+
+void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force) const noexcept
+{
+  for (const SpringBatch& batch : m_batches) {
+    esm::addDamping(batch, damper, v, force);
+    damper += esm::damperSize(batch);
+  }
+  m_nodeForces.addDamping(v, force);
 }
 
 double ForceModel::elasticEnergy(const Lanes* x) const noexcept
@@ -135,7 +124,8 @@ double ForceModel::elasticEnergy(const Lanes* x) const noexcept
 double ForceModel::gravityEnergy(const Lanes* x) const noexcept
 {
   double energy = 0.0;
-  for (std::size_t i = 0; i < m_weight.size(); ++i) energy -= dot(m_weight[i], x[i]);
+  for (std::size_t i = 0; i < m_nodeForces.weight().size(); ++i)
+    energy -= dot(m_nodeForces.weight()[i], x[i]);
   return energy;
 }
 

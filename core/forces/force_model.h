@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/forces/node_forces.h"
 #include "core/forces/spring_law.h"
 
 namespace esm {
@@ -30,13 +31,18 @@ public:
   ForceModel() = default;
   ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity);
 
-  std::size_t nodeCount() const noexcept { return m_weight.size(); }
+  std::size_t nodeCount() const noexcept { return m_nodeForces.weight().size(); }
   /// Springs that one addForces() evaluates.
   std::int64_t activeSprings() const noexcept { return m_activeSprings; }
   bool isNonlinear() const noexcept { return m_nonlinear; }
 
   /// Sets `force` (N entries) to the weight plus all other forces of the net. Does not allocate.
-  SpringSums computeForces(const Lanes* x, const Lanes* v, Lanes* force) const noexcept;
+  /// @param damper  damperSize() entries that receive the springs' damping at x, or null.
+  SpringSums computeForces(const Lanes* x, const Lanes* v, Lanes* force,
+                           Lanes* damper = nullptr) const noexcept;
+  /// Adds all viscous forces at velocities v to `force`, the springs' as computeForces() kept them: - D v.
+  void addDamping(const Lanes* damper, const Lanes* v, Lanes* force) const noexcept;
+  std::size_t damperSize() const noexcept { return m_damperSize; }
 
   double elasticEnergy(const Lanes* x) const noexcept; ///< springs and anchors [J]
   double gravityEnergy(const Lanes* x) const noexcept; ///< - sum m g.p [J]
@@ -52,11 +58,7 @@ public:
   const std::vector<Ends>& springEnds() const noexcept { return m_ends; }
 
   // What acts on single nodes, as the implicit solver and the step bound need it.
-  struct Anchor {
-    Index node;
-    Lanes point;
-    double stiffness, viscosity;
-  };
+  using Anchor = esm::Anchor;
   const std::vector<Anchor>& anchors() const noexcept { return m_anchors; }
   /// alpha m of every node [kg/s]; empty without mass damping.
   const std::vector<double>& massDrag() const noexcept { return m_massDrag; }
@@ -68,9 +70,10 @@ private:
   std::vector<SpringBatch> m_batches;
   std::vector<Ends> m_ends;
   std::int64_t m_activeSprings = 0;
+  std::size_t m_damperSize = 0;
   std::size_t m_springCount = 0; ///< of the net, idle ones included
   bool m_nonlinear = false;
-  NodeArray m_weight; ///< m g [N]
+  NodeForces m_nodeForces;
   std::vector<Anchor> m_anchors;
   std::vector<double> m_massDrag;
 };

@@ -7,27 +7,26 @@ namespace {
 
 /// f = k e
 struct Linear {
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e,
-                                 const Lanes& /*rest*/, Lanes& f) noexcept
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, Lanes& f) noexcept
   {
     Lanes k;
-    detail::loadLanes(&batch.stiffness[i], k);
+    detail::loadLanes(&batch.factor[i], k);
     f = k * e;
   }
 };
 
-ESM_CPU_CLONES SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                                     Lanes* force) noexcept
+ESM_CPU_CLONES SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                     Lanes* damper) noexcept
 {
-  return detail::springPass<Linear>(batch, x, v, force);
+  return detail::springPass<Linear>(batch, x, v, force, damper);
 }
 
 class LinearLaw final : public SpringLawKernel {
 public:
-  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                       Lanes* force) const noexcept override
+  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                       Lanes* damper) const noexcept override
   {
-    return linearPass(batch, x, v, force);
+    return linearPass(batch, x, v, force, damper);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -25,11 +25,27 @@ struct SpringBatch {
   std::vector<Index> a, b;                              ///< ends
   std::vector<double> restLength, stiffness, viscosity; ///< [m] [N/m] [N s/m]
   std::vector<double> parameter;                        ///< a, b of the law, or the index of the table [1]
-  std::vector<Index> spring;                            ///< place in the SpringNet, `count` entries
-  std::vector<ForceTable> tables;                       ///< copy of the net's, for the table law only
+  /// What the kernels read, by finish(): linear k; cubic k and a/L^2; exponential k L/b and b/L.
+  std::vector<double> factor, growth;
+  std::vector<double> rootViscosity; ///< sqrt(c)
+  std::vector<Index> spring;         ///< place in the SpringNet, `count` entries
+  std::vector<ForceTable> tables;    ///< copy of the net's, for the table law only
 
   std::size_t paddedCount() const noexcept { return a.size(); }
+  void append(const SpringNet& net, Index s);
+  /// Pads and derives; after the last append().
+  void finish();
 };
+
+/// The damping of a batch at one instant, kept by addForces(): for each group of four springs the x, y and z
+/// of q = sqrt(c) u. Between two ends a and b it is the force q (q.w) on a and its opposite on b.
+using DamperArray = NodeArray;
+inline std::size_t damperSize(const SpringBatch& batch) noexcept
+{
+  return batch.damped ? batch.paddedCount() / 4 * 3 : 0;
+}
+/// Adds the forces of the kept dampers at velocities v (N) to `force` (N): less than half of a full pass.
+void addDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept;
 
 /// What a pass over springs found besides the forces.
 struct SpringSums {
@@ -54,10 +70,11 @@ public:
   ///     T = f(e) + c (w.d)/l,   force[a] += T d/l,   force[b] -= T d/l
   ///
   /// @param x, v, force  N entries each; contributions are added, the caller clears `force`.
+  /// @param damper  damperSize() entries that receive the damping, or null.
   /// @note Any thread. Never throws or allocates. Springs are summed in array order and each lane computes
   ///       what a single spring would, so equal input gives equal bits with and without AVX2.
-  virtual SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                               Lanes* force) const noexcept = 0;
+  virtual SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                               Lanes* damper) const noexcept = 0;
 
   /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents,
   /// energies and tests.
@@ -65,6 +82,12 @@ public:
 };
 
 const SpringLawKernel& springLawKernel(SpringLaw law) noexcept;
+
+/// The order in which a pass goes over springs: as given, but two springs that share a node stand at least a
+/// dozen places apart where that is possible. A processor that must add to a force which it has just stored
+/// waits for the store; in the order of a mesh that costs a third of the pass.
+/// @param springs  places in `net`.
+std::vector<Index> conflictFreeOrder(const SpringNet& net, const std::vector<Index>& springs);
 
 // The implementations, one file each.
 const SpringLawKernel& linearLaw() noexcept;

@@ -4,11 +4,12 @@
 
 #include "core/forces/spring_law.h"
 
-/// Put before a function that deserves a second version for CPUs with AVX2; the loader chooses. Off under
-/// sanitizers, which cannot run before the choice is made, and where there is no such choice.
+/// Put before a function that deserves further versions for CPUs with AVX2 and with AVX-512 (whose 32
+/// registers spare the spills; lanes stay four wide); the loader chooses. Off under sanitizers, which cannot
+/// run before the choice is made, and where there is no such choice.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(ESM_SANITIZED) &&            \
   !defined(ESM_NO_CLONES)
-#define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3")))
+#define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define ESM_CPU_CLONES
 #endif
@@ -35,15 +36,34 @@ ESM_INLINE void transpose(const Lanes& r0, const Lanes& r1, const Lanes& r2, con
   z = __builtin_shufflevector(lowZ, highZ, 0, 1, 4, 5);
 }
 
+/// Four springs' x, y, z back to four nodes' (x, y, z, 0).
+ESM_INLINE void transposeBack(const Lanes& x, const Lanes& y, const Lanes& z, Lanes& r0, Lanes& r1, Lanes& r2,
+                              Lanes& r3) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  const Lanes xyEven = __builtin_shufflevector(x, y, 0, 4, 2, 6); // x0 y0 x2 y2
+  const Lanes xyOdd = __builtin_shufflevector(x, y, 1, 5, 3, 7);
+  const Lanes zEven = __builtin_shufflevector(z, zero, 0, 4, 2, 6); // z0 0 z2 0
+  const Lanes zOdd = __builtin_shufflevector(z, zero, 1, 5, 3, 7);
+  r0 = __builtin_shufflevector(xyEven, zEven, 0, 1, 4, 5);
+  r1 = __builtin_shufflevector(xyOdd, zOdd, 0, 1, 4, 5);
+  r2 = __builtin_shufflevector(xyEven, zEven, 2, 3, 6, 7);
+  r3 = __builtin_shufflevector(xyOdd, zOdd, 2, 3, 6, 7);
+}
+
 ESM_INLINE void loadLanes(const double* from, Lanes& to) noexcept
 {
   __builtin_memcpy(&to, from, sizeof(to));
 }
 
-/// The pass that all laws share. `Law::tension(batch, i, e, f)` gives f(e) of springs i .. i+3.
-template <class Law, bool damped, bool tensionOnly>
-ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                                 Lanes* force) noexcept
+/// The pass that all laws share. `Law::tension(batch, i, e, f)` gives f(e) of springs i .. i+3. With `keep`
+/// the damping is stored as well, see DamperArray.
+///
+/// A spring without direction gets the reciprocal length 0: then its force, its damping and its heat vanish
+/// without further tests. A NaN is not too short, and spreads.
+template <class Law, bool damped, bool tensionOnly, bool keep>
+ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                 Lanes* damper) noexcept
 {
   const Index* endA = batch.a.data();
   const Index* endB = batch.b.data();
@@ -62,12 +82,13 @@ ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const
     const Lanes square = dx * dx + dy * dy + dz * dz;
     length = square;
     squareRoot(length);
-    const LaneBits tooShort = square < shortest; // all bits set where true; false for NaN, which must spread
+    const LaneBits tooShort = square < shortest; // all bits set where true
     degenerate -= tooShort;
-    const Lanes inverse = one / (tooShort ? one : length);
+    Lanes inverse = one / length;
+    inverse = tooShort ? zero : inverse;
     loadLanes(&batch.restLength[i], restLength);
     const Lanes e = length - restLength;
-    Law::tension(batch, i, e, restLength, tension);
+    Law::tension(batch, i, e, tension);
     if constexpr (damped) {
       const Lanes w0 = v[b0] - v[a0], w1 = v[b1] - v[a1], w2 = v[b2] - v[a2], w3 = v[b3] - v[a3];
       Lanes wx, wy, wz, viscosity;
@@ -75,13 +96,21 @@ ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const
       const Lanes rate = (wx * dx + wy * dy + wz * dz) * inverse;
       loadLanes(&batch.viscosity[i], viscosity);
       Lanes drag = viscosity * rate;
-      drag = tooShort ? zero : drag;
       if constexpr (tensionOnly) drag = e <= zero ? zero : drag;
       heat += drag * rate;
       tension += drag;
+      if constexpr (keep) {
+        Lanes root;
+        loadLanes(&batch.rootViscosity[i], root);
+        root *= inverse;
+        if constexpr (tensionOnly) root = e <= zero ? zero : root;
+        damper[0] = dx * root;
+        damper[1] = dy * root;
+        damper[2] = dz * root;
+        damper += 3;
+      }
     }
     if constexpr (tensionOnly) tension = e <= zero ? zero : tension;
-    tension = tooShort ? zero : tension;
     const Lanes scale = tension * inverse;
     const Lanes f0 = d0 * scale[0], f1 = d1 * scale[1], f2 = d2 * scale[2], f3 = d3 * scale[3];
     force[a0] += f0;
@@ -100,16 +129,19 @@ ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const
   return sums;
 }
 
-/// Chooses among the four kinds of batch, once per batch.
+/// Chooses among the kinds of batch, once per batch.
 template <class Law>
-ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                                 Lanes* force) noexcept
+ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                 Lanes* damper) noexcept
 {
-  if (batch.tensionOnly)
-    return batch.damped ? springPass<Law, true, true>(batch, x, v, force)
-                        : springPass<Law, false, true>(batch, x, v, force);
-  return batch.damped ? springPass<Law, true, false>(batch, x, v, force)
-                      : springPass<Law, false, false>(batch, x, v, force);
+  if (!batch.damped)
+    return batch.tensionOnly ? springPass<Law, false, true, false>(batch, x, v, force, nullptr)
+                             : springPass<Law, false, false, false>(batch, x, v, force, nullptr);
+  if (damper != nullptr)
+    return batch.tensionOnly ? springPass<Law, true, true, true>(batch, x, v, force, damper)
+                             : springPass<Law, true, false, true>(batch, x, v, force, damper);
+  return batch.tensionOnly ? springPass<Law, true, true, false>(batch, x, v, force, nullptr)
+                           : springPass<Law, true, false, false>(batch, x, v, force, nullptr);
 }
 
 } // namespace esm::detail

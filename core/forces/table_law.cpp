@@ -44,11 +44,10 @@ double integralTo(const ForceTable& table, double strain) noexcept
 
 /// f = k L g(e/L), one spring after the other: a look-up does not profit from lanes.
 struct Table {
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, const Lanes& rest,
-                                 Lanes& f) noexcept
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, Lanes& f) noexcept
   {
     for (std::size_t lane = 0; lane < 4; ++lane) {
-      const double length = rest[lane];
+      const double length = batch.restLength[i + lane];
       f[lane] = batch.stiffness[i + lane] * length * valueAt(tableOf(batch, i + lane), e[lane] / length);
     }
   }
@@ -56,10 +55,10 @@ struct Table {
 
 class TableLaw final : public SpringLawKernel {
 public:
-  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                       Lanes* force) const noexcept override
+  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                       Lanes* damper) const noexcept override
   {
-    return detail::springPass<Table>(batch, x, v, force);
+    return detail::springPass<Table>(batch, x, v, force, damper);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

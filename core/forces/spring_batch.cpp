@@ -1,0 +1,44 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/forces/spring_law.h"
+
+#include <cmath>
+
+namespace esm {
+
+void SpringBatch::append(const SpringNet& net, Index s)
+{
+  a.push_back(net.ends(0, s));
+  b.push_back(net.ends(1, s));
+  restLength.push_back(net.restLength[s]);
+  stiffness.push_back(net.stiffness[s]);
+  viscosity.push_back(net.viscosity[s]);
+  parameter.push_back(net.lawParameter[s]);
+  spring.push_back(s);
+}
+
+void SpringBatch::finish()
+{
+  count = a.size();
+  while (a.size() % 4 != 0) {
+    a.push_back(0);
+    b.push_back(0);
+    restLength.push_back(1.0);
+    stiffness.push_back(0.0);
+    viscosity.push_back(0.0);
+    parameter.push_back(law == SpringLaw::Table ? 0.0 : 1.0);
+  }
+  factor = stiffness;
+  growth.assign(a.size(), 0.0);
+  rootViscosity.resize(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    rootViscosity[i] = std::sqrt(viscosity[i]);
+    const double scale = parameter[i] / restLength[i];
+    if (law == SpringLaw::Cubic) growth[i] = scale / restLength[i];
+    if (law != SpringLaw::Exponential) continue;
+    factor[i] = stiffness[i] / scale;
+    growth[i] = scale;
+  }
+}
+
+} // namespace esm
