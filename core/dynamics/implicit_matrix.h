@@ -2,56 +2,64 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/block_cholesky.h"
 #include "core/dynamics/system.h"
-
-#include <Eigen/SparseCholesky>
 
 namespace esm {
 
 /// The matrix of an implicit step over the free nodes, and its Cholesky factor:
 ///
-///     A = M + s D + s^2 K,   D = - dF/dv,   K = - sym dF/dx,   s the step's implicit share [s]
+///     A = m M + s D + q K,   D = - dF/dv,   K = - sym dF/dx
 ///
 /// D and K are sums of 3 x 3 blocks (SpringTangent, anchors, tools, mass damping), both symmetric. The
-/// pattern is laid out and analysed once by prepare().
+/// pattern is laid out and analysed once; afterwards nothing allocates.
 class ImplicitMatrix {
 public:
+  /// How much of each part goes in. A step of implicit share s [s] has mass 1, s, s^2.
+  struct Shares {
+    double mass = 1.0, viscosity = 0.0, stiffness = 0.0;
+    static Shares ofStep(double s) noexcept { return {1.0, s, s * s}; }
+  };
+
   void prepare(const System& system);
+  /// Nodes have become free or held; the layout is made anew only if one was held when it was made.
+  void constraintsChanged(const System& system);
 
   /// Fills in the numbers at x, v and factors. With `convex`, softening, pressed and turning springs lend no
   /// negative stiffness, so that A is positive definite whatever the net does. The true A leads faster to a
   /// solution, even where a net that buckles makes it indefinite; the convex one is the safeguard.
   /// @return whether the factor exists.
-  bool factor(const System& system, const NodeArray& x, const NodeArray& v, double s, bool convex);
-  /// solution = A^-1 right; both 3 F.
-  void solve(const Eigen::VectorXd& right, Eigen::VectorXd& solution) const
-  {
-    solution = m_cholesky.solve(right);
-  }
+  bool factor(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares,
+              bool convex);
+  /// vector = A^-1 vector; an entry per node of the net, those of held nodes become 0.
+  void solve(NodeArray& vector) noexcept;
+  /// product = A vector with the numbers of the last factor(), held nodes left out.
+  void multiply(const NodeArray& vector, NodeArray& product) const noexcept;
+  /// Adds `shift` m to the diagonal of the last factor()'s matrix and factors again.
+  bool addMass(const System& system, double shift) noexcept;
 
-  /// Free node -> block row; kNoIndex for held nodes.
-  const std::vector<Index>& blockOf() const noexcept { return m_blockOf; }
-  Eigen::Index size() const noexcept { return m_matrix.rows(); }
-  /// Multiplications of one factorization, about.
-  double factorCost() const noexcept { return m_factorCost; }
-  /// The matrix of the last factor(), lower half; for tests.
-  const Eigen::SparseMatrix<double>& lower() const noexcept { return m_matrix; }
+  std::size_t freeCount() const noexcept { return m_free.size(); }
+  /// Of the last factor(); 0: positive definite.
+  std::int64_t negativePivots() const noexcept { return m_cholesky.negativePivots(); }
+  /// Costs in spring evaluations of the force pass.
+  double factorCost() const noexcept;
+  double solveCost() const noexcept;
 
 private:
-  struct BlockSlots { ///< places of column 0, 1, 2 in the value array; a diagonal block holds its lower half
-    Eigen::Index column[3] = {-1, -1, -1};
-  };
   void layOut(const System& system);
-  void estimateCost();
-  void addDiagonal(Index block, const Eigen::Matrix3d& values);
+  void addSprings(const System& system, const Shares& shares, bool convex) noexcept;
 
-  std::vector<Index> m_blockOf;
-  std::vector<BlockSlots> m_diagonal; ///< per free node
-  std::vector<BlockSlots> m_coupling; ///< per active spring; -1 unless both ends are free
+  std::vector<Index> m_blockOf; ///< node -> block, kNoIndex if held when laid out
+  std::vector<Index> m_nodeOf;  ///< block -> node
+  std::vector<Index> m_free;    ///< blocks whose nodes are free now
+  std::vector<Index> m_pairOf;  ///< active spring -> pair, kNoIndex unless both ends have blocks
+  std::vector<NodePair> m_pairs;
+  std::vector<std::uint8_t> m_isFree; ///< by block
+  std::vector<NodeBlock> m_diagonal, m_coupling;
   std::vector<SpringTangent> m_tangents;
-  Eigen::SparseMatrix<double> m_matrix;
-  Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>, Eigen::Lower> m_cholesky;
-  double m_factorCost = 0.0;
+  NodeArray m_vector; ///< by blocks
+  BlockCholesky m_cholesky;
+  std::size_t m_springs = 0;
 };
 
 } // namespace esm
