@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "bench/scenes.h"
 
-#include "core/net/net_builder.h"
+#include "bench/scene_shapes.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -12,98 +13,71 @@
 namespace esm::bench {
 namespace {
 
-/// To a grid of 2^-40 m: the C library's sine has other last bits on CPUs with FMA, and golden hashes see
-/// them.
-Eigen::Vector3d onGrid(const Eigen::Vector3d& x)
+unsigned seedOr(const SceneOptions& options, unsigned own)
 {
-  return x.unaryExpr(
-    [](double value) { return std::ldexp(std::round(std::ldexp(value, 40)), -40) + 0.0; }); // no -0
+  return options.seed ? options.seed : own;
 }
 
-using Edges = std::vector<std::pair<Index, Index>>;
-
-double uniform(std::mt19937& random, double low, double high)
+double durationOr(const SceneOptions& options, double own)
 {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+  return options.duration > 0.0 ? options.duration : own;
 }
 
-SpringNet netOf(const std::vector<Eigen::Vector3d>& positions, const Edges& edges)
+/// A count of nodes along one side, made to fit the wanted size; even, as staggered rings ask for.
+Index evenCount(double count)
 {
-  SpringNet net;
-  resizeNet(net, static_cast<Index>(positions.size()), static_cast<Index>(edges.size()));
-  for (std::size_t i = 0; i < positions.size(); ++i)
-    net.restPosition.col(static_cast<Index>(i)) = positions[i];
-  for (std::size_t s = 0; s < edges.size(); ++s) {
-    const auto place = static_cast<Index>(s);
-    net.ends.col(place) << edges[s].first, edges[s].second;
-    net.restLength[place] = (positions[static_cast<std::size_t>(edges[s].first)] -
-                             positions[static_cast<std::size_t>(edges[s].second)])
-                              .norm();
-  }
-  return net;
+  return std::max<Index>(4, static_cast<Index>(2 * std::lround(count / 2)));
 }
 
-void anchorAll(SpringNet& net, double stiffness, double viscosity)
+std::vector<Index> middleRing(Index rings)
 {
-  const Index count = net.nodeCount();
-  net.anchors.node.resize(static_cast<std::size_t>(count));
-  for (Index i = 0; i < count; ++i) net.anchors.node[static_cast<std::size_t>(i)] = i;
-  net.anchors.point = net.restPosition;
-  net.anchors.stiffness = Eigen::ArrayXd::Constant(count, stiffness);
-  net.anchors.viscosity = Eigen::ArrayXd::Constant(count, viscosity);
+  std::vector<Index> nodes(20);
+  for (Index a = 0; a < 20; ++a) nodes[static_cast<std::size_t>(a)] = rings / 2 * 20 + a;
+  return nodes;
 }
 
-VectorCurve curve(std::vector<double> time, std::vector<Eigen::Vector3d> values)
+/// A force [N] shared by the nodes within 1 cm of the top of an organ, grown over `ramp` [s].
+NodalForce poke(const SpringNet& net, double height, double force, double ramp)
 {
-  VectorCurve result;
-  result.time = std::move(time);
-  result.value.resize(3, static_cast<Eigen::Index>(values.size()));
-  for (std::size_t i = 0; i < values.size(); ++i) result.value.col(static_cast<Eigen::Index>(i)) = values[i];
-  return result;
+  NodalForce press;
+  const Eigen::Vector3d centre(0.0, 0.0, height);
+  for (Index i = 0; i < net.nodeCount(); ++i)
+    if ((net.restPosition.col(i) - centre).norm() < 0.01) press.nodes.push_back(i);
+  const double share = force / static_cast<double>(press.nodes.size());
+  press.force = curve({0.0, ramp}, {{0, 0, 0}, {0, 0, -share}});
+  return press;
 }
 
 } // namespace
 
-Scene tube()
+long Scene::frames() const noexcept
 {
-  constexpr Index kRings = 20, kAround = 20;
-  constexpr double kLength = 0.10, kRadius = 0.006;
-  std::vector<Eigen::Vector3d> positions;
-  Edges edges;
-  for (Index r = 0; r < kRings; ++r)
-    for (Index a = 0; a < kAround; ++a) {
-      const double angle = 2 * std::numbers::pi * (a + 0.5 * (r % 2)) / kAround;
-      positions.push_back(
-        onGrid({kLength * r / (kRings - 1), kRadius * std::cos(angle), kRadius * std::sin(angle)}));
-      const Index here = r * kAround + a, next = r * kAround + (a + 1) % kAround;
-      edges.emplace_back(here, next);
-      if (r + 1 == kRings) continue;
-      edges.emplace_back(here, here + kAround);
-      edges.emplace_back(r % 2 ? here : next, (r % 2 ? next : here) + kAround);
-    }
-  Scene scene{"tube", netOf(positions, edges), {}, 2.0, 1e-5};
+  return std::lround(duration * kFrameRate);
+}
+
+Scene tube(const SceneOptions& options)
+{
+  const Index rings = evenCount(20 * options.size);
+  Scene scene{"tube", tubeNet(rings), {}, durationOr(options, 2.0)};
   SpringNet& net = scene.net;
-  std::mt19937 random(1);
+  std::mt19937 random(seedOr(options, 1));
   for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] = uniform(random, 23.0, 75.0);
   net.viscosity = 5e-4 * net.stiffness;
   net.restLength *= 0.97; // a little pre-stretch keeps the wall from buckling
   net.mass.setConstant(1.25e-5);
   anchorAll(net, 0.1, 5e-5);
   PrescribedMotion pull;
-  for (Index a = 0; a < kAround; ++a) {
-    net.fixed[static_cast<std::size_t>(a)] = 1;
-    net.fixed[static_cast<std::size_t>((kRings - 1) * kAround + a)] = 1;
-    pull.nodes.push_back(kRings / 2 * kAround + a);
-  }
+  pull.nodes = middleRing(rings);
   pull.displacement = curve({0.0, 0.2}, {{0, 0, 0}, {0, 0.02, 0}});
   pull.release = 0.2;
   scene.loads.motions.push_back(pull);
   return scene;
 }
 
-Scene uterus()
+Scene uterus(const SceneOptions& options)
 {
-  constexpr Index kRings = 26, kAround = 48;
+  const Index rings = evenCount(26 * std::sqrt(options.size)),
+              around = evenCount(48 * std::sqrt(options.size));
   const Eigen::Vector3d axes(0.04, 0.025, 0.02);
   std::vector<Eigen::Vector3d> positions;
   Edges edges;
@@ -112,24 +86,24 @@ Scene uterus()
                                std::sin(theta) * std::sin(phi));
     positions.push_back(onGrid(axes.cwiseProduct(unit)));
   };
-  for (Index r = 0; r < kRings; ++r)
-    for (Index a = 0; a < kAround; ++a) {
-      place(std::numbers::pi * (r + 1) / (kRings + 1), 2 * std::numbers::pi * (a + 0.5 * (r % 2)) / kAround);
-      const Index here = r * kAround + a, next = r * kAround + (a + 1) % kAround;
+  for (Index r = 0; r < rings; ++r)
+    for (Index a = 0; a < around; ++a) {
+      place(std::numbers::pi * (r + 1) / (rings + 1), 2 * std::numbers::pi * (a + 0.5 * (r % 2)) / around);
+      const Index here = r * around + a, next = r * around + (a + 1) % around;
       edges.emplace_back(here, next);
-      if (r + 1 < kRings) {
-        edges.emplace_back(here, here + kAround);
-        edges.emplace_back(r % 2 ? here : next, (r % 2 ? next : here) + kAround);
+      if (r + 1 < rings) {
+        edges.emplace_back(here, here + around);
+        edges.emplace_back(r % 2 ? here : next, (r % 2 ? next : here) + around);
       } else {
-        edges.emplace_back(here, kRings * kAround + 1);
+        edges.emplace_back(here, rings * around + 1);
       }
-      if (r == 0) edges.emplace_back(kRings * kAround, here);
+      if (r == 0) edges.emplace_back(rings * around, here);
     }
   place(0.0, 0.0);
   place(std::numbers::pi, 0.0);
-  Scene scene{"uterus", netOf(positions, edges), {}, 1.0, 1e-5};
+  Scene scene{"uterus", netOf(positions, edges), {}, durationOr(options, 1.0)};
   SpringNet& net = scene.net;
-  std::mt19937 random(2);
+  std::mt19937 random(seedOr(options, 2));
   for (Index s = 0; s < net.springCount(); ++s) {
     net.stiffness[s] = uniform(random, 150.0, 250.0);
     net.law[static_cast<std::size_t>(s)] = SpringLaw::Exponential;
@@ -140,38 +114,46 @@ Scene uterus()
   net.restLength *=
     0.9; // stretched over its content, as the organ is: a slack closed surface buckles chaotically
   anchorAll(net, 5.0, 1e-3);
-  NodalForce press;
-  const Eigen::Vector3d centre(0.0, 0.0, axes.z());
-  for (Index i = 0; i < net.nodeCount(); ++i)
-    if ((net.restPosition.col(i) - centre).norm() < 0.01) press.nodes.push_back(i);
-  const double share = 1.0 / static_cast<double>(press.nodes.size());
-  press.force = curve({0.0, 0.1}, {{0, 0, 0}, {0, 0, -share}});
-  scene.loads.forces.push_back(press);
+  scene.loads.forces.push_back(poke(net, axes.z(), 1.0, 0.1));
   return scene;
 }
 
-Scene smallSheet()
+Scene uterusLinear()
 {
-  constexpr Index kSide = 25;
+  Scene scene = uterus();
+  scene.name = "uterus-linear";
+  std::fill(scene.net.law.begin(), scene.net.law.end(), SpringLaw::Linear);
+  return scene;
+}
+
+namespace {
+
+Scene sheetOf(Index side, const SceneOptions& options)
+{
+  constexpr double spacing = 0.004;
   std::vector<Eigen::Vector3d> positions;
   Edges edges;
-  for (Index j = 0; j < kSide; ++j)
-    for (Index i = 0; i < kSide; ++i) {
-      positions.emplace_back(0.004 * i, 0.0, -0.004 * j);
-      const Index here = j * kSide + i;
-      if (i + 1 < kSide) edges.emplace_back(here, here + 1);
-      if (j + 1 < kSide) edges.emplace_back(here, here + kSide);
-      if (i + 1 < kSide && j + 1 < kSide) edges.emplace_back(here, here + kSide + 1);
+  for (Index j = 0; j < side; ++j)
+    for (Index i = 0; i < side; ++i) {
+      positions.emplace_back(spacing * i, 0.0, -spacing * j);
+      const Index here = j * side + i;
+      if (i + 1 < side) edges.emplace_back(here, here + 1);
+      if (j + 1 < side) edges.emplace_back(here, here + side);
+      if (i + 1 < side && j + 1 < side) edges.emplace_back(here, here + side + 1);
     }
-  Scene scene{"sheet", netOf(positions, edges), {}, 1.0, 1e-5};
+  Scene scene{"sheet", netOf(positions, edges), {}, durationOr(options, 1.0)};
   SpringNet& net = scene.net;
   net.stiffness.setConstant(200.0);
+  if (options.seed) {
+    std::mt19937 random(options.seed);
+    for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] = uniform(random, 150.0, 250.0);
+  }
   net.viscosity.setConstant(0.02);
   net.mass.setConstant(3e-5);
-  for (Index i = 0; i < kSide; ++i) net.fixed[static_cast<std::size_t>(i)] = 1;
-  for (Index j = 0; j < kSide; ++j) // a frame: side edges held too, or the sheet would fold chaotically
-    net.fixed[static_cast<std::size_t>(j * kSide)] =
-      net.fixed[static_cast<std::size_t>(j * kSide + kSide - 1)] = 1;
+  for (Index i = 0; i < side; ++i) net.fixed[static_cast<std::size_t>(i)] = 1;
+  for (Index j = 0; j < side; ++j) // a frame: side edges held too, or the sheet would fold chaotically
+    net.fixed[static_cast<std::size_t>(j * side)] = net.fixed[static_cast<std::size_t>(j * side + side - 1)] =
+      1;
   net.restLength *= 0.95;
   scene.loads.gravity = {0, 0, -9.81};
   NodalForce wind;
@@ -181,9 +163,70 @@ Scene smallSheet()
   return scene;
 }
 
-std::vector<Scene> allScenes()
+} // namespace
+
+Scene sheet(const SceneOptions& options)
 {
-  return {tube(), uterus(), smallSheet()};
+  return sheetOf(evenCount(100 * std::sqrt(options.size)), options);
+}
+
+Scene smallSheet()
+{
+  Scene scene = sheetOf(25, {});
+  scene.name = "small-sheet";
+  return scene;
+}
+
+Scene stiff(const SceneOptions& options)
+{
+  const Index rings = evenCount(20 * options.size);
+  Scene scene{"stiff", tubeNet(rings), {}, durationOr(options, 1.0)};
+  SpringNet& net = scene.net;
+  std::mt19937 random(seedOr(options, 4));
+  constexpr double kPull = 1.5e-3; // [N] in every spring at the start
+  anchorAll(net, 0.5, 2e-3);
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const double decades = uniform(random, 0.0, 6.0);
+    net.stiffness[s] = powerOfTen(decades);
+    net.viscosity[s] = 1e-4 * powerOfTen(decades * 4.699 / 6.0); // to 5 N s/m
+    const Index a = net.ends(0, s), b = net.ends(1, s);
+    const Eigen::Vector3d along = net.restPosition.col(b) - net.restPosition.col(a);
+    const double length = along.norm();
+    net.restLength[s] = length - kPull / net.stiffness[s];
+    net.anchors.point.col(a) -= along * (kPull / length / 0.5); // the bedding balances it
+    net.anchors.point.col(b) += along * (kPull / length / 0.5);
+  }
+  for (Index i = 0; i < net.nodeCount(); ++i) net.mass[i] = powerOfTen(uniform(random, -6.0, -2.0));
+  NodalForce push;
+  push.nodes = middleRing(rings);
+  push.force = curve({0.0, 0.1, 0.5, 0.6}, {{0, 0, 0}, {0, 0.01, 0}, {0, 0.01, 0}, {0, 0, 0}});
+  scene.loads.forces.push_back(push);
+  return scene;
+}
+
+Scene organ100k(const SceneOptions& options)
+{
+  const auto frequency = static_cast<Index>(std::max(1L, std::lround(100 * std::sqrt(options.size))));
+  std::vector<Eigen::Vector3d> positions;
+  Edges edges;
+  const Eigen::Vector3d axes(0.04, 0.025, 0.02);
+  geodesicSphere(frequency, positions, edges);
+  for (Eigen::Vector3d& x : positions) x = onGrid(axes.cwiseProduct(x));
+  Scene scene{"organ100k", netOf(positions, edges), {}, durationOr(options, 0.2)};
+  SpringNet& net = scene.net;
+  net.stiffness.setConstant(100.0);
+  if (options.seed) {
+    std::mt19937 random(options.seed);
+    for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] = uniform(random, 75.0, 125.0);
+  }
+  net.viscosity.setConstant(0.01);
+  net.mass.setConstant(3e-6);
+  std::fill(net.law.begin(), net.law.end(), SpringLaw::Cubic);
+  net.lawParameter.setConstant(2.0);
+  net.restLength *= 0.95;
+  anchorAll(net, 0.2, 1e-4);
+  scene.loads.forces.push_back(poke(net, axes.z(), 1.0, 0.05));
+  return scene;
 }
 
 } // namespace esm::bench

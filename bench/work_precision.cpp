@@ -2,95 +2,292 @@
 // SPDX-License-Identifier: MIT
 #include "bench/work_precision.h"
 
-#include "bench/reference/plain_net.h"
-#include "core/base/hash.h"
-#include "core/dynamics/simulation.h"
+#include "core/base/file_io.h"
+#include "core/base/text_number.h"
 
+#include <algorithm>
+#include <charconv>
 #include <cmath>
-#include <ctime>
+#include <cstdio>
 
 namespace esm::bench {
 namespace {
 
-constexpr double kFrameRate = 60.0;
+/// Goes up when a competitor or the way of sweeping changes.
+constexpr char kSweepVersion[] = "1";
 
-double processorSeconds()
+std::filesystem::path sweepFile(const Scene& scene, const WorkOptions& options)
 {
-  return static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+  char name[96];
+  std::snprintf(name, sizeof name, "competitors-%s-%s-%016llx.csv", kSweepVersion,
+                options.allCompetitors ? "all" : "front", static_cast<unsigned long long>(hashOf(scene)));
+  return cacheFolder() / name;
 }
 
-std::uint64_t hashOf(const Eigen::Matrix3Xd& x, std::uint64_t seed)
+/// Lines "method,fixed,setting,seconds,error", empty error = failed.
+std::vector<Row> readSweep(const Scene& scene, const std::filesystem::path& file)
 {
-  return hashBytes(x.data(), sizeof(double) * static_cast<std::size_t>(x.size()), seed);
+  std::vector<Row> rows;
+  std::error_code ignored;
+  if (!std::filesystem::exists(file, ignored)) return rows;
+  const Result<std::string> text = readFile(file);
+  if (!text) return rows;
+  std::string_view rest = *text;
+  while (!rest.empty()) {
+    std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    std::vector<std::string_view> fields;
+    while (true) {
+      const std::size_t comma = line.find(',');
+      fields.push_back(line.substr(0, comma));
+      if (comma == line.npos) break;
+      line.remove_prefix(comma + 1);
+    }
+    if (fields.size() != 5) return {};
+    Row row;
+    row.scene = scene.name;
+    row.method = std::string(fields[0]);
+    row.fixed = fields[1] == "1";
+    row.setting = parseDouble(fields[2]).value_or(0.0);
+    row.seconds = parseDouble(fields[3]).value_or(0.0);
+    row.good = !fields[4].empty();
+    row.error = parseDouble(fields[4]).value_or(std::nan(""));
+    rows.push_back(row);
+  }
+  return rows;
 }
 
-long frameCount(double duration)
+void writeSweep(const std::filesystem::path& file, const std::vector<Row>& rows)
 {
-  return std::lround(duration * kFrameRate);
+  std::string text;
+  for (const Row& row : rows)
+    text += row.method + "," + (row.fixed ? "1" : "0") + "," + formatDouble(row.setting, 17) + "," +
+            formatDouble(row.seconds, 6) + "," + (row.good ? formatDouble(row.error, 6) : "") + "\n";
+  std::error_code ignored;
+  std::filesystem::create_directories(cacheFolder(), ignored);
+  if (Status status = writeFileAtomically(file, text); !status)
+    std::fprintf(stderr, "%s\n", status.error().detail.c_str()); // only slower next time
+}
+
+void append(std::vector<Row>& rows, const std::vector<Row>& more)
+{
+  for (const Row& row : more) std::printf("%s", csvLine(row).c_str());
+  std::fflush(stdout);
+  rows.insert(rows.end(), more.begin(), more.end());
+}
+
+std::vector<Row> sweepCompetitors(const Scene& scene, const Reference& reference, Front& front,
+                                  const WorkOptions& options)
+{
+  const std::filesystem::path file = sweepFile(scene, options);
+  std::vector<Row> rows;
+  if (!options.retune) rows = readSweep(scene, file);
+  for (const Row& row : rows) front.add(row);
+  if (!rows.empty()) return rows;
+  for (const bool adaptive : {true, false}) // the adaptive ones show the others what is worth trying
+    for (const MethodEntry& entry : competitors()) {
+      if (entry.adaptive != adaptive || (entry.secondary && !options.allCompetitors)) continue;
+      if (entry.largestNet > 0 && scene.net.nodeCount() > entry.largestNet) continue;
+      const auto run = [&](double setting, double cap) {
+        return runCompetitor(scene, entry, setting, reference, cap);
+      };
+      append(rows, adaptive ? sweepTolerances(run, front, options.patience)
+                            : sweepSteps(run, entry.implicit ? 4 : 64, front, options.patience));
+    }
+  writeSweep(file, rows);
+  return rows;
+}
+
+int firstSteps(const Scene& scene)
+{
+  const Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, {});
+  const double step = simulation ? simulation->stableStep() : 0.0;
+  return step > 0.0 ? static_cast<int>(std::clamp(1.0 / kFrameRate / step, 1.0, 1e5)) : 64;
+}
+
+std::vector<Row> sweepOurs(const Scene& scene, const Reference& reference, Front& front,
+                           const WorkOptions& options)
+{
+  std::vector<Row> rows;
+  const int guess = firstSteps(scene);
+  for (const SolverInfo& solver : solverNames()) {
+    const auto& wanted = options.solvers;
+    if (!wanted.empty() && std::find(wanted.begin(), wanted.end(), solver.name) == wanted.end()) continue;
+    append(rows, sweepTolerances(
+                   [&](double tolerance, double cap) {
+                     return runEngine(scene, solver.name, tolerance, 0, reference, cap);
+                   },
+                   front, options.patience, std::sqrt(10.0)));
+    if (!options.fixedSteps) continue;
+    append(rows,
+           sweepSteps(
+             [&](int steps, double cap) { return runEngine(scene, solver.name, 0.0, steps, reference, cap); },
+             guess, front, options.patience));
+  }
+  return rows;
+}
+
+/// The rows that are best or second at some error.
+std::vector<Row> winners(const std::vector<Row>& rows)
+{
+  std::vector<Row> result;
+  std::vector<bool> taken(rows.size(), false);
+  for (const double target : kTargets)
+    for (int place = 0; place < 2; ++place) {
+      std::size_t best = rows.size();
+      for (std::size_t i = 0; i < rows.size(); ++i)
+        if (rows[i].good && rows[i].error <= target && !(place == 1 && taken[i]) &&
+            (best == rows.size() || rows[i].seconds < rows[best].seconds))
+          best = i;
+      if (best == rows.size() || taken[best]) continue;
+      taken[best] = true;
+      result.push_back(rows[best]);
+    }
+  return result;
+}
+
+/// Median seconds, all rows in turn, so that a slow minute of the machine hits all alike.
+void timeAgain(const Scene& scene, const Reference& reference, const WorkOptions& options,
+               std::vector<Row>& rows)
+{
+  double round = 0.0;
+  for (const Row& row : rows) round += row.seconds;
+  const int runs = std::clamp(static_cast<int>(options.budget / std::max(round, 1e-3)), 1, options.runs);
+  std::vector<std::vector<double>> seconds(rows.size());
+  for (int repeat = 0; repeat < runs; ++repeat)
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+      if (!rows[i].good) continue;
+      const Row again = runAgain(scene, rows[i], reference, 1e9);
+      seconds[i].push_back(again.seconds);
+      rows[i].good = again.good;
+      rows[i].error = again.error; // the settings of the competitors may come from the cache
+      rows[i].springs = again.springs;
+    }
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    if (seconds[i].empty()) continue;
+    std::nth_element(seconds[i].begin(), seconds[i].begin() + static_cast<long>(seconds[i].size() / 2),
+                     seconds[i].end());
+    rows[i].seconds = seconds[i][seconds[i].size() / 2];
+  }
+}
+
+std::vector<Cell> measure(const Scene& scene, const WorkOptions& options, std::vector<Row>& all)
+{
+  const Reference reference = referenceOf(scene);
+  std::fprintf(stderr, "%s: %d nodes, %d springs, references %.1e apart\n", scene.name.c_str(),
+               static_cast<int>(scene.net.nodeCount()), static_cast<int>(scene.net.springCount()),
+               reference.agreement);
+  Front front;
+  const std::vector<Row> competitorRows = sweepCompetitors(scene, reference, front, options);
+  const std::vector<Row> ourRows = sweepOurs(scene, reference, front, options);
+  std::vector<Row> timed = winners(competitorRows);
+  const std::vector<Row> ourWinners = winners(ourRows);
+  timed.insert(timed.end(), ourWinners.begin(), ourWinners.end());
+  std::vector<Row> automatic;
+  for (std::size_t i = 0; i < kTargets.size(); ++i) {
+    const double cap = std::min(5.0 + 10.0 * front.seconds[i], 10.0 * options.patience.cap);
+    automatic.push_back(runEngine(scene, "auto", kTargets[i], 0, reference, cap));
+  }
+  std::vector<Row> sweepOfAuto;
+  append(sweepOfAuto, automatic);
+  timed.insert(timed.end(), automatic.begin(), automatic.end());
+  timeAgain(scene, reference, options, timed);
+  all.insert(all.end(), competitorRows.begin(), competitorRows.end());
+  all.insert(all.end(), ourRows.begin(), ourRows.end());
+  all.insert(all.end(), automatic.begin(), automatic.end());
+  return cellsOf(scene.name, timed, reference.agreement);
+}
+
+void save(const std::string& file, const std::string& text)
+{
+  if (file.empty()) return;
+  if (Status status = writeFileAtomically(file, text); !status)
+    std::fprintf(stderr, "%s\n", status.error().detail.c_str());
+}
+
+std::vector<std::string> splitAtCommas(std::string_view text)
+{
+  std::vector<std::string> parts;
+  for (std::size_t comma = 0; comma != text.npos;) {
+    comma = text.find(',');
+    parts.emplace_back(text.substr(0, comma));
+    if (comma != text.npos) text.remove_prefix(comma + 1);
+  }
+  return parts;
+}
+
+bool readOptions(const std::vector<std::string>& words, WorkOptions& options)
+{
+  for (std::size_t i = 0; i < words.size(); ++i) {
+    const std::string& word = words[i];
+    const auto value = [&] { return i + 1 < words.size() ? words[++i] : std::string(); };
+    const auto number = [&] { return parseDouble(value()).value_or(-1.0); };
+    if (word == "--all")
+      options.allCompetitors = true;
+    else if (word == "--no-fixed")
+      options.fixedSteps = false;
+    else if (word == "--retune")
+      options.retune = true;
+    else if (word == "--ours")
+      options.solvers = splitAtCommas(value());
+    else if (word == "--runs")
+      options.runs = static_cast<int>(number());
+    else if (word == "--budget")
+      options.budget = number();
+    else if (word == "--cap")
+      options.patience.cap = number();
+    else if (word == "--patience")
+      options.patience.factor = number();
+    else if (word == "--csv")
+      options.csvFile = value();
+    else if (word == "--table")
+      options.tableFile = value();
+    else if (word == "--cache")
+      cacheFolder() = value();
+    else if (word.starts_with("-"))
+      return false;
+    else
+      options.scenes.push_back(word);
+  }
+  return options.runs > 0 && options.budget > 0.0 && options.patience.cap > 0.0 &&
+         options.patience.factor > 0.0;
 }
 
 } // namespace
 
-double trajectoryError(const Trajectory& reference, const Trajectory& other)
+int runWorkPrecision(const std::vector<std::string>& words)
 {
-  double error = 0.0, displacement = 0.0;
-  for (std::size_t frame = 0; frame < reference.size(); ++frame) {
-    error += (other[frame] - reference[frame]).squaredNorm();
-    displacement += (reference[frame] - reference[0]).squaredNorm();
+  WorkOptions options;
+  if (!readOptions(words, options)) {
+    std::fprintf(stderr,
+                 "usage: esm_bench work_precision [SCENE[:seed=S,size=F,time=T]...] [--all] [--no-fixed]\n"
+                 "         [--ours NAME,...] [--retune] [--runs N] [--budget S] [--cap S] [--patience F]\n"
+                 "         [--csv FILE] [--table FILE] [--cache FOLDER]\n");
+    return 2;
   }
-  return std::sqrt(error / displacement);
-}
-
-Row runEngine(const Scene& scene, const std::string& solver, double tolerance, double fixedStep,
-              double duration, Trajectory* trajectory)
-{
-  Row row{scene.name, solver, tolerance, fixedStep, 0.0, std::nan(""), 0, 0, true};
-  SolverSettings settings;
-  settings.solver = solver;
-  settings.tolerance = tolerance > 0.0 ? tolerance : 1e-3;
-  settings.fixedStep = fixedStep;
-  const double start = processorSeconds();
-  Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
-  if (!simulation) {
-    row.good = false;
-    return row;
+#if !defined(ESM_BENCH_SUNDIALS)
+  if (options.allCompetitors) std::fprintf(stderr, "built without libsundials-dev: no CVODE, no ARKODE\n");
+#endif
+  if (options.scenes.empty()) options.scenes = {"tube", "uterus", "sheet", "stiff"};
+  std::vector<Row> all;
+  std::vector<Cell> cells;
+  std::printf("%s", csvHeader());
+  for (const std::string& name : options.scenes) {
+    const Result<Scene> scene = makeScene(name);
+    if (!scene) {
+      std::fprintf(stderr, "%s\n", scene.error().detail.c_str());
+      return 2;
+    }
+    const std::vector<Cell> more = measure(*scene, options, all);
+    cells.insert(cells.end(), more.begin(), more.end());
+    std::string csv = csvHeader();
+    for (const Row& row : all) csv += csvLine(row);
+    save(options.csvFile, csv); // after every scene: whoever interrupts has something
+    save(options.tableFile, tableOf(cells));
+    std::printf("\n%s\n", tableOf(more).c_str());
+    std::fflush(stdout);
   }
-  if (trajectory) trajectory->assign(1, simulation->state().position);
-  StepReport report;
-  for (long frame = 0; frame < frameCount(duration) && report.good(); ++frame) {
-    report.add(simulation->advance(1.0 / kFrameRate));
-    if (trajectory) trajectory->push_back(simulation->state().position);
-  }
-  row.seconds = processorSeconds() - start;
-  row.good = report.good();
-  if (fixedStep == 0.0) row.step = report.smallestStep;
-  if (solver == "auto") row.solver += ":" + simulation->solverName();
-  row.springs = report.springsEvaluated;
-  row.hash = hashOf(simulation->state().velocity, hashOf(simulation->state().position, 0));
-  return row;
-}
-
-Row runPlain(const Scene& scene, const std::string& method, int stepsPerFrame, Trajectory* trajectory)
-{
-  const double h = 1.0 / kFrameRate / stepsPerFrame;
-  Row row{scene.name, method, 0.0, h, 0.0, std::nan(""), 0, 0, true};
-  const bool fourth = method == "plain_rk4";
-  const double start = processorSeconds();
-  PlainNet net(scene.net, scene.loads);
-  Eigen::Matrix3Xd x;
-  net.positions(x);
-  if (trajectory) trajectory->assign(1, x);
-  for (long frame = 0; frame < frameCount(scene.duration) && row.good; ++frame) {
-    for (int step = 0; step < stepsPerFrame; ++step)
-      fourth ? net.stepRungeKutta4(h) : net.stepSymplecticEuler(h);
-    net.positions(x);
-    row.good = x.allFinite();
-    if (trajectory) trajectory->push_back(x);
-  }
-  row.seconds = processorSeconds() - start;
-  row.springs = frameCount(scene.duration) * stepsPerFrame * (fourth ? 4 : 1) * scene.net.springCount();
-  row.hash = hashOf(x, 0);
-  return row;
+  return 0;
 }
 
 } // namespace esm::bench

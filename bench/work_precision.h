@@ -2,37 +2,38 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "bench/scenes.h"
+#include "bench/sweep.h"
 
-#include <Eigen/Core>
-
-#include <cstdint>
 #include <string>
 #include <vector>
 
 namespace esm::bench {
 
-using Trajectory = std::vector<Eigen::Matrix3Xd>; ///< frame 0 is the start
-
-struct Row {
-  std::string scene, solver;
-  double tolerance = 0.0; ///< 0 for hand-chosen steps
-  double step = 0.0;      ///< fixed step, or the smallest taken [s]
-  double seconds = 0.0;   ///< processor time with set-up
-  double error = 0.0;     ///< RMS of the error over RMS of the displacement; NaN without reference
-  std::int64_t springs = 0;
-  std::uint64_t hash = 0; ///< of the last positions and velocities
-  bool good = true;
+struct WorkOptions {
+  std::vector<std::string> scenes;
+  std::vector<std::string> solvers; ///< of ours besides auto; empty = all
+  bool allCompetitors = false;      ///< also those that never were on the front
+  bool fixedSteps = true;           ///< ours with hand-tuned steps, too
+  bool retune = false;              ///< do not believe cached sweeps of the competitors
+  int runs = 5;                     ///< the median of so many
+  double budget = 60.0;             ///< processor seconds per scene for the repetitions; one round at least
+  Patience patience;
+  std::string csvFile, tableFile; ///< "" = stdout only
 };
 
-/// Error metric of docs/FILE_FORMAT.md.
-double trajectoryError(const Trajectory& reference, const Trajectory& other);
+/// What one line of the table says: least seconds at an error, by whom.
+struct Cell {
+  std::string scene;
+  double target = 0.0;
+  bool meaningful = true;          ///< the references agree well enough
+  Row competitor, ours, automatic; ///< method "" = nobody came so far; automatic has tolerance = target
+};
 
-/// Runs the engine. fixedStep > 0 goes without error control.
-Row runEngine(const Scene& scene, const std::string& solver, double tolerance, double fixedStep,
-              double duration, Trajectory* trajectory);
+std::vector<Cell> cellsOf(const std::string& scene, const std::vector<Row>& timed, double agreement);
+/// Markdown, with the list of the runs of auto that missed their tolerance.
+std::string tableOf(const std::vector<Cell>& cells);
 
-/// Runs the textbook program, "plain_euler" or "plain_rk4", with `stepsPerFrame`.
-Row runPlain(const Scene& scene, const std::string& method, int stepsPerFrame, Trajectory* trajectory);
+/// esm_bench work_precision; see usage in main.cpp. @return exit code
+int runWorkPrecision(const std::vector<std::string>& words);
 
 } // namespace esm::bench
