@@ -3,13 +3,14 @@
 #include "core/dynamics/simulation.h"
 
 #include "core/base/assert.h"
-#include "core/dynamics/step_driver.h"
+#include "core/dynamics/region_driver.h"
 #include "core/net/net_builder.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -35,16 +36,18 @@ Status checkSettings(const SolverSettings& settings)
 } // namespace
 
 struct Simulation::Impl {
-  Impl(SpringNet net_, Loads loads_, SolverSettings settings)
-    : net(std::move(net_)), loads(std::move(loads_)), driver(std::move(settings))
+  Impl(SpringNet net, Loads loads, SolverSettings settings)
+    : body{std::move(net), std::move(loads), {}, {}}, driver(std::move(settings), body)
   {
     reset();
   }
 
   void reset()
   {
-    system = System(net, loads);
+    const SpringNet& net = body.net;
+    body.system = System(net, body.loads);
     const auto count = static_cast<std::size_t>(net.nodeCount());
+    MotionState& motion = body.motion;
     motion = MotionState{};
     motion.x.resize(count);
     motion.v.assign(count, Lanes{0, 0, 0, 0});
@@ -52,37 +55,45 @@ struct Simulation::Impl {
     if (net.initialVelocity.cols() == net.nodeCount()) copyNodes(net.initialVelocity, motion.v);
     for (std::size_t i = 0; i < count; ++i)
       if (net.fixed[i]) motion.v[i] = Lanes{0, 0, 0, 0};
-    system.enter(motion, true);
+    body.system.enter(motion, true);
     state.position.resize(3, net.nodeCount());
     state.velocity.resize(3, net.nodeCount());
     force.resize(count);
-    driver.begin(system, motion);
+    driver.begin();
     publish();
   }
 
+  /// What has moved to `state`.
   void publish()
   {
-    copyNodes(motion.x, state.position);
-    copyNodes(motion.v, state.velocity);
-    state.time = motion.time;
+    if (driver.allMoved()) {
+      copyNodes(body.motion.x, state.position);
+      copyNodes(body.motion.v, state.velocity);
+    } else {
+      for (const Index node : driver.moved()) {
+        state.position.col(node) = toVector(body.motion.x[static_cast<std::size_t>(node)]);
+        state.velocity.col(node) = toVector(body.motion.v[static_cast<std::size_t>(node)]);
+      }
+    }
+    driver.clearMoved();
+    state.time = body.motion.time;
     forceIsCurrent = false;
   }
 
   const NodeArray& currentForce()
   {
     if (forceIsCurrent) return force;
-    const std::int64_t counted = system.springsEvaluated;
-    system.evaluate(motion.time, motion.x, motion.v, force); // prescribed nodes are in their place already
-    system.springsEvaluated = counted;
+    MotionState& motion = body.motion;
+    const std::int64_t counted = body.system.springsEvaluated;
+    // Prescribed nodes are in their place already.
+    body.system.evaluate(motion.time, motion.x, motion.v, force);
+    body.system.springsEvaluated = counted;
     forceIsCurrent = true;
     return force;
   }
 
-  SpringNet net;
-  Loads loads;
-  StepDriver driver;
-  System system;
-  MotionState motion;
+  Body body;
+  RegionDriver driver;
   NetState state;
   NodeArray force; ///< at the state, when asked for
   bool forceIsCurrent = false;
@@ -104,7 +115,7 @@ Simulation::~Simulation() = default;
 StepReport Simulation::advance(double interval, std::int64_t maxSteps)
 {
   if (!(interval > 0.0) || !std::isfinite(interval)) return {};
-  const StepReport report = m_impl->driver.advance(m_impl->system, m_impl->motion, interval, maxSteps);
+  const StepReport report = m_impl->driver.advance(interval, maxSteps);
   m_impl->publish();
   return report;
 }
@@ -117,16 +128,16 @@ void Simulation::reset()
 Status Simulation::setParameters(const SpringNet& net)
 {
   Impl& impl = *m_impl;
-  if (net.nodeCount() != impl.net.nodeCount() || net.springCount() != impl.net.springCount() ||
-      net.ends != impl.net.ends)
+  if (net.nodeCount() != impl.body.net.nodeCount() || net.springCount() != impl.body.net.springCount() ||
+      net.ends != impl.body.net.ends)
     return Error{ErrorCode::InvalidValue,
                  "the new parameters are for a net of other springs; start a new simulation with it"};
   if (Status status = checkNet(net); !status) return status.error();
-  impl.net = net;
-  impl.system.setParameters(impl.net, impl.loads.gravity);
-  for (std::size_t i = 0; i < impl.motion.v.size(); ++i)
-    if (impl.net.fixed[i]) impl.motion.v[i] = Lanes{0, 0, 0, 0};
-  impl.driver.parametersChanged(impl.system, impl.motion);
+  const SpringNet before = std::exchange(impl.body.net, net);
+  impl.body.system.setParameters(net, impl.body.loads.gravity);
+  for (std::size_t i = 0; i < impl.body.motion.v.size(); ++i)
+    if (net.fixed[i]) impl.body.motion.v[i] = Lanes{0, 0, 0, 0};
+  impl.driver.parametersChanged(before);
   impl.publish();
   return {};
 }
@@ -135,25 +146,22 @@ void Simulation::setTools(std::span<const ToolSpring> tools)
 {
   Impl& impl = *m_impl;
   for ([[maybe_unused]] const ToolSpring& tool : tools)
-    ESM_ASSERT(tool.node >= 0 && tool.node < impl.net.nodeCount());
-  const auto& former = impl.system.tools();
-  const bool sameNodes = std::equal(
-    tools.begin(), tools.end(), former.begin(), former.end(), [](const ToolSpring& a, const ToolSpring& b) {
-      return a.node == b.node && a.stiffness == b.stiffness && a.viscosity == b.viscosity;
-    });
-  impl.motion.work += impl.system.setTools(tools, impl.motion.x); // the hand stretches the tool springs
-  impl.driver.toolsChanged(impl.system, impl.motion, sameNodes);
+    ESM_ASSERT(tool.node >= 0 && tool.node < impl.body.net.nodeCount());
+  const std::vector<ToolSpring> before = impl.body.system.tools();
+  // The hand stretches the tool springs.
+  impl.body.motion.work += impl.body.system.setTools(tools, impl.body.motion.x);
+  impl.driver.toolsChanged(before);
   impl.forceIsCurrent = false;
 }
 
 const SpringNet& Simulation::net() const noexcept
 {
-  return m_impl->net;
+  return m_impl->body.net;
 }
 
 const Loads& Simulation::loads() const noexcept
 {
-  return m_impl->loads;
+  return m_impl->body.loads;
 }
 
 const NetState& Simulation::state() const noexcept
@@ -163,63 +171,64 @@ const NetState& Simulation::state() const noexcept
 
 Eigen::Vector3d Simulation::momentum() const
 {
-  return m_impl->state.velocity * m_impl->net.mass.matrix();
+  return m_impl->state.velocity * m_impl->body.net.mass.matrix();
 }
 
 Eigen::Vector3d Simulation::angularMomentum() const
 {
   const NetState& state = m_impl->state;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  for (Index i = 0; i < m_impl->net.nodeCount(); ++i)
-    sum += m_impl->net.mass[i] *
+  for (Index i = 0; i < m_impl->body.net.nodeCount(); ++i)
+    sum += m_impl->body.net.mass[i] *
            Eigen::Vector3d(state.position.col(i)).cross(Eigen::Vector3d(state.velocity.col(i)));
   return sum;
 }
 
 Energies Simulation::energies() const
 {
-  const System& system = m_impl->system;
-  return {system.kineticEnergy(m_impl->motion.v), system.elasticEnergy(m_impl->motion.x),
-          system.forces().gravityEnergy(m_impl->motion.x.data())};
+  const System& system = m_impl->body.system;
+  return {system.kineticEnergy(m_impl->body.motion.v), system.elasticEnergy(m_impl->body.motion.x),
+          system.forces().gravityEnergy(m_impl->body.motion.x.data())};
 }
 
 double Simulation::externalWork() const
 {
-  return m_impl->motion.work;
+  return m_impl->body.motion.work;
 }
 
 double Simulation::dissipatedEnergy() const
 {
-  return m_impl->motion.heat;
+  return m_impl->body.motion.heat;
 }
 
 Eigen::Vector3d Simulation::reaction(Index node) const
 {
-  ESM_ASSERT(node >= 0 && node < m_impl->net.nodeCount());
+  ESM_ASSERT(node >= 0 && node < m_impl->body.net.nodeCount());
   const auto i = static_cast<std::size_t>(node);
-  if (m_impl->system.isFree(i)) return Eigen::Vector3d::Zero();
+  if (m_impl->body.system.isFree(i)) return Eigen::Vector3d::Zero();
   return -toVector(m_impl->currentForce()[i]);
 }
 
 Eigen::Vector3d Simulation::toolForce(std::size_t tool) const
 {
-  return m_impl->system.toolForce(tool, m_impl->motion.x, m_impl->motion.v);
+  return m_impl->body.system.toolForce(tool, m_impl->body.motion.x, m_impl->body.motion.v);
 }
 
 void Simulation::springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const
 {
-  ESM_ASSERT(tension.size() == m_impl->net.springCount());
-  m_impl->system.forces().springTensions(m_impl->motion.x.data(), m_impl->motion.v.data(), tension.data());
+  ESM_ASSERT(tension.size() == m_impl->body.net.springCount());
+  m_impl->body.system.forces().springTensions(m_impl->body.motion.x.data(), m_impl->body.motion.v.data(),
+                                              tension.data());
 }
 
 double Simulation::stableStep() const
 {
-  return m_impl->driver.explicitStep(m_impl->driver.fastestMode(m_impl->system, m_impl->motion));
+  return m_impl->driver.explicitStep(m_impl->driver.fastestMode());
 }
 
 Index Simulation::stiffestNode() const
 {
-  return m_impl->driver.fastestMode(m_impl->system, m_impl->motion).node;
+  return m_impl->driver.fastestMode().node;
 }
 
 const std::string& Simulation::solverName() const noexcept

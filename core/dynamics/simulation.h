@@ -31,6 +31,9 @@ struct SolverSettings {
   /// and why() says so. The default is half a second of one core; whoever keeps time with a clock asks for
   /// less.
   double effort = 1e8;
+  /// Nodes at rest sleep until something moves them, and cost nothing; what they miss stays within the
+  /// tolerance. Without effect on fixed steps.
+  bool skipResting = true;
 };
 
 struct Energies {

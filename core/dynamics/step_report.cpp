@@ -15,6 +15,7 @@ void StepReport::add(const StepReport& next) noexcept
   newtonIterations += next.newtonIterations;
   if (next.smallestStep > 0.0)
     smallestStep = smallestStep > 0.0 ? std::min(smallestStep, next.smallestStep) : next.smallestStep;
+  nodesAwake = next.nodesAwake;
   largestForce = next.largestForce;
   simulatedTime += next.simulatedTime;
   nonFinite = nonFinite || next.nonFinite;

@@ -14,12 +14,13 @@ struct StepReport {
   std::int64_t springsEvaluated = 0; ///< spring force evaluations, the unit of cost
   std::int64_t factorizations = 0;
   std::int64_t newtonIterations = 0;
-  double smallestStep = 0.0;  ///< [s], 0 before the first step
-  double largestForce = 0.0;  ///< largest spring tension at the end [N]
-  double simulatedTime = 0.0; ///< advanced by [s]
-  bool nonFinite = false;     ///< a NaN or infinity was caught; the state is the last good one
-  bool notConverged = false;  ///< a solver gave up; the state is the last good one
-  bool stepLimit = false;     ///< the work limit was reached before the end of the interval
+  std::int64_t nodesAwake = 0; ///< at the end; the others rest and cost nothing
+  double smallestStep = 0.0;   ///< [s], 0 before the first step
+  double largestForce = 0.0;   ///< largest spring tension at the end [N]
+  double simulatedTime = 0.0;  ///< advanced by [s]
+  bool nonFinite = false;      ///< a NaN or infinity was caught; the state is the last good one
+  bool notConverged = false;   ///< a solver gave up; the state is the last good one
+  bool stepLimit = false;      ///< the work limit was reached before the end of the interval
 
   bool good() const noexcept { return !nonFinite && !notConverged && !stepLimit; }
   void add(const StepReport& next) noexcept;

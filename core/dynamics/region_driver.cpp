@@ -1,0 +1,178 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/region_driver.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+constexpr double kFrame = 1.0 / 60.0;
+/// Share of a frame after which to glance at nodes that seem to rest: no simple fraction.
+constexpr double kGlance = 0.381966011250105;
+
+} // namespace
+
+RegionDriver::RegionDriver(SolverSettings settings, Body& body)
+  : m_settings(std::move(settings)),
+    m_body(body),
+    m_driver(m_settings),
+    m_on(m_settings.skipResting && !(m_settings.fixedStep > 0.0))
+{}
+
+StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
+{
+  MotionState& motion = m_body.motion;
+  if (!m_on) {
+    m_allMoved = true;
+    StepReport report = m_driver.advance(m_body.system, motion, interval, maxSteps);
+    report.nodesAwake = static_cast<std::int64_t>(motion.x.size());
+    return report;
+  }
+  StepReport report;
+  m_limitText.clear();
+  const double begin = motion.time, end = begin + interval;
+  while (end - motion.time > 1e-9 * interval) {
+    const double target = stretchEnd(end, interval);
+    wakeForLoads(target == m_body.system.nextEvent(motion.time));
+    if (m_mode == Mode::Rest)
+      pass(target);
+    else if (!stretch(target, maxSteps, report))
+      break;
+  }
+  report.simulatedTime = motion.time - begin;
+  report.largestForce = largestTension(report.largestForce);
+  report.nodesAwake = static_cast<std::int64_t>(m_region.awake().size());
+  return report;
+}
+
+/// Where the next stretch ends: at an event of the loads (StepDriver sees to them itself when it has the
+/// whole net), after a frame, or between two looks at nodes that seem to rest.
+double RegionDriver::stretchEnd(double end, double interval) const noexcept
+{
+  const double begin = m_body.motion.time;
+  double target = end;
+  if (m_mode != Mode::Whole) {
+    const double event = m_body.system.nextEvent(begin);
+    target = std::abs(event - end) <= 1e-9 * interval ? event : std::min(event, end);
+  }
+  if (m_mode == Mode::Rest) return target;
+  const double parts = std::ceil((target - begin) / kFrame - 0.5);
+  if (parts > 1.0) target = begin + (target - begin) / parts;
+  const bool someRest = 4 * m_watch.quietCount() > m_region.awake().size();
+  if (someRest && target - begin > 0.9 * kFrame) target = begin + kGlance * (target - begin);
+  return target;
+}
+
+bool RegionDriver::stretch(double target, std::int64_t maxSteps, StepReport& report)
+{
+  const std::int64_t left = maxSteps > 0 ? maxSteps - report.steps : 0;
+  if (maxSteps > 0 && left <= 0) {
+    report.stepLimit = true;
+    m_limitText = "the work limit of " + std::to_string(maxSteps) +
+                  " steps was reached before the end of the interval; allow more steps or a larger tolerance";
+    return false;
+  }
+  const bool good =
+    m_mode == Mode::Whole ? stretchWhole(target, left, report) : stretchPart(target, left, report);
+  if (good) look();
+  return good;
+}
+
+/// Everything sleeps.
+void RegionDriver::pass(double target)
+{
+  MotionState& motion = m_body.motion;
+  ErrorScale scale = m_driver.errorScale();
+  scale.squareOverTime += scale.displacement * scale.displacement * (target - motion.time);
+  m_driver.setErrorScale(scale);
+  takeOver(target);
+}
+
+/// Moves the time of the body to `target`, which may be an event.
+void RegionDriver::takeOver(double target)
+{
+  const bool isEvent = target == m_body.system.nextEvent(m_body.motion.time);
+  m_body.motion.time = target;
+  if (!isEvent) return;
+  m_body.system.enter(m_body.motion, true); // the part has counted the work
+  watchLoads();
+}
+
+bool RegionDriver::stretchWhole(double target, std::int64_t maxSteps, StepReport& report)
+{
+  MotionState& motion = m_body.motion;
+  const double event = m_body.system.nextEvent(motion.time);
+  report.add(m_driver.advance(m_body.system, motion, target - motion.time, maxSteps));
+  m_allMoved = true;
+  if (motion.time >= event) watchLoads();
+  return report.good();
+}
+
+bool RegionDriver::stretchPart(double target, std::int64_t maxSteps, StepReport& report)
+{
+  MotionState& motion = m_body.motion;
+  const ErrorScale scale = m_driver.errorScale();
+  const StepReport part = m_driver.advance(m_partSystem, m_partMotion, target - motion.time, maxSteps);
+  report.add(part);
+  if (part.good()) m_partMotion.time = target; // no rounding
+  const double allowed = budget(), missed = missedMotion(nullptr);
+  if (part.good() && missed > allowed && grow(true)) { // too late: once more with a larger part
+    report.rejectedSteps += part.steps;
+    m_driver.setErrorScale(scale);
+    applyChange();
+    return true;
+  }
+  for (const Index node : m_region.awake()) {
+    const auto from = static_cast<std::size_t>(m_cutter.placeOf(node)), to = static_cast<std::size_t>(node);
+    motion.x[to] = m_partMotion.x[from];
+    motion.v[to] = m_partMotion.v[from];
+  }
+  m_moved.insert(m_moved.end(), m_region.awake().begin(), m_region.awake().end());
+  m_allMoved = m_allMoved || m_moved.size() > 2 * motion.x.size();
+  motion.work = m_partMotion.work;
+  motion.heat = m_partMotion.heat;
+  takeOver(m_partMotion.time);
+  if (part.good() && missed > 0.25 * allowed) grow(false);
+  applyChange();
+  return part.good();
+}
+
+/// After a stretch: who has come to rest?
+void RegionDriver::look()
+{
+  const MotionState& motion = m_body.motion;
+  const std::vector<Index>& awake = m_region.awake();
+  const double limit = std::sqrt(0.25 * budget() / std::max(m_playedCount, 1.0));
+  if (!m_watch.lookIsDue(motion.time)) {
+    m_watch.glance(awake, motion, limit);
+    return;
+  }
+  m_watch.look(awake, motion, limit);
+  m_watch.pin(m_loads.moving());
+  const std::size_t calm = m_watch.calmCount(), all = awake.size();
+  if (calm == 0) return;
+  if (calm == all) {
+    letSleep(std::vector<Index>(awake));
+  } else if (isDivisible() && calm * (m_mode == Mode::Whole ? 2 : 4) >= all) {
+    const std::vector<Index> sleepers = m_region.inside(m_watch.calm(), std::max(4, edgeDepth()));
+    if (sleepers.size() * 5 >= all) letSleep(sleepers);
+  }
+  applyChange();
+}
+
+FastestMode RegionDriver::fastestMode()
+{
+  if (m_mode == Mode::Whole) return m_driver.fastestMode(m_body.system, m_body.motion);
+  m_wholeBound.prepare(m_body.system);
+  return m_wholeBound.compute(m_body.system, m_body.motion.x, m_body.motion.v);
+}
+
+void RegionDriver::clearMoved() noexcept
+{
+  m_moved.clear();
+  m_allMoved = false;
+}
+
+} // namespace esm

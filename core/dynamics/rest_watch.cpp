@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/rest_watch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+constexpr double kFrame = 1.0 / 60.0;
+constexpr double kHorizon = 8.0 * kFrame; ///< over which an acceleration is followed [s]
+constexpr double kLongestSeries = 600.0;  ///< what does not die out goes on for so many looks, ten seconds
+constexpr std::uint8_t kQuietLooks = 4;   ///< until a node is calm
+
+double length(const Lanes& a) noexcept
+{
+  return std::sqrt(dot(a, a));
+}
+
+} // namespace
+
+void RestWatch::prepare(std::size_t nodes)
+{
+  m_x.assign(nodes, Lanes{0, 0, 0, 0});
+  m_v.assign(nodes, Lanes{0, 0, 0, 0});
+  m_nodes.assign(nodes, Watched{});
+  m_calm.assign(nodes, 0);
+  m_calmCount = m_quietCount = 0;
+  m_lookTime = 0.0;
+}
+
+void RestWatch::watch(std::span<const Index> nodes, const MotionState& motion)
+{
+  for (const Index node : nodes) {
+    const auto i = static_cast<std::size_t>(node);
+    m_x[i] = motion.x[i];
+    m_v[i] = motion.v[i];
+    m_nodes[i] = Watched{};
+    m_calm[i] = 0;
+  }
+}
+
+bool RestWatch::lookIsDue(double time) const noexcept
+{
+  return time - m_lookTime >= 0.9 * kFrame;
+}
+
+void RestWatch::look(const std::vector<Index>& nodes, const MotionState& motion, double limit)
+{
+  const double window = std::max(motion.time - m_lookTime, 1e-3 * kFrame);
+  m_lookTime = motion.time;
+  m_calmCount = m_quietCount = 0;
+  for (const Index node : nodes) {
+    const auto i = static_cast<std::size_t>(node);
+    Watched& watched = m_nodes[i];
+    bool quiet = length(motion.v[i]) * kFrame <= limit;
+    if (quiet) {
+      const double change = length(motion.v[i] - m_v[i]) / window;
+      const double speed = length(motion.x[i] - m_x[i]) / window, before = watched.speed;
+      const double lost = before - speed; // next to go: the rest of the series speed (1 + q + q^2 + ...)
+      const double looks = lost > 0.0 ? std::min(before / lost, kLongestSeries) : kLongestSeries;
+      quiet = before >= 0.0 && 0.5 * change * kHorizon * kHorizon <= limit && speed * window * looks <= limit;
+      watched.speed = speed;
+    } else {
+      watched.speed = -1.0;
+    }
+    watched.quietLooks = static_cast<std::uint8_t>(quiet ? std::min(watched.quietLooks + 1, 255) : 0);
+    m_calm[i] = watched.quietLooks >= kQuietLooks ? 1 : 0;
+    m_calmCount += m_calm[i];
+    m_quietCount += quiet ? 1 : 0;
+    m_x[i] = motion.x[i];
+    m_v[i] = motion.v[i];
+  }
+}
+
+void RestWatch::glance(const std::vector<Index>& nodes, const MotionState& motion, double limit)
+{
+  for (const Index node : nodes) {
+    const auto i = static_cast<std::size_t>(node);
+    if (length(motion.v[i]) * kFrame > limit) m_nodes[i].quietLooks = 0;
+  }
+}
+
+void RestWatch::pin(const std::vector<Index>& nodes)
+{
+  for (const Index node : nodes) {
+    const auto i = static_cast<std::size_t>(node);
+    m_calmCount -= m_calm[i];
+    m_calm[i] = 0;
+  }
+}
+
+} // namespace esm
