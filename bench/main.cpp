@@ -4,6 +4,7 @@
 // esm_bench SUBCOMMAND: run time against error, stability, growth, the kernel, the clock. See usage below and
 // docs/BENCHMARKS.md.
 #include "bench/quick.h"
+#include "bench/sub_benches.h"
 #include "bench/work_precision.h"
 
 #include <cstdio>
@@ -18,6 +19,7 @@ int usage()
 {
   std::fprintf(stderr,
                "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
+               "       esm_bench kernel|stability|growth|realtime [--quick]\n"
                "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
   return 2;
 }
@@ -35,6 +37,12 @@ int run(const std::vector<std::string>& words)
   const std::vector<std::string> rest(words.begin() + 1, words.end());
   if (words[0] == "--quick") return quick(rest);
   if (words[0] == "work_precision") return runWorkPrecision(rest);
+  if (words[0] == "stability") return runStability(rest);
+  if (words[0] == "growth") return runGrowth(rest);
+  if (words[0] == "realtime") return runRealTime(rest);
+#if defined(ESM_BENCH_KERNEL)
+  if (words[0] == "kernel") return runKernel(rest);
+#endif
 #if defined(ESM_BENCH_SKIP)
   if (words[0] == "skip") return runSkip(rest);
 #endif

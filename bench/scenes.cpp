@@ -185,18 +185,19 @@ Scene stiff(const SceneOptions& options)
   std::mt19937 random(seedOr(options, 4));
   constexpr double kPull = 1.5e-3; // [N] in every spring at the start
   anchorAll(net, 0.5, 2e-3);
+  for (Index i = 0; i < net.nodeCount(); ++i) net.mass[i] = powerOfTen(uniform(random, -6.0, -2.0));
   for (Index s = 0; s < net.springCount(); ++s) {
-    const double decades = uniform(random, 0.0, 6.0);
-    net.stiffness[s] = powerOfTen(decades);
-    net.viscosity[s] = 1e-4 * powerOfTen(decades * 4.699 / 6.0); // to 5 N s/m
     const Index a = net.ends(0, s), b = net.ends(1, s);
+    net.stiffness[s] = powerOfTen(uniform(random, 0.0, 6.0));
+    const double reduced = net.mass[a] * net.mass[b] / (net.mass[a] + net.mass[b]);
+    net.viscosity[s] =
+      std::clamp(0.1 * std::sqrt(net.stiffness[s] * reduced), 1e-4, 5.0); // damping ratio 1/20
     const Eigen::Vector3d along = net.restPosition.col(b) - net.restPosition.col(a);
     const double length = along.norm();
     net.restLength[s] = length - kPull / net.stiffness[s];
     net.anchors.point.col(a) -= along * (kPull / length / 0.5); // the bedding balances it
     net.anchors.point.col(b) += along * (kPull / length / 0.5);
   }
-  for (Index i = 0; i < net.nodeCount(); ++i) net.mass[i] = powerOfTen(uniform(random, -6.0, -2.0));
   NodalForce push;
   push.nodes = middleRing(rings);
   push.force = curve({0.0, 0.1, 0.5, 0.6}, {{0, 0, 0}, {0, 0.01, 0}, {0, 0.01, 0}, {0, 0, 0}});

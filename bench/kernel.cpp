@@ -1,0 +1,116 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "bench/fast_limits.h"
+#include "bench/reference/fast_net.h"
+#include "bench/scenes.h"
+#include "bench/sub_benches.h"
+#include "core/base/text_number.h"
+#include "core/dynamics/simulation.h"
+#include "core/forces/force_model.h"
+
+#include <benchmark/benchmark.h>
+
+#include <cstdio>
+#include <map>
+
+namespace esm::bench {
+namespace {
+
+/// Keeps the least time of each benchmark's repetitions.
+class LeastTime final : public benchmark::BenchmarkReporter {
+public:
+  bool ReportContext(const Context&) override { return true; }
+  void ReportRuns(const std::vector<Run>& runs) override
+  {
+    for (const Run& run : runs) {
+      if (run.run_type != Run::RT_Iteration) continue;
+      const std::string name = run.run_name.function_name;
+      const double seconds = run.cpu_accumulated_time / static_cast<double>(run.iterations);
+      const auto [found, isNew] = m_seconds.try_emplace(name, seconds);
+      if (!isNew && seconds < found->second) found->second = seconds;
+    }
+  }
+  double seconds(const std::string& name) const
+  {
+    const auto found = m_seconds.find(name);
+    return found == m_seconds.end() ? 0.0 : found->second;
+  }
+
+private:
+  std::map<std::string, double> m_seconds;
+};
+
+struct Subject {
+  Scene scene;
+  ForceModel model;
+  NodeArray x, v, force;
+  FastNet plain;
+  Nodes plainX, plainV, plainForce;
+
+  explicit Subject(Scene from)
+    : scene(std::move(from)), model(scene.net, scene.loads.gravity), plain(scene.net, scene.loads)
+  {
+    const std::size_t count = model.nodeCount();
+    x.resize(count);
+    v.assign(count, Lanes{1e-3, 1e-3, 0, 0});
+    force.resize(count);
+    copyNodes(scene.net.restPosition, x);
+    plain.start(plainX, plainV);
+    plainForce.resize(plainX.size());
+    plain.beginFrame(0.0, plainX, plainV);
+  }
+};
+
+void registerSubject(Subject& subject)
+{
+  const std::string name = subject.scene.name;
+  benchmark::RegisterBenchmark((name + "|ours").c_str(), [&subject](benchmark::State& state) {
+    for (auto _ : state) {
+      subject.model.computeForces(subject.x.data(), subject.v.data(), subject.force.data());
+      benchmark::ClobberMemory();
+    }
+  });
+  benchmark::RegisterBenchmark((name + "|plain").c_str(), [&subject](benchmark::State& state) {
+    for (auto _ : state) {
+      subject.plain.forces(0.0, subject.plainX.data(), subject.plainV.data(), subject.plainForce.data());
+      benchmark::ClobberMemory();
+    }
+  });
+}
+
+} // namespace
+
+int runKernel(const std::vector<std::string>& words)
+{
+  const bool quick = isQuick(words);
+  std::vector<std::unique_ptr<Subject>> subjects;
+  for (Scene scene : {tube(), uterusLinear(), sheet(), uterus(), organ100k()}) {
+    if (quick && scene.net.nodeCount() > 20'000) continue;
+    subjects.push_back(std::make_unique<Subject>(std::move(scene)));
+    registerSubject(*subjects.back());
+  }
+  Limits limits;
+  limits.registerAll();
+  std::string least = quick ? "--benchmark_min_time=0.02" : "--benchmark_min_time=0.1";
+  std::string repeats = quick ? "--benchmark_repetitions=5" : "--benchmark_repetitions=15";
+  std::string program = "esm_bench";
+  char* arguments[] = {program.data(), least.data(), repeats.data()};
+  int count = 3;
+  benchmark::Initialize(&count, arguments);
+  LeastTime reporter;
+  benchmark::RunSpecifiedBenchmarks(&reporter);
+  std::printf("what,springs,ns_per_spring,plain_ns_per_spring\n");
+  for (const auto& subject : subjects) {
+    const auto springs = static_cast<double>(subject->scene.net.springCount());
+    const std::string& name = subject->scene.name;
+    std::printf("%s,%d,%s,%s\n", name.c_str(), static_cast<int>(springs),
+                formatDouble(reporter.seconds(name + "|ours") * 1e9 / springs, 3).c_str(),
+                formatDouble(reporter.seconds(name + "|plain") * 1e9 / springs, 3).c_str());
+  }
+  for (const auto& [name, springs] : limits.springsPerPass())
+    std::printf("limit: %s,,%s,\n", name.c_str(),
+                formatDouble(reporter.seconds(name) * 1e9 / springs, 3).c_str());
+  return 0;
+}
+
+} // namespace esm::bench

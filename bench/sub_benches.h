@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace esm::bench {
+
+// The other subcommands. All print CSV on stdout; --quick does less. @return exit code.
+
+/// Nanoseconds per spring of the force pass, beside what the machine allows.
+int runKernel(const std::vector<std::string>& words);
+/// Bounded or not at one step per frame, over stiffness x mass spread and stiffness x viscosity.
+int runStability(const std::vector<std::string>& words);
+/// Seconds per frame of auto and per force pass, 100 to 1,000,000 nodes.
+int runGrowth(const std::vector<std::string>& words);
+/// The uterus pulled and let go: the share of the frame time used, and the largest net that keeps up.
+int runRealTime(const std::vector<std::string>& words);
+
+bool isQuick(const std::vector<std::string>& words);
+
+} // namespace esm::bench
