@@ -336,6 +336,33 @@ void BlockCholesky::solve(Lanes* vector) noexcept
   for (std::size_t place = 0; place < m_nodeAt.size(); ++place)
     for (std::size_t i = 0; i < 3; ++i)
       x[3 * place + i] = vector[static_cast<std::size_t>(m_nodeAt[place])][static_cast<int>(i)];
+  solveUpwards(x);
+  if (m_negativePivots > 0)
+    for (std::size_t i = 0; i < m_vector.size(); ++i) x[i] *= m_sign[i];
+  solveDownwards(x);
+  for (std::size_t place = 0; place < m_nodeAt.size(); ++place)
+    vector[static_cast<std::size_t>(m_nodeAt[place])] =
+      Lanes{x[3 * place], x[3 * place + 1], x[3 * place + 2], 0.0};
+}
+
+/// With A = L S L^T, a column of the inverse of L^T at a negative sign is such a vector.
+bool BlockCholesky::negativeDirection(Lanes* vector) noexcept
+{
+  const auto negative = std::find(m_sign.begin(), m_sign.end(), -1.0);
+  if (m_negativePivots == 0 || negative == m_sign.end()) return false;
+  double* x = m_vector.data();
+  std::fill(m_vector.begin(), m_vector.end(), 0.0);
+  x[negative - m_sign.begin()] = 1.0;
+  solveDownwards(x);
+  for (std::size_t place = 0; place < m_nodeAt.size(); ++place)
+    vector[static_cast<std::size_t>(m_nodeAt[place])] =
+      Lanes{x[3 * place], x[3 * place + 1], x[3 * place + 2], 0.0};
+  return true;
+}
+
+/// x = L^-1 x, in the order of elimination.
+void BlockCholesky::solveUpwards(double* x) noexcept
+{
   double* t = m_frontVector.data();
   for (const Front& front : m_fronts) {
     double* own = x + 3 * static_cast<std::ptrdiff_t>(front.firstColumn);
@@ -349,8 +376,12 @@ void BlockCholesky::solve(Lanes* vector) noexcept
       for (int k = 0; k < 3; ++k) row[k] += below[k];
     }
   }
-  if (m_negativePivots > 0)
-    for (std::size_t i = 0; i < m_vector.size(); ++i) x[i] *= m_sign[i];
+}
+
+/// x = L^-T x.
+void BlockCholesky::solveDownwards(double* x) noexcept
+{
+  double* t = m_frontVector.data();
   for (std::size_t f = m_fronts.size(); f-- > 0;) {
     const Front& front = m_fronts[f];
     double* below = t + front.inner;
@@ -364,9 +395,6 @@ void BlockCholesky::solve(Lanes* vector) noexcept
     solveBackward(m_panels.data() + front.panel, front.width, front.lead,
                   x + 3 * static_cast<std::ptrdiff_t>(front.firstColumn), t);
   }
-  for (std::size_t place = 0; place < m_nodeAt.size(); ++place)
-    vector[static_cast<std::size_t>(m_nodeAt[place])] =
-      Lanes{x[3 * place], x[3 * place + 1], x[3 * place + 2], 0.0};
 }
 
 } // namespace esm

@@ -47,6 +47,9 @@ public:
   /// vector = A^-1 vector; an entry per node. @pre factor() was true.
   void solve(Lanes* vector) noexcept;
 
+  /// A vector d with d.A d = -1, for what has lost its balance. @return false if no pivot is negative.
+  bool negativeDirection(Lanes* vector) noexcept;
+
   Index nodeCount() const noexcept { return static_cast<Index>(m_nodeAt.size()); }
   /// Multiplications of one factor() and of one solve().
   double factorWork() const noexcept { return m_factorWork; }
@@ -88,6 +91,8 @@ private:
   void placeBlocks(const Structure& structure, const std::vector<NodePair>& pairs);
   void addUpdate(const Front& child, const Front& parent) noexcept;
   bool factorPanel(const Front& front) noexcept;
+  void solveUpwards(double* x) noexcept;
+  void solveDownwards(double* x) noexcept;
 
   std::vector<Front> m_fronts; ///< children before parents
   std::vector<Index> m_rows, m_children;

@@ -73,6 +73,25 @@ void ImplicitMatrix::constraintsChanged(const System& system)
 bool ImplicitMatrix::factor(const System& system, const NodeArray& x, const NodeArray& v,
                             const Shares& shares, bool convex)
 {
+  fill(system, x, v, shares, convex);
+  return m_cholesky.factor(m_diagonal.data(), m_coupling.data());
+}
+
+double ImplicitMatrix::stiffestRate(const System& system, const NodeArray& x, const NodeArray& v)
+{
+  fill(system, x, v, {0.0, 0.0, 1.0}, true);
+  double rate = 0.0;
+  for (const Index block : m_free) {
+    const NodeBlock& k = m_diagonal[static_cast<std::size_t>(block)];
+    const auto node = static_cast<std::size_t>(m_nodeOf[static_cast<std::size_t>(block)]);
+    rate = std::max(rate, (k.column[0][0] + k.column[1][1] + k.column[2][2]) / (3.0 * system.mass()[node]));
+  }
+  return rate > 0.0 ? rate : 1.0;
+}
+
+void ImplicitMatrix::fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares,
+                          bool convex)
+{
   std::fill(m_diagonal.begin(), m_diagonal.end(), NodeBlock{});
   const auto scalar = [&](Index node, double amount) {
     if (const Index block = m_blockOf[static_cast<std::size_t>(node)]; block != kNoIndex)
@@ -98,7 +117,6 @@ bool ImplicitMatrix::factor(const System& system, const NodeArray& x, const Node
           !m_isFree[static_cast<std::size_t>(m_pairs[pair].b)])
         m_coupling[pair] = NodeBlock{};
   }
-  return m_cholesky.factor(m_diagonal.data(), m_coupling.data());
 }
 
 void ImplicitMatrix::addSprings(const System& system, const Shares& shares, bool convex) noexcept
@@ -134,22 +152,26 @@ void ImplicitMatrix::addSprings(const System& system, const Shares& shares, bool
   }
 }
 
-bool ImplicitMatrix::addMass(const System& system, double shift) noexcept
-{
-  for (const Index block : m_free)
-    addScalar(m_diagonal[static_cast<std::size_t>(block)],
-              shift * system.mass()[static_cast<std::size_t>(m_nodeOf[static_cast<std::size_t>(block)])]);
-  return m_cholesky.factor(m_diagonal.data(), m_coupling.data());
-}
-
 void ImplicitMatrix::solve(NodeArray& vector) noexcept
 {
   for (std::size_t block = 0; block < m_nodeOf.size(); ++block)
     m_vector[block] = m_isFree[block] ? vector[static_cast<std::size_t>(m_nodeOf[block])] : Lanes{0, 0, 0, 0};
   m_cholesky.solve(m_vector.data());
+  scatter(vector);
+}
+
+void ImplicitMatrix::scatter(NodeArray& vector) const noexcept
+{
   std::fill(vector.begin(), vector.end(), Lanes{0, 0, 0, 0});
   for (std::size_t block = 0; block < m_nodeOf.size(); ++block)
     vector[static_cast<std::size_t>(m_nodeOf[block])] = m_vector[block];
+}
+
+bool ImplicitMatrix::negativeDirection(NodeArray& direction) noexcept
+{
+  if (!m_cholesky.negativeDirection(m_vector.data())) return false;
+  scatter(direction);
+  return true;
 }
 
 void ImplicitMatrix::multiply(const NodeArray& vector, NodeArray& product) const noexcept

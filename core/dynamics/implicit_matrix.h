@@ -35,8 +35,10 @@ public:
   void solve(NodeArray& vector) noexcept;
   /// product = A vector with the numbers of the last factor(), held nodes left out.
   void multiply(const NodeArray& vector, NodeArray& product) const noexcept;
-  /// Adds `shift` m to the diagonal of the last factor()'s matrix and factors again.
-  bool addMass(const System& system, double shift) noexcept;
+  /// A direction d with d.A d < 0, of the last factor(). @return false if there is none.
+  bool negativeDirection(NodeArray& direction) noexcept;
+  /// Largest stiffness over mass of a free node at x, v [1/s^2], the trace of its block over 3 m.
+  double stiffestRate(const System& system, const NodeArray& x, const NodeArray& v);
 
   std::size_t freeCount() const noexcept { return m_free.size(); }
   /// Of the last factor(); 0: positive definite.
@@ -47,7 +49,9 @@ public:
 
 private:
   void layOut(const System& system);
+  void fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares, bool convex);
   void addSprings(const System& system, const Shares& shares, bool convex) noexcept;
+  void scatter(NodeArray& vector) const noexcept;
 
   std::vector<Index> m_blockOf; ///< node -> block, kNoIndex if held when laid out
   std::vector<Index> m_nodeOf;  ///< block -> node

@@ -32,6 +32,8 @@ public:
   virtual StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) = 0;
 
   virtual int order() const noexcept = 0;
+  /// Whether a step leads to a state of rest under the loads at its end, whatever its length: no inertia.
+  virtual bool isQuasiStatic() const noexcept { return false; }
   /// Largest stable step for such motions [s]; infinity for an implicit method.
   virtual double stableStep(const FastestMode& mode) const noexcept = 0;
   /// How exactly an implicit method must solve for positions [m]; `rough`: a few iterations that gain are
@@ -52,6 +54,8 @@ std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for
 std::unique_ptr<Integrator> makeVerlet();
 std::unique_ptr<Integrator> makeRungeKutta4();
 std::unique_ptr<Integrator> makeImplicit();
+std::unique_ptr<Integrator> makeLinearized();
+std::unique_ptr<Integrator> makeRelax();
 
 /// Whether all numbers are finite.
 bool allFinite(const NodeArray& x, const NodeArray& v) noexcept;
