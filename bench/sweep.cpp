@@ -86,4 +86,26 @@ std::vector<Row> sweepTolerances(const std::function<Row(double, double)>& run, 
   return rows;
 }
 
+void refineWinners(std::vector<Row>& rows, const std::function<Row(const Row& like, int steps)>& run)
+{
+  for (const double target : kTargets) {
+    const auto reaches = [&](const Row& row) { return row.good && row.error <= target; };
+    Row best;
+    for (const Row& row : rows)
+      if (reaches(row) && (best.method.empty() || row.seconds < best.seconds)) best = row;
+    if (best.method.empty() || !best.fixed) continue;
+    double tooFew = 0.0;
+    for (const Row& row : rows)
+      if (row.method == best.method && row.fixed && row.setting < best.setting && !reaches(row))
+        tooFew = std::max(tooFew, row.setting);
+    while (tooFew > 0.0 && best.setting > 1.04 * tooFew && best.setting > tooFew + 1.5) {
+      rows.push_back(run(best, static_cast<int>(std::lround(std::sqrt(best.setting * tooFew)))));
+      if (reaches(rows.back()))
+        best = rows.back();
+      else
+        tooFew = rows.back().setting;
+    }
+  }
+}
+
 } // namespace esm::bench

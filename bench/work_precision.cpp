@@ -14,7 +14,7 @@ namespace esm::bench {
 namespace {
 
 /// Goes up when a competitor or the way of sweeping changes.
-constexpr char kSweepVersion[] = "1";
+constexpr char kSweepVersion[] = "2";
 
 std::filesystem::path sweepFile(const Scene& scene, const WorkOptions& options)
 {
@@ -76,6 +76,16 @@ void append(std::vector<Row>& rows, const std::vector<Row>& more)
   rows.insert(rows.end(), more.begin(), more.end());
 }
 
+void refine(const Scene& scene, const Reference& reference, std::vector<Row>& rows)
+{
+  const std::size_t before = rows.size();
+  refineWinners(rows, [&](Row like, int steps) {
+    like.setting = steps;
+    return runAgain(scene, like, reference, 1e9);
+  });
+  for (std::size_t i = before; i < rows.size(); ++i) std::printf("%s", csvLine(rows[i]).c_str());
+}
+
 std::vector<Row> sweepCompetitors(const Scene& scene, const Reference& reference, Front& front,
                                   const WorkOptions& options)
 {
@@ -94,6 +104,8 @@ std::vector<Row> sweepCompetitors(const Scene& scene, const Reference& reference
       append(rows, adaptive ? sweepTolerances(run, front, options.patience)
                             : sweepSteps(run, entry.implicit ? 4 : 64, front, options.patience));
     }
+  refine(scene, reference, rows);
+  for (const Row& row : rows) front.add(row);
   writeSweep(file, rows);
   return rows;
 }
@@ -124,6 +136,7 @@ std::vector<Row> sweepOurs(const Scene& scene, const Reference& reference, Front
              [&](int steps, double cap) { return runEngine(scene, solver.name, 0.0, steps, reference, cap); },
              guess, front, options.patience));
   }
+  refine(scene, reference, rows);
   return rows;
 }
 
