@@ -7,7 +7,8 @@
 namespace esm::bench {
 
 struct SkipScene : Scene {
-  Index touched = 0; ///< a node where the tool is
+  Index touched = 0;             ///< a node where the tool is
+  std::string reference = "rk4"; ///< the method that makes the reference with fixed steps
 };
 
 /// A closed surface of about `nodes` nodes, 0.7 mm apart whatever their number, and three springs to a node:

@@ -60,7 +60,7 @@ double RegionDriver::stretchEnd(double end, double interval) const noexcept
   if (m_mode == Mode::Rest) return target;
   const double parts = std::ceil((target - begin) / kFrame - 0.5);
   if (parts > 1.0) target = begin + (target - begin) / parts;
-  const bool someRest = 4 * m_watch.quietCount() > m_region.awake().size();
+  const bool someRest = 4 * m_watch.firstSlowCount() > m_region.awake().size();
   if (someRest && target - begin > 0.9 * kFrame) target = begin + kGlance * (target - begin);
   return target;
 }
@@ -151,12 +151,16 @@ void RegionDriver::look()
   }
   m_watch.look(awake, motion, limit);
   m_watch.pin(m_loads.moving());
-  const std::size_t calm = m_watch.calmCount(), all = awake.size();
-  if (calm == 0) return;
-  if (calm == all) {
+  const std::size_t all = awake.size();
+  if (m_watch.calmCount() == all) {
     letSleep(std::vector<Index>(awake));
-  } else if (isDivisible() && calm * (m_mode == Mode::Whole ? 2 : 4) >= all) {
-    const std::vector<Index> sleepers = m_region.inside(m_watch.calm(), std::max(4, edgeDepth()));
+  } else if (isDivisible()) {
+    // Somebody who stays awake has to watch over those who only are slow.
+    const bool watched = m_watch.slowCount() < all;
+    const std::size_t count = watched ? m_watch.slowCount() : m_watch.calmCount();
+    if (count * (m_mode == Mode::Whole ? 2 : 4) < all) return;
+    const std::vector<Index> sleepers =
+      m_region.inside(watched ? m_watch.slow() : m_watch.calm(), std::max(4, edgeDepth()));
     if (sleepers.size() * 5 >= all) letSleep(sleepers);
   }
   applyChange();

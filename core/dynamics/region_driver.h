@@ -37,8 +37,8 @@ struct Body {
 /// (tolerance/3)^2 times the sum of squares of all displacements, as it is now or has been on average, the
 /// larger; with a floor of a millionth of the net's extent.
 ///
-/// **Sleeping.** RestWatch says who is calm: within a quarter of the budget in all. Calm nodes that are some
-/// layers away from restless ones fall asleep, if they are enough to make the change worth while. Their
+/// **Sleeping.** RestWatch says who is slow: within a quarter of the budget in all. Slow nodes that are some
+/// layers away from faster ones fall asleep, if they are enough to make the change worth while. Their
 /// kinetic energy, which is negligible, counts as heat. Nets of less than two thousand nodes sleep as a whole
 /// or not at all: there a part would hardly be cheaper.
 class RegionDriver {
