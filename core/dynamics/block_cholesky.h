@@ -5,6 +5,7 @@
 #include "core/forces/node_array.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace esm {
@@ -13,6 +14,7 @@ namespace esm {
 struct NodeBlock {
   Lanes column[3] = {{0, 0, 0, 0}, {0, 0, 0, 0}, {0, 0, 0, 0}};
 };
+using NodeBlocks = std::vector<NodeBlock, CacheLineAllocator<NodeBlock>>;
 
 /// Two nodes that a matrix couples.
 struct NodePair {
@@ -38,7 +40,9 @@ class BlockCholesky {
 public:
   /// Lays out the factor of a matrix with a diagonal block for each node and one for each pair (a pair may
   /// come more than once: its blocks add up). Allocates. @pre a != b, both in [0, nodes).
-  void analyze(Index nodes, const std::vector<NodePair>& pairs);
+  /// @return false if the factor would hold more than `mostNumbers`; nothing is laid out then.
+  bool analyze(Index nodes, const std::vector<NodePair>& pairs,
+               std::size_t mostNumbers = std::numeric_limits<std::size_t>::max());
 
   /// @param diagonal  a block per node, symmetric.
   /// @param coupling  a block per pair of analyze(), symmetric, stands at (a, b) and at (b, a).
@@ -86,7 +90,7 @@ private:
   };
   struct Structure; ///< what analyze() works with
 
-  void layOut(const Structure& structure);
+  std::size_t layOut(const Structure& structure);
   void layOutUpdates();
   void placeBlocks(const Structure& structure, const std::vector<NodePair>& pairs);
   void addUpdate(const Front& child, const Front& parent) noexcept;

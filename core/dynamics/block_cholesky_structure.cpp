@@ -248,18 +248,25 @@ void BlockCholesky::Structure::findRows(const NodeGraph& graph)
   }
 }
 
-void BlockCholesky::analyze(Index nodes, const std::vector<NodePair>& pairs)
+bool BlockCholesky::analyze(Index nodes, const std::vector<NodePair>& pairs, std::size_t mostNumbers)
 {
   *this = BlockCholesky();
-  if (nodes == 0) return;
+  if (nodes == 0) return true;
   const Structure structure(nodes, pairs);
   m_nodeAt = structure.nodeAt;
-  layOut(structure);
+  const std::size_t numbers = layOut(structure);
+  if (numbers > mostNumbers) {
+    *this = BlockCholesky();
+    return false;
+  }
+  m_panels.assign(numbers, 0.0);
   layOutUpdates();
   placeBlocks(structure, pairs);
+  return true;
 }
 
-void BlockCholesky::layOut(const Structure& structure)
+/// @return numbers in all panels.
+std::size_t BlockCholesky::layOut(const Structure& structure)
 {
   std::size_t panels = 0;
   Index tallest = 0, largest = 0;
@@ -290,7 +297,6 @@ void BlockCholesky::layOut(const Structure& structure)
     m_solveWork += static_cast<double>(front.width) * static_cast<double>(front.width + 6 * front.rowCount);
     m_fronts.push_back(front);
   }
-  m_panels.assign(panels, 0.0);
   m_signed.assign(at(largest), 0.0);
   m_sign.assign(3 * m_nodeAt.size(), 1.0);
   m_vector.assign(3 * m_nodeAt.size(), 0.0);
@@ -314,6 +320,7 @@ void BlockCholesky::layOut(const Structure& structure)
     }
     front.runCount = m_runs.size() - front.firstRun;
   }
+  return panels;
 }
 
 /// Updates live from their front's turn to their parent's; each takes the first gap that is wide enough.

@@ -3,6 +3,7 @@
 #include "core/dynamics/implicit_matrix.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm {
 namespace {
@@ -10,6 +11,15 @@ namespace {
 // Measured against a linear spring with viscosity in the force pass on the same machine (3.5 ns): tangent and
 // block of a spring, a product of the factorization, a product of the solution.
 constexpr double kPerSpring = 10.0, kPerFactorProduct = 0.035, kPerSolveProduct = 0.035;
+constexpr double kPerIteration = 6.0; ///< of conjugate gradients, per spring
+
+/// Of analysis and factor of a surface of N nodes over N^1.5; what the gradients may cost before both are
+/// made.
+constexpr double kFactorPrice = 20.0;
+constexpr std::size_t kMostNumbers = std::size_t{1} << 27; ///< of such a factor: 1 GB
+
+constexpr double kReduction = 1e-3;  ///< of the residual, by conjugate gradients
+constexpr int kMostIterations = 150; ///< more would be slower than a factor
 
 Lanes unit(int axis, double length) noexcept
 {
@@ -25,8 +35,9 @@ void addScalar(NodeBlock& block, double amount) noexcept
 
 } // namespace
 
-void ImplicitMatrix::prepare(const System& system)
+void ImplicitMatrix::prepare(const System& system, bool mayIterate)
 {
+  m_mayIterate = mayIterate;
   m_blockOf.assign(system.nodeCount(), kNoIndex);
   m_nodeOf.clear();
   for (std::size_t i = 0; i < system.nodeCount(); ++i)
@@ -51,7 +62,13 @@ void ImplicitMatrix::layOut(const System& system)
     m_pairOf[e] = static_cast<Index>(m_pairs.size());
     m_pairs.push_back({a, b});
   }
-  m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs);
+  m_spent = 0.0;
+  m_isTooLarge = false;
+  m_isIterative = m_mayIterate && m_nodeOf.size() > kManyNodes;
+  if (m_isIterative)
+    m_gradients.prepare(static_cast<Index>(m_nodeOf.size()), m_pairs);
+  else
+    m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs);
   m_diagonal.assign(m_nodeOf.size(), {});
   m_coupling.assign(m_pairs.size(), {});
   m_vector.assign(m_nodeOf.size(), Lanes{0, 0, 0, 0});
@@ -60,7 +77,7 @@ void ImplicitMatrix::layOut(const System& system)
 void ImplicitMatrix::constraintsChanged(const System& system)
 {
   for (std::size_t i = 0; i < system.nodeCount(); ++i)
-    if (system.isFree(i) && m_blockOf[i] == kNoIndex) return prepare(system);
+    if (system.isFree(i) && m_blockOf[i] == kNoIndex) return prepare(system, m_mayIterate);
   m_free.clear();
   m_isFree.assign(m_nodeOf.size(), 0);
   for (std::size_t block = 0; block < m_nodeOf.size(); ++block)
@@ -74,6 +91,8 @@ bool ImplicitMatrix::factor(const System& system, const NodeArray& x, const Node
                             const Shares& shares, bool convex)
 {
   fill(system, x, v, shares, convex);
+  m_metNegative = 0;
+  if (m_isIterative) return m_gradients.setMatrix(m_diagonal.data(), m_coupling.data());
   return m_cholesky.factor(m_diagonal.data(), m_coupling.data());
 }
 
@@ -152,12 +171,32 @@ void ImplicitMatrix::addSprings(const System& system, const Shares& shares, bool
   }
 }
 
-void ImplicitMatrix::solve(NodeArray& vector) noexcept
+void ImplicitMatrix::solve(NodeArray& vector)
 {
   for (std::size_t block = 0; block < m_nodeOf.size(); ++block)
     m_vector[block] = m_isFree[block] ? vector[static_cast<std::size_t>(m_nodeOf[block])] : Lanes{0, 0, 0, 0};
-  m_cholesky.solve(m_vector.data());
+  if (m_isIterative) {
+    const auto result = m_gradients.solve(m_vector.data(), kReduction, kMostIterations);
+    m_metNegative = m_metNegative != 0 || result == PreconditionedCg::Result::Indefinite;
+    m_meanIterations += 0.1 * (m_gradients.iterations() - m_meanIterations);
+    m_spent += m_gradients.iterations() * kPerIteration * static_cast<double>(m_springs);
+    const double nodes = static_cast<double>(m_nodeOf.size());
+    if (result == PreconditionedCg::Result::TooSlow || m_spent > kFactorPrice * nodes * std::sqrt(nodes))
+      giveUpIterating();
+  } else {
+    m_cholesky.solve(m_vector.data());
+  }
   scatter(vector);
+}
+
+/// The vector at hand, solved as far as the gradients came, is still a direction of descent. If the factor
+/// does not exist or not fit into memory, they go on.
+void ImplicitMatrix::giveUpIterating()
+{
+  m_spent = 0.0;
+  if (m_isTooLarge) return;
+  m_isTooLarge = !m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs, kMostNumbers);
+  m_isIterative = m_isTooLarge || !m_cholesky.factor(m_diagonal.data(), m_coupling.data());
 }
 
 void ImplicitMatrix::scatter(NodeArray& vector) const noexcept
@@ -169,7 +208,7 @@ void ImplicitMatrix::scatter(NodeArray& vector) const noexcept
 
 bool ImplicitMatrix::negativeDirection(NodeArray& direction) noexcept
 {
-  if (!m_cholesky.negativeDirection(m_vector.data())) return false;
+  if (m_isIterative || !m_cholesky.negativeDirection(m_vector.data())) return false;
   scatter(direction);
   return true;
 }
@@ -194,11 +233,13 @@ void ImplicitMatrix::multiply(const NodeArray& vector, NodeArray& product) const
 
 double ImplicitMatrix::factorCost() const noexcept
 {
+  if (m_isIterative) return kPerSpring * static_cast<double>(m_springs);
   return kPerSpring * static_cast<double>(m_springs) + kPerFactorProduct * m_cholesky.factorWork();
 }
 
 double ImplicitMatrix::solveCost() const noexcept
 {
+  if (m_isIterative) return m_meanIterations * kPerIteration * static_cast<double>(m_springs);
   return kPerSolveProduct * m_cholesky.solveWork();
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/block_cholesky.h"
+#include "core/dynamics/preconditioned_cg.h"
 #include "core/dynamics/system.h"
 
 namespace esm {
@@ -13,6 +14,10 @@ namespace esm {
 ///
 /// D and K are sums of 3 x 3 blocks (SpringTangent, anchors, tools, mass damping), both symmetric. The
 /// pattern is laid out and analysed once; afterwards nothing allocates.
+///
+/// In a net of more than kManyNodes nodes systems are solved by conjugate gradients, to a thousandth, which is
+/// enough for Newton's method; once they have cost as much as a factor would have, the factor is made after
+/// all, and from then on, if memory allows.
 class ImplicitMatrix {
 public:
   /// How much of each part goes in. A step of implicit share s [s] has mass 1, s, s^2.
@@ -21,7 +26,9 @@ public:
     static Shares ofStep(double s) noexcept { return {1.0, s, s * s}; }
   };
 
-  void prepare(const System& system);
+  static constexpr std::size_t kManyNodes = 40000;
+  /// @param mayIterate  whether conjugate gradients may stand in for a factor.
+  void prepare(const System& system, bool mayIterate = false);
   /// Nodes have become free or held; the layout is made anew only if one was held when it was made.
   void constraintsChanged(const System& system);
 
@@ -32,7 +39,7 @@ public:
   bool factor(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares,
               bool convex);
   /// vector = A^-1 vector; an entry per node of the net, those of held nodes become 0.
-  void solve(NodeArray& vector) noexcept;
+  void solve(NodeArray& vector);
   /// product = A vector with the numbers of the last factor(), held nodes left out.
   void multiply(const NodeArray& vector, NodeArray& product) const noexcept;
   /// A direction d with d.A d < 0, of the last factor(). @return false if there is none.
@@ -41,8 +48,11 @@ public:
   double stiffestRate(const System& system, const NodeArray& x, const NodeArray& v);
 
   std::size_t freeCount() const noexcept { return m_free.size(); }
-  /// Of the last factor(); 0: positive definite.
-  std::int64_t negativePivots() const noexcept { return m_cholesky.negativePivots(); }
+  /// Of the last factor(); 0: positive definite, as far as known.
+  std::int64_t negativePivots() const noexcept
+  {
+    return m_isIterative ? m_metNegative : m_cholesky.negativePivots();
+  }
   /// Costs in spring evaluations of the force pass.
   double factorCost() const noexcept;
   double solveCost() const noexcept;
@@ -51,6 +61,7 @@ private:
   void layOut(const System& system);
   void fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares, bool convex);
   void addSprings(const System& system, const Shares& shares, bool convex) noexcept;
+  void giveUpIterating();
   void scatter(NodeArray& vector) const noexcept;
 
   std::vector<Index> m_blockOf; ///< node -> block, kNoIndex if held when laid out
@@ -59,10 +70,15 @@ private:
   std::vector<Index> m_pairOf;  ///< active spring -> pair, kNoIndex unless both ends have blocks
   std::vector<NodePair> m_pairs;
   std::vector<std::uint8_t> m_isFree; ///< by block
-  std::vector<NodeBlock> m_diagonal, m_coupling;
+  NodeBlocks m_diagonal, m_coupling;
   std::vector<SpringTangent> m_tangents;
   NodeArray m_vector; ///< by blocks
   BlockCholesky m_cholesky;
+  PreconditionedCg m_gradients;
+  bool m_mayIterate = false, m_isIterative = false, m_isTooLarge = false;
+  double m_spent = 0.0;           ///< on gradients since they were last judged [spring evaluations]
+  std::int64_t m_metNegative = 0; ///< 1: the gradients met negative curvature
+  double m_meanIterations = 20.0; ///< of the gradients, running mean
   std::size_t m_springs = 0;
 };
 

@@ -26,7 +26,7 @@ void ImplicitStage::prepare(const System& system)
 {
   for (NodeArray* array : {&m_force, &m_change, &m_trial})
     array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
-  m_matrix.prepare(system);
+  m_matrix.prepare(system, true);
   m_factoredShare = 0.0;
   m_meanIterations = 2.0;
   m_meanFactors = 0.1;
@@ -78,7 +78,7 @@ bool ImplicitStage::refactor(const Problem& problem, const NodeArray& x, const N
 }
 
 /// m_change from the residual in m_force. @return its length [m], RMS over nodes.
-double ImplicitStage::findChange(const Problem& problem) noexcept
+double ImplicitStage::findChange(const Problem& problem)
 {
   m_change = m_force; // same size: no allocation
   m_matrix.solve(m_change);
@@ -97,7 +97,7 @@ double ImplicitStage::findChange(const Problem& problem) noexcept
 
 /// Takes the whole change although the residual grows: over the jump in force of a spring that leaves
 /// length zero or a thread that tightens no descent leads. @return the new norm.
-double ImplicitStage::leap(const Problem& problem, NodeArray& v, NodeArray& x, Rates& rates) noexcept
+double ImplicitStage::leap(const Problem& problem, NodeArray& v, NodeArray& x, Rates& rates)
 {
   residual(problem, v, x, rates);
   findChange(problem);

@@ -44,10 +44,10 @@ private:
   double residual(const Problem& problem, NodeArray& v, NodeArray& x, Rates& rates) noexcept;
   bool refactor(const Problem& problem, const NodeArray& x, const NodeArray& v, bool convex,
                 StepReport& report);
-  double findChange(const Problem& problem) noexcept;
+  double findChange(const Problem& problem);
   double tryChange(const Problem& problem, double norm, const NodeArray& v, NodeArray& x, double& fraction,
                    Rates& rates) noexcept;
-  double leap(const Problem& problem, NodeArray& v, NodeArray& x, Rates& rates) noexcept;
+  double leap(const Problem& problem, NodeArray& v, NodeArray& x, Rates& rates);
   void learn(double s, int iterations, int factors) noexcept;
 
   ImplicitMatrix m_matrix;

@@ -31,7 +31,7 @@ public:
   void prepare(const System& system) override
   {
     for (NodeArray* array : {&m_x, &m_v, &m_force}) array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
-    m_matrix.prepare(system);
+    m_matrix.prepare(system, true);
     m_factoredStep = 0.0;
   }
   void restart() noexcept override {}
@@ -110,7 +110,7 @@ private:
   }
 
   /// The step into m_x and m_v. @return the share of the implicit equation's residual that is left.
-  double solve(System& system, const MotionState& state, double h, double end, Rates& rates) noexcept
+  double solve(System& system, const MotionState& state, double h, double end, Rates& rates)
   {
     const double before = predict(system, state, h, end);
     m_matrix.solve(m_force);

@@ -181,7 +181,7 @@ private:
   }
 
   /// Newton's change at m_x, from m_force. @return its length [m], RMS over nodes, at most `longest`.
-  double findChange(double longest) noexcept
+  double findChange(double longest)
   {
     m_change = m_force;
     m_matrix.solve(m_change);

@@ -3,6 +3,7 @@
 
 // The sparse factor against what linear algebra says, with Eigen's dense solvers as witnesses.
 #include "core/dynamics/block_cholesky.h"
+#include "core/dynamics/preconditioned_cg.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -20,7 +21,7 @@ using Vectors = NodeArray;
 struct Example {
   Index nodes = 0;
   std::vector<NodePair> pairs;
-  std::vector<NodeBlock> diagonal, coupling;
+  NodeBlocks diagonal, coupling;
   Eigen::MatrixXd dense;
 };
 
@@ -188,6 +189,32 @@ TEST(BlockCholesky, OrderOfEliminationKeepsGridsCheap)
     const double blocks = cholesky.factorWork() / 27.0;
     EXPECT_LT(blocks, 31.0 / 4.0 * 3.0 * side * side * side) << side;
   }
+}
+
+// Two ways to one solution; and gradients tell when the matrix is not positive definite.
+TEST(PreconditionedCg, AgreesWithTheFactor)
+{
+  Example example = springMatrix(400, gridPairs(20), 0.1, 12);
+  PreconditionedCg gradients;
+  gradients.prepare(example.nodes, example.pairs);
+  ASSERT_TRUE(gradients.setMatrix(example.diagonal.data(), example.coupling.data()));
+  BlockCholesky cholesky;
+  cholesky.analyze(example.nodes, example.pairs);
+  ASSERT_TRUE(cholesky.factor(example.diagonal.data(), example.coupling.data()));
+  Vectors direct = rightSide(400), iterated = direct;
+  cholesky.solve(direct.data());
+  EXPECT_EQ(gradients.solve(iterated.data(), 1e-12, 400), PreconditionedCg::Result::Converged);
+  EXPECT_LT((flat(direct) - flat(iterated)).norm(), 1e-10 * flat(direct).norm());
+  iterated = rightSide(400);
+  EXPECT_EQ(gradients.solve(iterated.data(), 1e-12, 3), PreconditionedCg::Result::TooSlow);
+  for (NodeBlock& block : example.diagonal)
+    for (int axis = 0; axis < 3; ++axis) block.column[axis][axis] -= 0.15;
+  if (gradients.setMatrix(example.diagonal.data(), example.coupling.data())) {
+    iterated = rightSide(400);
+    EXPECT_EQ(gradients.solve(iterated.data(), 1e-12, 400), PreconditionedCg::Result::Indefinite);
+  }
+  example.diagonal[3].column[0][0] = -1.0;
+  EXPECT_FALSE(gradients.setMatrix(example.diagonal.data(), example.coupling.data()));
 }
 
 TEST(BlockCholesky, OrderNamesEachNodeOnce)
