@@ -153,7 +153,7 @@ void growth()
   }
   std::printf("slope_over_nodes,%s\n", formatDouble(std::log(last / first) / std::log(30.0), 3).c_str());
   std::vector<Run> runs;
-  for (const double radius : {3.0, 6.0, 12.0, 24.0}) runs.push_back(tell(pressedOrgan(100000, radius, 0.2)));
+  for (const double radius : {3.0, 10.0, 30.0, 60.0}) runs.push_back(tell(pressedOrgan(100000, radius, 0.2)));
   const double moving = static_cast<double>(runs.back().springs) / static_cast<double>(runs.front().springs);
   std::printf(
     "slope_over_springs,%s\n",

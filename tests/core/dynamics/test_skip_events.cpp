@@ -230,4 +230,25 @@ TEST(RestWatch, SwayAndCreepAreNotRest)
   EXPECT_EQ(watch.slow(), (std::vector<std::uint8_t>{1, 1, 1})); // with awake neighbours that is enough
 }
 
+// What stands still at every frame but is found moving between two is not at rest.
+TEST(RestWatch, GlancesSeeWhatLooksMiss)
+{
+  const std::vector<Index> nodes{0, 1};
+  RestWatch watch;
+  watch.prepare(2);
+  MotionState motion;
+  motion.x.assign(2, Lanes{0, 0, 0, 0});
+  motion.v = motion.x;
+  watch.watch(nodes, motion);
+  for (int frame = 1; frame <= 20; ++frame) {
+    motion.v[0] = Lanes{1.0, 0, 0, 0};
+    watch.glance(nodes, motion, 1e-3);
+    motion.v[0] = Lanes{0, 0, 0, 0};
+    motion.time = frame / 60.0;
+    watch.look(nodes, motion, 1e-3);
+  }
+  EXPECT_EQ(watch.slow(), (std::vector<std::uint8_t>{0, 1}));
+  EXPECT_EQ(watch.calm(), (std::vector<std::uint8_t>{0, 1}));
+}
+
 } // namespace esm::testing
