@@ -5,6 +5,7 @@
 #include "bench/sub_benches.h"
 #include "core/base/text_number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -35,7 +36,7 @@ bool isNear(const Eigen::Matrix3Xd& x, const Eigen::Matrix3Xd& start)
   return (x - start).cwiseAbs().maxCoeff() < 1.0;
 }
 
-bool runOurs(const Scene& scene, const std::string& solver)
+bool runOurs(const Scene& scene, const std::string& solver, std::string& note)
 {
   SolverSettings settings;
   settings.solver = solver;
@@ -48,7 +49,11 @@ bool runOurs(const Scene& scene, const std::string& solver)
   if (!simulation) return false;
   for (long frame = 0; frame < scene.frames(); ++frame) {
     const StepReport report = simulation->advance(1.0 / kFrameRate);
-    if (!report.good() || !isNear(simulation->state().position, scene.net.restPosition)) return false;
+    const bool near = isNear(simulation->state().position, scene.net.restPosition);
+    if (report.good() && near) continue;
+    note = near ? simulation->why() : "left its place";
+    std::replace(note.begin(), note.end(), ',', ';');
+    return false;
   }
   return true;
 }
@@ -75,23 +80,26 @@ bool runTheirs(const Scene& scene, const MethodEntry& entry)
 void sweep(const char* axis, double k, double m, double c, double second)
 {
   const Scene scene = variant(k, m, c);
-  const auto tell = [&](const std::string& method, bool ours, bool bounded, double seconds) {
-    std::printf("%s,%d,%s,%s,%s,%d,%s\n", method.c_str(), ours ? 1 : 0, axis, formatDouble(k, 3).c_str(),
-                formatDouble(second, 3).c_str(), bounded ? 1 : 0, formatDouble(seconds / kFrames, 4).c_str());
+  const auto tell = [&](const std::string& method, bool ours, bool bounded, double seconds,
+                        const std::string& note) {
+    std::printf("%s,%d,%s,%s,%s,%d,%s,%s\n", method.c_str(), ours ? 1 : 0, axis, formatDouble(k, 3).c_str(),
+                formatDouble(second, 3).c_str(), bounded ? 1 : 0, formatDouble(seconds / kFrames, 4).c_str(),
+                note.c_str());
     std::fflush(stdout);
   };
   std::vector<std::string> solvers = {"auto"};
   for (const SolverInfo& solver : solverNames()) solvers.push_back(solver.name);
   for (const std::string& solver : solvers) {
     const double start = cpuSeconds();
-    const bool bounded = runOurs(scene, solver);
-    tell(solver, true, bounded, cpuSeconds() - start);
+    std::string note;
+    const bool bounded = runOurs(scene, solver, note);
+    tell(solver, true, bounded, cpuSeconds() - start, note);
   }
   for (const MethodEntry& entry : competitors()) {
     if (entry.adaptive) continue;
     const double start = cpuSeconds();
     const bool bounded = runTheirs(scene, entry);
-    tell(entry.name, false, bounded, cpuSeconds() - start);
+    tell(entry.name, false, bounded, cpuSeconds() - start, "");
   }
 }
 
@@ -100,7 +108,7 @@ void sweep(const char* axis, double k, double m, double c, double second)
 int runStability(const std::vector<std::string>& words)
 {
   const bool quick = isQuick(words);
-  std::printf("method,ours,axis,stiffness_decades,second_decades,bounded,seconds_per_frame\n");
+  std::printf("method,ours,axis,stiffness_decades,second_decades,bounded,seconds_per_frame,note\n");
   for (double k = 0.0; k <= 9.0; k += quick ? 3.0 : 1.0) {
     for (double m = 0.0; m <= 12.0; m += quick ? 6.0 : 3.0) sweep("mass", k, m, 0.0, m);
     for (const double c : {-9.0, -3.0, 3.0, 6.0}) // -9 stands for no viscosity at all

@@ -72,7 +72,7 @@ Reference compute(const Scene& scene)
     (scene.net.restPosition.rowwise().maxCoeff() - scene.net.restPosition.rowwise().minCoeff()).norm();
   const Trajectory rough = runDormandPrince(scene, 1e-4, {0.01 * extent, extent}, passes);
   const Scales scales = scalesOf(rough);
-  const Trajectory other = runDormandPrince(scene, 1e-11, scales, passes);
+  const Trajectory other = runDormandPrince(scene, 3e-8, scales, passes);
   Reference reference;
   // The adaptive run tells how small steps must be: six passes a step.
   int steps = std::max(8, static_cast<int>(1.4 * static_cast<double>(passes / 6 / scene.frames())));

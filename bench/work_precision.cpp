@@ -91,12 +91,15 @@ std::vector<Row> sweepCompetitors(const Scene& scene, const Reference& reference
 {
   const std::filesystem::path file = sweepFile(scene, options);
   std::vector<Row> rows;
-  if (!options.retune) rows = readSweep(scene, file);
+  if (!options.retune && options.competitors.empty()) rows = readSweep(scene, file);
   for (const Row& row : rows) front.add(row);
   if (!rows.empty()) return rows;
   for (const bool adaptive : {true, false}) // the adaptive ones show the others what is worth trying
     for (const MethodEntry& entry : competitors()) {
-      if (entry.adaptive != adaptive || (entry.secondary && !options.allCompetitors)) continue;
+      const auto& named = options.competitors;
+      const bool wanted = named.empty() ? options.allCompetitors || !entry.secondary
+                                        : std::find(named.begin(), named.end(), entry.name) != named.end();
+      if (entry.adaptive != adaptive || !wanted) continue;
       if (entry.largestNet > 0 && scene.net.nodeCount() > entry.largestNet) continue;
       const auto run = [&](double setting, double cap) {
         return runCompetitor(scene, entry, setting, reference, cap);
@@ -106,7 +109,7 @@ std::vector<Row> sweepCompetitors(const Scene& scene, const Reference& reference
     }
   refine(scene, reference, rows);
   for (const Row& row : rows) front.add(row);
-  writeSweep(file, rows);
+  if (options.competitors.empty()) writeSweep(file, rows);
   return rows;
 }
 
@@ -241,6 +244,8 @@ bool readOptions(const std::vector<std::string>& words, WorkOptions& options)
       options.fixedSteps = false;
     else if (word == "--retune")
       options.retune = true;
+    else if (word == "--theirs") // for a look at one competitor; keeps no sweep
+      options.competitors = splitAtCommas(value());
     else if (word == "--ours")
       options.solvers = splitAtCommas(value());
     else if (word == "--runs")
@@ -274,7 +279,8 @@ int runWorkPrecision(const std::vector<std::string>& words)
   if (!readOptions(words, options)) {
     std::fprintf(stderr,
                  "usage: esm_bench work_precision [SCENE[:seed=S,size=F,time=T]...] [--all] [--no-fixed]\n"
-                 "         [--ours NAME,...] [--retune] [--runs N] [--budget S] [--cap S] [--patience F]\n"
+                 "         [--ours NAME,...] [--theirs NAME,...] [--retune] [--runs N] [--budget S] [--cap "
+                 "S] [--patience F]\n"
                  "         [--csv FILE] [--table FILE] [--cache FOLDER]\n");
     return 2;
   }

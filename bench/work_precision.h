@@ -11,12 +11,13 @@ namespace esm::bench {
 
 struct WorkOptions {
   std::vector<std::string> scenes;
-  std::vector<std::string> solvers; ///< of ours besides auto; empty = all
-  bool allCompetitors = false;      ///< also those that never were on the front
-  bool fixedSteps = true;           ///< ours with hand-tuned steps, too
-  bool retune = false;              ///< do not believe cached sweeps of the competitors
-  int runs = 5;                     ///< the median of so many
-  double budget = 60.0;             ///< processor seconds per scene for the repetitions; one round at least
+  std::vector<std::string> solvers;     ///< of ours besides auto; empty = all
+  std::vector<std::string> competitors; ///< empty = those that have been on the front
+  bool allCompetitors = false;          ///< also those that never were on the front
+  bool fixedSteps = true;               ///< ours with hand-tuned steps, too
+  bool retune = false;                  ///< do not believe cached sweeps of the competitors
+  int runs = 5;                         ///< the median of so many
+  double budget = 60.0; ///< processor seconds per scene for the repetitions; one round at least
   Patience patience;
   std::string csvFile, tableFile; ///< "" = stdout only
 };

@@ -191,6 +191,7 @@ public:
   Sundials(Scheme scheme, bool klu) : m_scheme(scheme), m_klu(klu) { SUNContext_Create(nullptr, &m_context); }
   ~Sundials() override
   {
+    if (m_solver && !m_klu) m_solver->content = nullptr; // ours: SUNDIALS would free it
     if (m_solver) SUNLinSolFree(m_solver);
     if (m_matrix) SUNMatDestroy(m_matrix);
     if (m_memory && m_scheme == Scheme::Bdf) CVodeFree(&m_memory);
