@@ -54,6 +54,8 @@ std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for
 std::unique_ptr<Integrator> makeVerlet();
 std::unique_ptr<Integrator> makeRungeKutta4();
 std::unique_ptr<Integrator> makeImplicit();
+std::unique_ptr<Integrator> makeMultirate();
+std::unique_ptr<Integrator> makeWavefront();
 std::unique_ptr<Integrator> makeLinearized();
 std::unique_ptr<Integrator> makeRelax();
 

@@ -41,6 +41,7 @@ public:
   const std::vector<double>& mass() const noexcept { return m_mass; }
   const std::vector<double>& inverseMass() const noexcept { return m_inverseMass; } ///< [1/kg]
   bool isFree(std::size_t node) const noexcept { return m_inverseMass[node] > 0.0; }
+  const LoadSchedule& schedule() const noexcept { return m_schedule; }
   double nextEvent(double t) const noexcept { return m_schedule.nextEvent(t); }
 
   /// Takes the loads' lines and the constraints that hold from state.time on; puts prescribed nodes where

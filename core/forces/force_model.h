@@ -57,9 +57,13 @@ public:
   };
   const std::vector<Ends>& springEnds() const noexcept { return m_ends; }
 
+  /// The active springs in that order, for methods that step parts of them.
+  const std::vector<SpringBatch>& batches() const noexcept { return m_batches; }
+
   // What acts on single nodes, as the implicit solver and the step bound need it.
   using Anchor = esm::Anchor;
   const std::vector<Anchor>& anchors() const noexcept { return m_anchors; }
+  const NodeArray& weight() const noexcept { return m_nodeForces.weight(); } ///< m g [N]
   /// alpha m of every node [kg/s]; empty without mass damping.
   const std::vector<double>& massDrag() const noexcept { return m_massDrag; }
 
