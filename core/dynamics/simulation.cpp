@@ -95,6 +95,7 @@ struct Simulation::Impl {
   Body body;
   RegionDriver driver;
   NetState state;
+  std::vector<ToolSpring> formerTools;
   NodeArray force; ///< at the state, when asked for
   bool forceIsCurrent = false;
 };
@@ -147,10 +148,11 @@ void Simulation::setTools(std::span<const ToolSpring> tools)
   Impl& impl = *m_impl;
   for ([[maybe_unused]] const ToolSpring& tool : tools)
     ESM_ASSERT(tool.node >= 0 && tool.node < impl.body.net.nodeCount());
-  const std::vector<ToolSpring> before = impl.body.system.tools();
+  impl.formerTools = impl.body.system.tools(); // a hand moves every frame: no allocation
   // The hand stretches the tool springs.
   impl.body.motion.work += impl.body.system.setTools(tools, impl.body.motion.x);
-  impl.driver.toolsChanged(before);
+  impl.driver.toolsChanged(impl.formerTools);
+  impl.formerTools.reserve(tools.size());
   impl.forceIsCurrent = false;
 }
 
