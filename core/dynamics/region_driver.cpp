@@ -47,6 +47,13 @@ StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
   return report;
 }
 
+void RegionDriver::setAccuracy(double tolerance, double effort)
+{
+  m_settings.tolerance = tolerance;
+  m_settings.effort = effort;
+  m_driver.setAccuracy(m_driverHasWhole ? m_body.system : m_partSystem, tolerance, effort);
+}
+
 /// Where the next stretch ends: at an event of the loads (StepDriver sees to them itself when it has the
 /// whole net), after a frame, or between two looks at nodes that seem to rest.
 double RegionDriver::stretchEnd(double end, double interval) const noexcept

@@ -51,6 +51,8 @@ public:
   void parametersChanged(const SpringNet& before);
   /// The body has other tools than in `before`.
   void toolsChanged(const std::vector<ToolSpring>& before);
+  /// Another accuracy from the next stretch on; see Simulation.
+  void setAccuracy(double tolerance, double effort);
   StepReport advance(double interval, std::int64_t maxSteps);
 
   /// Nodes that advance() and the changes above have moved since the last clearMoved(); empty and all = true

@@ -143,6 +143,14 @@ Status Simulation::setParameters(const SpringNet& net)
   return {};
 }
 
+Status Simulation::setAccuracy(double tolerance, double effort)
+{
+  if (!(tolerance > 0.0) || !std::isfinite(tolerance) || !(effort > 0.0) || !std::isfinite(effort))
+    return Error{ErrorCode::InvalidValue, "the tolerance and the effort must be positive numbers"};
+  m_impl->driver.setAccuracy(tolerance, effort);
+  return {};
+}
+
 void Simulation::setTools(std::span<const ToolSpring> tools)
 {
   Impl& impl = *m_impl;

@@ -68,6 +68,10 @@ public:
   /// New stiffness, viscosity, mass, law and anchors for the same topology; the motion goes on.
   /// Errors: InvalidValue if the topology differs or checkNet() refuses; the old parameters stay.
   Status setParameters(const SpringNet& net);
+  /// Another tolerance and effort (see SolverSettings), both > 0, from the next advance() on. The motion goes
+  /// on, nothing is prepared anew: whoever keeps time with a clock may call it between any two frames.
+  /// Errors: InvalidValue; the former values stay.
+  Status setAccuracy(double tolerance, double effort);
   void setTools(std::span<const ToolSpring> tools); ///< @pre nodes in range; replaces the former tools
 
   // === What it knows

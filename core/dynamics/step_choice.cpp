@@ -72,7 +72,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_untilCheck = 0;
   m_checkGap = 1;
   m_settled = 0;
-  m_toleranceGivenUp = false;
+  m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system);
@@ -103,6 +103,27 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_stepsSinceBound = 0;
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
   prepare(m_method, system);
+  explain(system);
+}
+
+void StepDriver::setAccuracy(const System& system, double tolerance, double effort)
+{
+  const double change = tolerance / m_settings.tolerance;
+  m_settings.tolerance = tolerance;
+  m_settings.effort = effort;
+  for (Candidate& candidate : m_candidates) { // what the error's order says, until the next check
+    if (!candidate.integrator) continue;
+    const double gain = std::pow(change, 1.0 / candidate.integrator->order());
+    candidate.accurateStep *= gain;
+  }
+  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / effort;
+  m_untilCheck = 0;
+  m_checkGap = 1;
+  m_settled = 0;
+  m_roughAtCheck = false;
+  if (!m_toleranceGivenUp) return;
+  giveToleranceUp(system, false); // the floor is of the former effort
+  giveToleranceUp(system, toleranceIsTooDear(system));
   explain(system);
 }
 

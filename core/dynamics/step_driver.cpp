@@ -167,6 +167,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (result == Run::Done) {
       if (unchecked || !checkDue(system, state, rms(state.v, m_part.wholeCount))) {
         --m_untilCheck;
+        report.rough = report.rough || unchecked || m_roughAtCheck;
         measure(state, length);
         if (unchecked) reconsider(system);
         return true;
@@ -191,7 +192,9 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const bool accepted = coarseError / ratio <= allowed || atFloor;
     learn(system, coarseError, allowed, length / count, length);
     if (accepted) {
-      if (atFloor && coarseError / ratio > allowed) sayToleranceGivenUp(system);
+      m_roughAtCheck = coarseError / ratio > allowed;
+      report.rough = report.rough || m_roughAtCheck;
+      if (m_roughAtCheck) sayToleranceGivenUp(system);
       measure(state, length);
       reconsider(system);
       return true;

@@ -49,6 +49,8 @@ public:
   void toolsChanged(System& system, const MotionState& state, bool sameNodes);
   /// The next calls are about this part of the net, in motion as before: what was learned stays.
   void partChanged(System& system, const MotionState& state, NetPart part);
+  /// Another accuracy from the next stretch on. The motion, what was learned and what was prepared stay.
+  void setAccuracy(const System& system, double tolerance, double effort);
   /// For a caller that takes an advance() back.
   ErrorScale errorScale() const noexcept;
   void setErrorScale(const ErrorScale& scale) noexcept;
@@ -110,6 +112,7 @@ private:
   FastestMode m_mode;
   std::int64_t m_stepsSinceBound = 0;
   bool m_toleranceGivenUp = false;
+  bool m_roughAtCheck = false;      ///< the last check found more error than wanted, and left it at that
   double m_floorStep = 0.0;         ///< smallest implicit step while the tolerance is given up [s]
   double m_explicitFloorStep = 0.0; ///< smallest step that accuracy may cost under `auto` [s]
   int m_settled = 0;                ///< stretches before the method may change again

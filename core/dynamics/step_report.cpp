@@ -20,6 +20,7 @@ void StepReport::add(const StepReport& next) noexcept
   simulatedTime += next.simulatedTime;
   nonFinite = nonFinite || next.nonFinite;
   notConverged = notConverged || next.notConverged;
+  rough = rough || next.rough;
   stepLimit = stepLimit || next.stepLimit;
 }
 

@@ -20,6 +20,7 @@ struct StepReport {
   double simulatedTime = 0.0;  ///< advanced by [s]
   bool nonFinite = false;      ///< a NaN or infinity was caught; the state is the last good one
   bool notConverged = false;   ///< a solver gave up; the state is the last good one
+  bool rough = false;          ///< bounded, but the tolerance was given up to save work
   bool stepLimit = false;      ///< the work limit was reached before the end of the interval
 
   bool good() const noexcept { return !nonFinite && !notConverged && !stepLimit; }
