@@ -28,8 +28,16 @@ public:
   /// Nodes have become free or held.
   virtual void constraintsChanged(const System& /*system*/) { restart(); }
   /// From state.time to `end` = state.time + h, no event in between. If the result is not Done, `state` is
-  /// untouched.
+  /// untouched. After tune().
   virtual StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) = 0;
+
+  /// `steps` equal steps to `end`, no event in between, for methods that do better than one by one; the
+  /// default takes them one by one, and where an implicit solver finds no solution, in up to 256 parts each.
+  /// If the result is not Done, `state` is at the last good step.
+  virtual StepResult run(System& system, MotionState& state, double end, std::int64_t steps,
+                         StepReport& report);
+  /// The bounds of the motion have changed.
+  virtual void tune(const FastestMode& /*mode*/) noexcept {}
 
   virtual int order() const noexcept = 0;
   /// Whether a step leads to a state of rest under the loads at its end, whatever its length: no inertia.
@@ -43,16 +51,27 @@ public:
   virtual double stepCost(const System& system) = 0;
 };
 
+/// What a method is to the planner (StepDriver): one of the explicit ones that compete by cost; the implicit
+/// one that serves where they all are too slow; or one that only runs when asked for by name.
+enum class MethodRole { Explicit, Implicit, ByName };
+
 /// A line of the table of methods: adding one is adding one file and one line in integrators.cpp.
 struct IntegratorEntry {
   std::string_view name, description;
   std::unique_ptr<Integrator> (*make)();
+  MethodRole role;
+  /// Error (docs/FILE_FORMAT.md) that an explicit method makes on tissue-like nets at its largest stable
+  /// step, measured; the planner's guess before it has measured for itself.
+  double typicalError = 0.0;
 };
 std::span<const IntegratorEntry> integratorTable() noexcept;
 std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for an unknown name
 
+std::unique_ptr<Integrator> makeLeapfrog();
+std::unique_ptr<Integrator> makeChebyshev();
 std::unique_ptr<Integrator> makeVerlet();
 std::unique_ptr<Integrator> makeRungeKutta4();
+std::unique_ptr<Integrator> makeDormandPrince();
 std::unique_ptr<Integrator> makeImplicit();
 std::unique_ptr<Integrator> makeMultirate();
 std::unique_ptr<Integrator> makeWavefront();

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/integrator.h"
+#include "core/forces/spring_pass.h"
 
 #include <array>
 
@@ -8,14 +9,40 @@ namespace esm {
 
 std::span<const IntegratorEntry> integratorTable() noexcept
 {
-  static constexpr std::array<IntegratorEntry, 3> table{{
-    {"verlet", "velocity Verlet: second order, explicit, one force pass per step; soft to medium nets",
-     &makeVerlet},
-    {"rk4", "classical Runge-Kutta: fourth order, explicit, four force passes per step; small errors",
-     &makeRungeKutta4},
-    {"implicit", "TR-BDF2: second order, implicit with sparse Cholesky, stable at any step; stiff nets",
-     &makeImplicit},
-  }};
+  using enum MethodRole;
+  static constexpr std::array table{
+    IntegratorEntry{
+      "leapfrog",
+      "leapfrog (staggered symplectic Euler), explicit, one force pass per step and short viscous "
+      "ones where viscosity would limit it; second order",
+      &makeLeapfrog, Explicit, 1e-2},
+    IntegratorEntry{"chebyshev", "the same with more viscous stages: second order in viscosity too",
+                    &makeChebyshev, Explicit, 3e-3},
+    IntegratorEntry{"verlet",
+                    "velocity Verlet: second order in viscosity too, explicit, one force pass per step",
+                    &makeVerlet, Explicit, 1e-3},
+    IntegratorEntry{"rk4", "classical Runge-Kutta: fourth order, explicit, four force passes per step",
+                    &makeRungeKutta4, Explicit, 5e-5},
+    IntegratorEntry{"dopri5",
+                    "Dormand-Prince: fifth order, explicit, six force passes per step; small errors",
+                    &makeDormandPrince, Explicit, 2e-5},
+    IntegratorEntry{"implicit",
+                    "TR-BDF2: second order, implicit with sparse Cholesky, stable at any step; stiff nets",
+                    &makeImplicit, Implicit},
+    IntegratorEntry{
+      "lie", "linearised implicit Euler (Baraff and Witkin): one linear system a step, first order, bounded",
+      &makeLinearized, ByName},
+    IntegratorEntry{
+      "multirate",
+      "velocity Verlet with each spring at its own rate: nets with a few stiff springs or light nodes",
+      &makeMultirate, ByName},
+    IntegratorEntry{"wavefront",
+                    "the propagation of 1999: from the greatest force outward layer by layer, first order",
+                    &makeWavefront, ByName},
+    IntegratorEntry{"relax",
+                    "to the energy minimum in each interval, then on in time: no inertia, slow hands only",
+                    &makeRelax, ByName},
+  };
   return table;
 }
 
@@ -26,11 +53,41 @@ std::unique_ptr<Integrator> makeIntegrator(std::string_view name)
   return nullptr;
 }
 
+StepResult Integrator::run(System& system, MotionState& state, double end, std::int64_t steps,
+                           StepReport& report)
+{
+  const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
+  for (std::int64_t i = 1; i <= steps; ++i) {
+    const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
+    StepResult result = step(system, state, h, stepEnd, report);
+    for (int parts = 4; result == StepResult::NotConverged && parts <= 256; parts *= 4) {
+      ++report.rejectedSteps;
+      const double from = state.time, part = (stepEnd - from) / parts;
+      for (int j = 1; j <= parts; ++j) {
+        result = step(system, state, part, j == parts ? stepEnd : from + j * part, report);
+        if (result != StepResult::Done) break;
+      }
+    }
+    if (result != StepResult::Done) return result;
+  }
+  return StepResult::Done;
+}
+
+namespace {
+
+/// 0, or NaN if a number is not finite: a - a is NaN for infinity, too.
+ESM_CPU_CLONES double probe(std::size_t count, const Lanes* x, const Lanes* v) noexcept
+{
+  Lanes sum = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) sum += (x[i] - x[i]) + (v[i] - v[i]);
+  return sumLanes(sum);
+}
+
+} // namespace
+
 bool allFinite(const NodeArray& x, const NodeArray& v) noexcept
 {
-  Lanes probe = {0, 0, 0, 0}; // a - a is 0, or NaN where a is not finite
-  for (std::size_t i = 0; i < x.size(); ++i) probe += (x[i] - x[i]) + (v[i] - v[i]);
-  return sumLanes(probe) == 0.0;
+  return probe(x.size(), x.data(), v.data()) == 0.0;
 }
 
 } // namespace esm

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace esm {
 
@@ -26,6 +27,7 @@ void StepBound::prepare(const System& system)
   for (auto* array : {&m_rootStiffness, &m_rootViscosity, &m_rowStiffness, &m_rowViscosity})
     array->resize(ends.size());
   m_nodes.resize(nodes);
+  m_stiffnessSharpness = m_dampingSharpness = Sharpness{};
 }
 
 /// Row sums over nodes, scaled by the masses' roots: sum k (1/m_i + 1/sqrt(m_i m_j)).
@@ -90,6 +92,80 @@ void StepBound::sumSprings(const System& system)
   }
 }
 
+/// What the modes owe to the dampers, see FastestMode.
+void StepBound::weighDamping(const System& system, FastestMode& mode)
+{
+  double least = std::numeric_limits<double>::infinity();
+  const auto owes = [&](double k, double c) {
+    if (!(k > 0.0)) return 0.0;
+    if (!(c > 0.0)) return k;
+    least = std::min(least, c / k);
+    return 0.0;
+  };
+  const auto& inverseMass = system.inverseMass();
+  m_undamped.assign(m_nodes.size(), 0.0);
+  const auto& ends = system.forces().springEnds();
+  for (std::size_t s = 0; s < ends.size(); ++s) {
+    const auto a = static_cast<std::size_t>(ends[s].a), b = static_cast<std::size_t>(ends[s].b);
+    const double k = owes(m_tangents[s].axial, m_tangents[s].viscous) + std::abs(m_tangents[s].lateral);
+    const double cross = std::sqrt(inverseMass[a] * inverseMass[b]);
+    m_undamped[a] += k * (inverseMass[a] + cross);
+    m_undamped[b] += k * (inverseMass[b] + cross);
+  }
+  const auto single = [&](Index node, double k, double c) {
+    const auto i = static_cast<std::size_t>(node);
+    m_undamped[i] += owes(k, c) * inverseMass[i];
+  };
+  for (const Anchor& anchor : system.forces().anchors())
+    single(anchor.node, anchor.stiffness, anchor.viscosity);
+  for (const ToolSpring& tool : system.tools()) single(tool.node, tool.stiffness, tool.viscosity);
+  for (const double undamped : m_undamped) mode.undamped = std::max(mode.undamped, undamped);
+  mode.leastDamping = std::isfinite(least) ? least : 0.0;
+}
+
+/// Largest eigenvalue of M^-1/2 K M^-1/2 or, with `damping`, of M^-1/2 D M^-1/2. Pressed and softening
+/// springs count as if they were stiff, as in the sums: they may be so in the next moment.
+double StepBound::measure(const System& system, bool damping)
+{
+  constexpr int kProducts = 24;
+  constexpr double kMargin = 1.02; // Ritz values come from below
+  m_rootInverseMass.resize(m_nodes.size());
+  for (std::size_t i = 0; i < m_nodes.size(); ++i) m_rootInverseMass[i] = std::sqrt(system.inverseMass()[i]);
+  const auto& ends = system.forces().springEnds();
+  const auto multiply = [&](const NodeArray& z, NodeArray& y) {
+    for (std::size_t i = 0; i < m_nodes.size(); ++i)
+      y[i] = z[i] * (damping ? m_nodes[i].damping : m_nodes[i].stiffness);
+    for (std::size_t s = 0; s < ends.size(); ++s) {
+      const auto a = static_cast<std::size_t>(ends[s].a), b = static_cast<std::size_t>(ends[s].b);
+      const SpringTangent& tangent = m_tangents[s];
+      const Lanes d = z[b] * m_rootInverseMass[b] - z[a] * m_rootInverseMass[a];
+      const Lanes u = toLanes(tangent.direction);
+      Lanes pull = u * (dot(u, d) * tangent.viscous);
+      if (!damping) {
+        const double axial = std::max(tangent.axial, 0.0), lateral = std::abs(tangent.lateral);
+        pull = u * (dot(u, d) * (axial - lateral)) + d * lateral;
+      }
+      y[a] -= pull * m_rootInverseMass[a];
+      y[b] += pull * m_rootInverseMass[b];
+    }
+  };
+  return kMargin * m_lanczos.largestEigenvalue(m_nodes.size(), kProducts, multiply);
+}
+
+void StepBound::sharpen(const System& system, FastestMode& mode)
+{
+  const auto follow = [&](double& bound, Sharpness& sharpness, bool damping) {
+    if (!(bound > 0.0) || !std::isfinite(bound)) return;
+    if (!(std::abs(bound - sharpness.at) <= 0.1 * sharpness.at)) {
+      const double measured = measure(system, damping);
+      sharpness = {std::isfinite(measured) ? std::min(1.0, measured / bound) : 1.0, bound};
+    }
+    bound *= sharpness.ratio;
+  };
+  follow(mode.stiffness, m_stiffnessSharpness, false);
+  follow(mode.damping, m_dampingSharpness, true);
+}
+
 FastestMode StepBound::compute(const System& system, const NodeArray& x, const NodeArray& v)
 {
   system.forces().springTangents(x.data(), v.data(), m_tangents);
@@ -117,6 +193,8 @@ FastestMode StepBound::compute(const System& system, const NodeArray& x, const N
   }
   mode.stiffness = std::min(nodeStiffness, axial + lateral + anchored);
   mode.damping = std::min(nodeDamping, viscous + drag);
+  weighDamping(system, mode);
+  sharpen(system, mode);
   return mode;
 }
 

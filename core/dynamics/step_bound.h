@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/spectral_radius.h"
 #include "core/dynamics/system.h"
 
 namespace esm {
@@ -9,8 +10,12 @@ namespace esm {
 /// Upper bounds of the fastest motion that the net can make now: every mode obeys s'' + g s' + w2 s = 0 with
 /// w2 <= stiffness and g <= damping.
 struct FastestMode {
-  double stiffness = 0.0;       ///< of M^-1 K [1/s^2]
-  double damping = 0.0;         ///< of M^-1 D [1/s]
+  double stiffness = 0.0; ///< of M^-1 K [1/s^2]
+  double damping = 0.0;   ///< of M^-1 D [1/s]
+  /// Part of `stiffness` that lends no damping (tension across the springs, springs without dampers) [1/s^2];
+  /// to the rest every mode owes g >= leastDamping w2.
+  double undamped = 0.0;
+  double leastDamping = 0.0;    ///< smallest c/k of the springs and anchors that are not in `undamped` [s]
   Index node = kNoIndex;        ///< who sets the larger of the two rates
   double springStiffness = 0.0; ///< sum over that node's springs, anchors and tools [N/m]
 };
@@ -22,6 +27,9 @@ struct FastestMode {
 /// sees the directions, about 2/3 of the row sums over nodes in a triangle net. The part of the tension
 /// across the springs, anchors, tools and mass damping are added with their row sums over nodes. The smaller
 /// of this and the plain row sums over nodes counts. Cost: a few force passes.
+///
+/// Such sums are 30 to 100 % above the true eigenvalues. So these are measured by Lanczos' iteration now and
+/// then (after prepare(), and when the sums have moved by a tenth), and in between they follow the sums.
 class StepBound {
 public:
   void prepare(const System& system); ///< after any change of springs; allocates
@@ -30,6 +38,9 @@ public:
 private:
   void sumNodes(const System& system);
   void sumSprings(const System& system);
+  void weighDamping(const System& system, FastestMode& mode);
+  void sharpen(const System& system, FastestMode& mode);
+  double measure(const System& system, bool damping);
 
   std::vector<std::size_t> m_first; ///< springs of node i: m_incident[m_first[i] .. m_first[i + 1])
   std::vector<std::uint32_t> m_incident;
@@ -42,6 +53,13 @@ private:
     double total = 0.0;                               ///< [N/m]
   };
   std::vector<NodeSums> m_nodes;
+  std::vector<double> m_undamped; ///< per node [1/s^2]
+  std::vector<double> m_rootInverseMass;
+  Lanczos m_lanczos;
+  struct Sharpness { ///< measured over row sums, and the row sums that it was measured at; 0: not yet
+    double ratio = 1.0, at = 0.0;
+  };
+  Sharpness m_stiffnessSharpness, m_dampingSharpness;
 };
 
 } // namespace esm

@@ -44,10 +44,12 @@ double extentOf(const System& system, const NodeArray& x)
 StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings))
 {
   m_auto = m_settings.solver == "auto";
-  const auto table = integratorTable();
-  for (std::size_t i = 0; i < kMethods; ++i) {
-    m_candidates[i].integrator = table[i].make();
-    if (table[i].name == m_settings.solver) m_method = static_cast<Method>(i);
+  for (const IntegratorEntry& entry : integratorTable()) {
+    const Method place = m_candidates.size();
+    if (entry.name == "leapfrog") m_leapfrog = place;
+    if (entry.role == MethodRole::Implicit) m_implicit = place;
+    if (entry.name == m_settings.solver) m_method = place;
+    m_candidates.push_back({entry.make(), entry.role, entry.typicalError, 0.0, 0.0, false, false});
   }
 }
 
@@ -59,16 +61,13 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_coarse = state.x;
   m_extent = extentOf(system, state.x);
   m_displacement = m_squareOverTime = 0.0;
-  m_speed = m_topSpeed = 0.0;
+  m_speed = m_topSpeed = m_recentHeat = m_recentKinetic = m_recentPath = m_calm = 0.0;
   parametersChanged(system, state);
 }
 
 void StepDriver::parametersChanged(System& system, const MotionState& state)
 {
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
-  m_candidates[kVerlet].accurateStep = m_candidates[kRungeKutta].accurateStep =
-    std::numeric_limits<double>::infinity();
-  m_candidates[kImplicit].accurateStep = kFrame / kImplicitGuess;
   m_untilCheck = 0;
   m_checkGap = 1;
   m_settled = 0;
@@ -76,9 +75,23 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_floorStep = 0.0;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system);
-  m_mode = m_bound.compute(system, state.x, state.v);
-  m_stepsSinceBound = 0;
+  setBound(system, state);
+  guessSteps();
   choose(system, state);
+}
+
+/// Accurate steps before anything has been measured.
+void StepDriver::guessSteps()
+{
+  for (Candidate& candidate : m_candidates) {
+    candidate.accurateStep = kFrame / kImplicitGuess;
+    candidate.estimate = 0.0;
+    candidate.isMeasured = false;
+    if (candidate.role != MethodRole::Explicit) continue;
+    const double gain = m_settings.tolerance / candidate.typicalError;
+    candidate.accurateStep = candidate.estimate =
+      candidate.integrator->stableStep(m_mode) * std::pow(gain, 1.0 / candidate.integrator->order());
+  }
 }
 
 void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
@@ -86,8 +99,7 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
   for (Candidate& candidate : m_candidates)
     if (candidate.prepared) candidate.integrator->restart();
   if (sameNodes) return; // a moving hand: the checks go on in their rhythm
-  m_mode = m_bound.compute(system, state.x, state.v);
-  m_stepsSinceBound = 0;
+  setBound(system, state);
   m_untilCheck = 0;
   m_checkGap = 1;
 }
@@ -99,8 +111,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system);
-  m_mode = m_bound.compute(system, state.x, state.v);
-  m_stepsSinceBound = 0;
+  setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
   prepare(m_method, system);
   explain(system);
@@ -115,6 +126,7 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
     if (!candidate.integrator) continue;
     const double gain = std::pow(change, 1.0 / candidate.integrator->order());
     candidate.accurateStep *= gain;
+    candidate.estimate *= gain;
   }
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / effort;
   m_untilCheck = 0;
@@ -167,30 +179,51 @@ void StepDriver::use(Method method, const System& system)
 /// Spring evaluations per frame at the step that the method can take now, as far as known.
 double StepDriver::cost(Method method, const System& system)
 {
-  if (method == kImplicit) prepare(method, system);
+  if (method == m_implicit) prepare(method, system);
   Candidate& candidate = m_candidates[method];
   const double step =
     std::min({0.95 * candidate.integrator->stableStep(m_mode), candidate.accurateStep, kFrame});
-  return candidate.integrator->stepCost(system) * kFrame / step;
+  return candidate.integrator->stepCost(system) * std::ceil(kFrame / step);
+}
+
+/// The largest step that one force pass can take [s].
+double StepDriver::explicitLimit() const noexcept
+{
+  return m_candidates[m_leapfrog].integrator->stableStep(m_mode);
+}
+
+/// Among those that compete.
+StepDriver::Method StepDriver::cheapestExplicit(const System& system)
+{
+  Method best = m_leapfrog;
+  double least = std::numeric_limits<double>::infinity();
+  for (Method method = 0; method < m_candidates.size(); ++method) {
+    if (m_candidates[method].role != MethodRole::Explicit) continue;
+    const double needed = cost(method, system) * (method == m_method ? 0.8 : 1.0); // a change must pay
+    if (needed >= least) continue;
+    least = needed;
+    best = method;
+  }
+  return best;
 }
 
 bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
 {
   const auto springs = static_cast<double>(system.forces().activeSprings());
-  return springs * kFrame / m_candidates[kVerlet].integrator->stableStep(m_mode) > m_settings.effort;
+  return springs * kFrame / explicitLimit() > m_settings.effort;
 }
 
 void StepDriver::choose(System& system, const MotionState&)
 {
   if (m_auto) {
-    m_method = kVerlet;
+    m_method = cheapestExplicit(system);
     m_toleranceGivenUp = false;
     // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
-    const double steps = kFrame / m_candidates[kVerlet].integrator->stableStep(m_mode);
+    const double steps = kFrame / explicitLimit();
     if (steps > 500.0 &&
-        (toleranceIsTooDear(system) || cost(kVerlet, system) > 2.0 * cost(kImplicit, system)))
-      m_method = kImplicit;
-    giveToleranceUp(system, m_method == kImplicit && toleranceIsTooDear(system));
+        (toleranceIsTooDear(system) || cost(m_method, system) > 2.0 * cost(m_implicit, system)))
+      m_method = m_implicit;
+    giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
   }
   use(m_method, system);
   explain(system);
@@ -202,30 +235,28 @@ void StepDriver::reconsider(System& system)
   if (!m_auto || --m_settled > 0) return;
   const Method before = m_method;
   const bool tooDear = toleranceIsTooDear(system);
-  Candidate& implicit = m_candidates[kImplicit];
-  if (before == kImplicit) {
-    if (!tooDear && cost(kImplicit, system) > 1.5 * cost(kVerlet, system)) m_method = kVerlet;
-  } else if (before == kVerlet) {
-    const double accurate = m_candidates[kVerlet].accurateStep;
-    const double stable = m_candidates[kVerlet].integrator->stableStep(m_mode);
-    const double fourth = m_candidates[kRungeKutta].integrator->stableStep(m_mode);
-    if (accurate < 0.95 * stable && 4.0 * accurate < 0.3 * fourth) m_method = kRungeKutta;
-    if (kFrame / stable > 500.0 && accurate > 4.0 * stable) {
-      implicit.accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
-      if (tooDear || cost(kVerlet, system) > 3.0 * cost(kImplicit, system)) m_method = kImplicit;
+  if (before == m_implicit) {
+    const Method other = cheapestExplicit(system);
+    if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
+  } else {
+    m_method = cheapestExplicit(system);
+    const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
+    if (before == m_leapfrog && kFrame / stable > 500.0 && accurate > 4.0 * stable) {
+      m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
+      if (tooDear || cost(before, system) > 3.0 * cost(m_implicit, system)) m_method = m_implicit;
     }
   }
-  giveToleranceUp(system, tooDear && m_method == kImplicit);
+  giveToleranceUp(system, tooDear && m_method == m_implicit);
   if (m_method == before) return;
   use(m_method, system);
-  m_settled = 16;
+  m_settled = 4;
   explain(system);
 }
 
 void StepDriver::giveToleranceUp(const System& system, bool yes)
 {
   if (yes && !m_toleranceGivenUp) {
-    const double affordable = m_settings.effort / m_candidates[kImplicit].integrator->stepCost(system);
+    const double affordable = m_settings.effort / m_candidates[m_implicit].integrator->stepCost(system);
     m_floorStep = kFrame / std::clamp(affordable, 1.0, 64.0);
   }
   m_toleranceGivenUp = yes;
@@ -234,7 +265,7 @@ void StepDriver::giveToleranceUp(const System& system, bool yes)
 double StepDriver::floorStep() const noexcept
 {
   if (!m_auto) return 0.0;
-  if (m_method == kImplicit) return m_toleranceGivenUp ? m_floorStep : 0.0;
+  if (m_method == m_implicit) return m_toleranceGivenUp ? m_floorStep : 0.0;
   return m_explicitFloorStep;
 }
 
@@ -247,7 +278,7 @@ void StepDriver::sayToleranceGivenUp(const System& system)
 void StepDriver::explain(const System& system)
 {
   m_name = integratorTable()[m_method].name;
-  const double step = m_candidates[kVerlet].integrator->stableStep(m_mode);
+  const double step = explicitLimit();
   const bool bounded = std::isfinite(step) && m_mode.node != kNoIndex;
   const std::string need = bounded ? "springs at node " + std::to_string(nameOf(m_mode.node)) + " (" +
                                        formatDouble(m_mode.springStiffness, 3) + " N/m on " +
@@ -258,10 +289,10 @@ void StepDriver::explain(const System& system)
     m_why = m_name + " as asked; " + need;
   else if (m_toleranceGivenUp)
     m_why = need + "; the engine went implicit and stays bounded, but the tolerance may not hold";
-  else if (m_method == kImplicit)
+  else if (m_method == m_implicit)
     m_why = need + "; the engine went implicit";
-  else if (m_method == kRungeKutta)
-    m_why = need + "; the tolerance asks for fourth order";
+  else if (m_method != m_leapfrog)
+    m_why = need + "; the tolerance asks for order " + std::to_string(current().order());
   else
     m_why = need + "; explicit steps are cheapest";
 }

@@ -10,10 +10,16 @@ namespace esm {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0; ///< longest stretch [s]
-constexpr double kErrorHorizon = 1.0; ///< motion over which errors may add up to the tolerance [s]
-constexpr double kSafety = 0.5;       ///< share of the tolerance that is spent on purpose
-constexpr int kMostAttempts = 24;     ///< of one stretch
-constexpr int kLongestCheckGap = 32;  ///< stretches
+constexpr double kErrorHorizon = 2.0; ///< motion over which errors add up at least, if nothing damps them [s]
+constexpr double kShortestHorizon = 0.1; ///< [s]
+constexpr double kMemory = 0.2;          ///< over which the net's damping is averaged [s]
+constexpr double kSolveShare = 0.1;      ///< of the budget, for what implicit solvers leave
+constexpr double kSafety = 0.5;          ///< share of the tolerance that is spent on purpose
+/// Of the step after one check: an error has its zeros, one of them must not decide for long.
+constexpr double kMostGrowth = 3.0;
+constexpr int kMostAttempts = 24;      ///< of one stretch
+constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
+constexpr int kLongestCheckGap = 24;   ///< stretches
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
@@ -65,10 +71,12 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
         if (candidate.prepared) candidate.integrator->constraintsChanged(system);
       m_untilCheck = 0;
       m_checkGap = 1;
+      m_calm = 0.0;
       m_stepsSinceBound = std::numeric_limits<std::int64_t>::max() / 2;
     } else {
       current().restart();
-      m_untilCheck = std::min(m_untilCheck, 2);
+      m_untilCheck = 0;
+      m_calm = 0.0;
     }
   }
   report.simulatedTime = state.time - begin;
@@ -81,44 +89,17 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
                                 StepReport& report)
 {
   const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
-  for (std::int64_t i = 1; i <= steps; ++i) {
-    const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
-    const Run result = stepOrParts(system, state, h, stepEnd, report);
-    if (result != Run::Done) return result;
-  }
+  const std::int64_t allowed = m_maxSteps > 0 ? std::max<std::int64_t>(m_maxSteps - report.steps, 0) : steps;
+  const bool isLimited = allowed < steps;
+  if (isLimited && allowed == 0) return Run::Limit;
+  const double runEnd = isLimited ? begin + static_cast<double>(allowed) * h : end;
+  const StepResult result = current().run(system, state, runEnd, std::min(allowed, steps), report);
+  if (result == StepResult::NonFinite) return Run::NonFinite;
+  if (result == StepResult::NotConverged) return Run::NotConverged;
+  if (isLimited) return Run::Limit;
   report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
   m_stepsSinceBound += steps;
   return Run::Done;
-}
-
-StepDriver::Run StepDriver::step(System& system, MotionState& state, double h, double end, StepReport& report)
-{
-  if (m_maxSteps > 0 && report.steps >= m_maxSteps) return Run::Limit;
-  switch (current().step(system, state, h, end, report)) {
-  case StepResult::NonFinite:
-    return Run::NonFinite;
-  case StepResult::NotConverged:
-    return Run::NotConverged;
-  case StepResult::Done:
-    break;
-  }
-  return Run::Done;
-}
-
-/// One step; where an implicit solver finds no solution, in as many equal parts as it takes, up to 256.
-StepDriver::Run StepDriver::stepOrParts(System& system, MotionState& state, double h, double end,
-                                        StepReport& report)
-{
-  Run result = step(system, state, h, end, report);
-  for (int parts = 4; result == Run::NotConverged && parts <= 256; parts *= 4) {
-    ++report.rejectedSteps;
-    const double begin = state.time, part = (end - begin) / parts;
-    for (int i = 1; i <= parts; ++i) {
-      result = step(system, state, part, i == parts ? end : begin + i * part, report);
-      if (result != Run::Done) break;
-    }
-  }
-  return result;
 }
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
@@ -152,15 +133,15 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const auto whole = static_cast<double>(m_part.wholeCount), here = static_cast<double>(state.x.size());
     const double budget = budgetFor(m_start, length) * std::sqrt(whole / std::max(here, 1.0));
     // What nobody checks needs no digits beyond what the eye can see.
-    const bool unchecked = m_toleranceGivenUp && m_method == kImplicit;
-    current().setSolveTolerance(std::max(0.02 * budget / count, (unchecked ? 1e-4 : 1e-13) * m_extent),
+    const bool unchecked = m_toleranceGivenUp && m_method == m_implicit;
+    current().setSolveTolerance(std::max(kSolveShare * budget / count, (unchecked ? 1e-4 : 1e-13) * m_extent),
                                 unchecked);
     Run result = run(system, state, end, steps, report);
     if (unchecked && result == Run::Done && energyAppeared(system, state)) { // too rough: once more, exactly
       report.rejectedSteps += steps;
       state = m_start;
       current().restart();
-      current().setSolveTolerance(std::max(0.02 * budget / count, 1e-6 * m_extent), false);
+      current().setSolveTolerance(std::max(kSolveShare * budget / count, 1e-6 * m_extent), false);
       result = run(system, state, end, steps, report);
     }
     if (result == Run::Limit) return stopAtLimit(system, state, report), false;
@@ -168,11 +149,12 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       if (unchecked || !checkDue(system, state, rms(state.v, m_part.wholeCount))) {
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck;
-        measure(state, length);
+        measure(system, state, length);
         if (unchecked) reconsider(system);
         return true;
       }
       m_coarse = state.x;
+      m_coarseV = state.v;
       state = m_start;
       current().restart();
       result = run(system, state, end, 2 * steps, report);
@@ -182,25 +164,26 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       if (!retreat(system, state, result, attempt, report)) return false;
       continue;
     }
-    const double ratio = current().order() == 4 ? 16.0 : 4.0; // of the errors at h and h/2
-    const double coarseError = rms(m_coarse, state.x, m_part.wholeCount) * ratio / (ratio - 1.0);
+    const double ratio = std::ldexp(1.0, current().order()); // of the errors at h and h/2
+    const double coarseError = distance(state, length) * ratio / (ratio - 1.0);
     // Kept is the finer run; at the floor step it is kept as it is.
     const double allowed = budgetFor(state, length);
     // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
     const double rough = 0.1 * std::max(rmsDisplacement(m_start.x), 1e-6 * m_extent);
     const bool atFloor = length / count <= floorStep() && coarseError <= rough;
     const bool accepted = coarseError / ratio <= allowed || atFloor;
-    learn(system, coarseError, allowed, length / count, length);
+    learn(coarseError, allowed, length / count);
     if (accepted) {
       m_roughAtCheck = coarseError / ratio > allowed;
       report.rough = report.rough || m_roughAtCheck;
       if (m_roughAtCheck) sayToleranceGivenUp(system);
-      measure(state, length);
+      measure(system, state, length);
       reconsider(system);
       return true;
     }
     report.rejectedSteps += 3 * steps;
     state = m_start;
+    m_settled = 0;
     reconsider(system);
     current().restart();
   }
@@ -245,8 +228,8 @@ bool StepDriver::retreat(System& system, MotionState& state, Run failure, int at
   m_floorStep = std::min(m_floorStep, tried / 4.0);
   m_untilCheck = 0;
   m_checkGap = 1;
-  if (m_auto && m_method != kImplicit && attempt >= 4) {
-    use(kImplicit, system);
+  if (m_auto && m_method != m_implicit && attempt >= 4) {
+    use(m_implicit, system);
     m_settled = 64;
     explain(system);
   }
@@ -259,17 +242,34 @@ bool StepDriver::checkDue(const System&, const MotionState&, double speed) const
   return m_untilCheck <= 0 || !(speed <= 2.0 * m_topSpeed); // twice as fast as ever: look closer
 }
 
-/// From the error of steps of size `step` to the step that would just spend the budget.
-void StepDriver::learn(const System&, double error, double budget, double step, double length)
+/// From the error of steps of size `step` to the step that would just spend the budget. A step whose error is
+/// near the budget stays: to follow every wave of the error would mean to check for ever.
+void StepDriver::learn(double error, double budget, double step)
 {
-  const double order = current().order();
-  const double gain = error > 0.0 ? std::pow(budget / error, 1.0 / order) : 8.0;
+  const double order = current().order(), share = error / budget;
+  const bool isImplicit = m_candidates[m_method].role != MethodRole::Explicit;
+  const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
   double& accurate = m_candidates[m_method].accurateStep;
-  accurate = step * std::clamp(0.9 * gain, 0.1, 8.0);
-  const bool relaxed = accurate > 1.5 * step || accurate >= length;
-  const bool tight = accurate < step;
-  m_checkGap = relaxed ? std::min(2 * m_checkGap, kLongestCheckGap) : tight ? 1 : std::min(2 * m_checkGap, 4);
+  accurate = step;
+  if (!(share <= 1.2) || share < 0.3) accurate *= std::clamp(0.9 * gain, 0.1, kMostGrowth);
+  if (!(share <= 1.2)) {
+    m_checkGap = std::max(1, m_checkGap / 4);
+  } else {
+    m_checkGap = std::min(2 * m_checkGap, m_calm < kSettlingTime ? 2 : kLongestCheckGap);
+  }
   m_untilCheck = m_checkGap;
+  if (isImplicit) return;
+  // Motion that is easier or harder for this method is so for the others. Methods of low order err in slower
+  // motion, which changes less: they gain no more than this one.
+  Candidate& here = m_candidates[m_method];
+  const double estimate = step * std::min(0.9 * gain, 1e3);
+  const double change = here.estimate > 0.0 ? estimate / here.estimate : 1.0;
+  here.estimate = estimate;
+  for (Candidate& other : m_candidates)
+    if (&other != &here && other.role == MethodRole::Explicit && (here.isMeasured || !other.isMeasured))
+      other.accurateStep *=
+        std::clamp(std::pow(change, std::min(1.0, order / other.integrator->order())), 0.2, 5.0);
+  here.isMeasured = true;
 }
 
 /// Error that a stretch may add [m], RMS over nodes.
@@ -279,9 +279,9 @@ double StepDriver::budgetFor(const MotionState& state, double length) const noex
   if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_squareOverTime / state.time));
   // In the first moments the displacement is not yet what the motion will make of it.
   if (state.time < 6.0 * kFrame)
-    scale = std::max(scale, std::max(m_speed, rms(state.v, m_part.wholeCount)) * 3.0 * kFrame);
+    scale = std::max(scale, std::max(m_speed, rms(state.v, m_part.wholeCount)) * 6.0 * kFrame);
   return kSafety * m_settings.tolerance * std::max(scale, 1e-6 * m_extent) *
-         std::min(1.0, length / kErrorHorizon);
+         std::min(1.0, length / errorHorizon(state.time));
 }
 
 double StepDriver::rmsDisplacement(const NodeArray& x) const noexcept
@@ -290,20 +290,56 @@ double StepDriver::rmsDisplacement(const NodeArray& x) const noexcept
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(m_part.wholeCount, 1)));
 }
 
-void StepDriver::measure(const MotionState& state, double length) noexcept
+/// How far apart the two runs of a stretch are [m]. In a stretch that is short against a slow oscillation an
+/// error shows in the velocity first: its amplitude will be the velocity's error times the motion's own time.
+/// Where the velocities part faster than that, fast waves do it, which show in the positions at once.
+double StepDriver::distance(const MotionState& state, double length) const noexcept
 {
+  constexpr double kSlowest = 0.08; ///< [s]
+  const double x = rms(m_coarse, state.x, m_part.wholeCount);
+  const double v = rms(m_coarseV, state.v, m_part.wholeCount);
+  if (!(x > 0.0) || !(m_recentPath > 0.0)) return x;
+  const double time = std::min(m_displacement * std::sqrt(kMemory / m_recentPath), kSlowest);
+  const double slow = 2.0 / (length * v / x); // 1 where a constant acceleration parts the runs
+  return x * std::max(1.0, time * (v / x) * std::min(1.0, slow * slow));
+}
+
+/// How long an error lives [s]. It fades as the motion itself does. Amplitudes of what oscillates fade by the
+/// rate heat / (4 kinetic energy); slow modes, where errors gather, by a quarter of that. What creeps fades
+/// in the time that it takes to its goal, displacement over speed. Both are averaged over the last fifth of a
+/// second. Without damping errors add up from the start on.
+double StepDriver::errorHorizon(double time) const noexcept
+{
+  const double longest = std::max(kErrorHorizon, time);
+  if (!(m_recentHeat > 0.0) || !(m_recentPath > 0.0)) return longest;
+  const double creeping = 2.0 * m_displacement * std::sqrt(kMemory / m_recentPath);
+  return std::clamp(std::max(16.0 * m_recentKinetic / m_recentHeat, creeping), kShortestHorizon, longest);
+}
+
+void StepDriver::measure(const System& system, const MotionState& state, double length) noexcept
+{
+  m_calm += length;
+  const double fade = std::exp(-length / kMemory);
+  m_recentHeat = fade * m_recentHeat + std::max(state.heat - m_start.heat, 0.0);
+  m_recentKinetic = fade * m_recentKinetic + system.kineticEnergy(state.v) * length;
   m_displacement = rmsDisplacement(state.x);
   m_squareOverTime += m_displacement * m_displacement * length;
   m_speed = rms(state.v, m_part.wholeCount);
   m_topSpeed = std::max(m_topSpeed, m_speed);
+  m_recentPath = fade * m_recentPath + m_speed * m_speed * length;
+}
+
+void StepDriver::setBound(const System& system, const MotionState& state)
+{
+  m_mode = m_bound.compute(system, state.x, state.v);
+  m_stepsSinceBound = 0;
+  for (Candidate& candidate : m_candidates) candidate.integrator->tune(m_mode);
 }
 
 void StepDriver::refreshBound(const System& system, const MotionState& state)
 {
-  const std::int64_t patience = m_method == kImplicit ? 32 : 64;
-  if (m_stepsSinceBound < patience) return;
-  m_mode = m_bound.compute(system, state.x, state.v);
-  m_stepsSinceBound = 0;
+  const std::int64_t patience = m_method == m_implicit ? 32 : system.forces().isNonlinear() ? 128 : 512;
+  if (m_stepsSinceBound >= patience) setBound(system, state);
 }
 
 FastestMode StepDriver::fastestMode(const System& system, const MotionState& state)
@@ -313,8 +349,9 @@ FastestMode StepDriver::fastestMode(const System& system, const MotionState& sta
 
 double StepDriver::explicitStep(const FastestMode& mode) const noexcept
 {
-  const Method method = m_method == kRungeKutta ? kRungeKutta : kVerlet;
-  return std::min(m_candidates[method].integrator->stableStep(mode), kInfinity);
+  const auto& integrator = m_candidates[m_method].integrator;
+  const double own = integrator->stableStep(mode);
+  return std::isfinite(own) ? own : m_candidates[m_leapfrog].integrator->stableStep(mode);
 }
 
 } // namespace esm

@@ -5,7 +5,7 @@
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/simulation.h"
 
-#include <array>
+#include <vector>
 
 namespace esm {
 
@@ -65,39 +65,47 @@ public:
   const std::string& why() const noexcept { return m_why; }
 
 private:
-  enum Method : std::size_t { kVerlet, kRungeKutta, kImplicit, kMethods };
+  using Method = std::size_t; ///< place in integratorTable()
   struct Candidate {
-    std::unique_ptr<Integrator> integrator; ///< null until first used
-    double accurateStep = 0.0;              ///< [s]
+    std::unique_ptr<Integrator> integrator;
+    MethodRole role = MethodRole::ByName;
+    double typicalError = 0.0; ///< see IntegratorEntry
+    double accurateStep = 0.0; ///< by the last check, or a guess [s]
+    double estimate = 0.0;     ///< the same without the hysteresis [s]
+    bool isMeasured = false;
     bool prepared = false;
   };
 
   Integrator& current() noexcept { return *m_candidates[m_method].integrator; }
   void use(Method method, const System& system);
   void prepare(Method method, const System& system);
+  void guessSteps();
   void choose(System& system, const MotionState& state);
   void reconsider(System& system);
   double cost(Method method, const System& system);
+  void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
+  double explicitLimit() const noexcept;
+  Method cheapestExplicit(const System& system);
   bool toleranceIsTooDear(const System& system) const noexcept;
 
   bool stretchFixed(System& system, MotionState& state, double end, StepReport& report);
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
   enum class Run { Done, Limit, NonFinite, NotConverged };
-  Run step(System& system, MotionState& state, double h, double end, StepReport& report);
-  Run stepOrParts(System& system, MotionState& state, double h, double end, StepReport& report);
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   bool energyAppeared(const System& system, const MotionState& state) const;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
   bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
-  void learn(const System& system, double error, double budget, double step, double length);
+  void learn(double error, double budget, double step);
   double controlledStep(double length) noexcept;
   void giveToleranceUp(const System& system, bool yes);
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
   double budgetFor(const MotionState& state, double length) const noexcept;
-  void measure(const MotionState& state, double length) noexcept;
+  double distance(const MotionState& state, double length) const noexcept;
+  double errorHorizon(double time) const noexcept;
+  void measure(const System& system, const MotionState& state, double length) noexcept;
   double rmsDisplacement(const NodeArray& x) const noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(Run failure, StepReport& report);
@@ -105,9 +113,10 @@ private:
 
   SolverSettings m_settings;
   bool m_auto = false;
-  Method m_method = kVerlet;
+  Method m_leapfrog = 0, m_implicit = 0; ///< the planner's first explicit choice and its refuge
+  Method m_method = 0;
   std::string m_name, m_why;
-  std::array<Candidate, kMethods> m_candidates;
+  std::vector<Candidate> m_candidates; ///< in the table's order
   StepBound m_bound;
   FastestMode m_mode;
   std::int64_t m_stepsSinceBound = 0;
@@ -127,9 +136,13 @@ private:
   double m_extent = 1.0;                  ///< of the net [m]
   double m_displacement = 0.0;            ///< RMS over nodes, now [m]
   double m_squareOverTime = 0.0;          ///< integral of its square [m^2 s]
+  double m_calm = 0.0;                    ///< since the start or the last event [s]
+  double m_recentHeat = 0.0;              ///< [J]
+  double m_recentKinetic = 0.0;           ///< integral [J s]
+  double m_recentPath = 0.0;              ///< integral of the squared speed [m^2/s]
   double m_speed = 0.0, m_topSpeed = 0.0; ///< RMS over nodes, now and so far [m/s]
   MotionState m_start;                    ///< of the present stretch
-  NodeArray m_coarse;                     ///< end of the first of two runs
+  NodeArray m_coarse, m_coarseV;          ///< end of the first of two runs
 };
 
 } // namespace esm

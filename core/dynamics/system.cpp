@@ -55,11 +55,11 @@ bool System::enter(MotionState& state, bool silent)
   return changed;
 }
 
-Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force) noexcept
+Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper) noexcept
 {
   place(t, x, v);
   Rates rates;
-  const SpringSums sums = m_forces.computeForces(x.data(), v.data(), force.data());
+  const SpringSums sums = m_forces.computeForces(x.data(), v.data(), force.data(), damper);
   springsEvaluated += m_forces.activeSprings();
   rates.heat = sums.heat;
   rates.work = m_schedule.addForces(t, v.data(), force.data());
@@ -71,12 +71,33 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force) n
     rates.heat += tool.viscosity * slip.squaredNorm();
     rates.work += tool.viscosity * slip.dot(tool.targetVelocity);
   }
+  rates.loads = rates.work;
   for (const LoadSchedule::PrescribedNode& node : m_schedule.prescribedNodes())
     if (m_schedule.isActive(node)) {
       const auto i = static_cast<std::size_t>(node.node);
       rates.work -= dot(force[i], v[i]);
     }
   return rates;
+}
+
+double System::loadPower(double t, const NodeArray& v) const noexcept
+{
+  double power = m_schedule.power(t, v.data());
+  for (const ToolSpring& tool : m_tools) {
+    const Eigen::Vector3d slip = tool.targetVelocity - toVector(v[static_cast<std::size_t>(tool.node)]);
+    power += tool.viscosity * slip.dot(tool.targetVelocity);
+  }
+  return power;
+}
+
+void System::addDamping(const Lanes* damper, const NodeArray& v, NodeArray& force) noexcept
+{
+  m_forces.addDamping(damper, v.data(), force.data());
+  springsEvaluated += m_forces.activeSprings();
+  for (const ToolSpring& tool : m_tools) {
+    const auto node = static_cast<std::size_t>(tool.node);
+    force[node] -= v[node] * tool.viscosity;
+  }
 }
 
 double System::kineticEnergy(const NodeArray& v) const noexcept

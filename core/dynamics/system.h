@@ -21,6 +21,7 @@ struct MotionState {
 /// Powers at one instant [W].
 struct Rates {
   double work = 0.0, heat = 0.0;
+  double loads = 0.0; ///< part of `work` by nodal forces and tools
 };
 
 /// The equations of motion m a = f(t, x, v): the net's own forces, the loads and the tools, and who is free.
@@ -51,7 +52,13 @@ public:
 
   /// Forces at t into `force` (N entries). Prescribed nodes are first put to their place in x and v.
   /// Does not allocate.
-  Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force) noexcept;
+  /// @param damper  forces().damperSize() entries that receive the springs' damping at x, or null.
+  Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper = nullptr) noexcept;
+  /// The power of nodal forces and tools at other velocities [W].
+  double loadPower(double t, const NodeArray& v) const noexcept;
+  /// Adds the viscous forces at velocities v to `force`, but for - c v of forces().nodeViscosity(); the
+  /// springs' with the damping that evaluate() kept. Half the cost of evaluate().
+  void addDamping(const Lanes* damper, const NodeArray& v, NodeArray& force) noexcept;
   /// Prescribed nodes to their place.
   void place(double t, NodeArray& x, NodeArray& v) const noexcept { m_schedule.place(t, x.data(), v.data()); }
 

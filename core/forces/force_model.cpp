@@ -104,7 +104,7 @@ void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force) c
     esm::addDamping(batch, damper, v, force);
     damper += esm::damperSize(batch);
   }
-  m_nodeForces.addDamping(v, force);
+  m_nodeForces.addFewDampers(v, force);
 }
 
 double ForceModel::elasticEnergy(const Lanes* x) const noexcept

@@ -40,9 +40,12 @@ public:
   /// @param damper  damperSize() entries that receive the springs' damping at x, or null.
   SpringSums computeForces(const Lanes* x, const Lanes* v, Lanes* force,
                            Lanes* damper = nullptr) const noexcept;
-  /// Adds all viscous forces at velocities v to `force`, the springs' as computeForces() kept them: - D v.
+  /// Adds viscous forces at velocities v to `force`: the springs' as computeForces() kept them, and those of
+  /// single anchors. Where nodeViscosity() has entries, - c v of it is the caller's, who sweeps over the
+  /// nodes anyway; together they are - D v.
   void addDamping(const Lanes* damper, const Lanes* v, Lanes* force) const noexcept;
   std::size_t damperSize() const noexcept { return m_damperSize; }
+  const std::vector<double>& nodeViscosity() const noexcept { return m_nodeForces.viscosity(); }
 
   double elasticEnergy(const Lanes* x) const noexcept; ///< springs and anchors [J]
   double gravityEnergy(const Lanes* x) const noexcept; ///< - sum m g.p [J]

@@ -135,4 +135,15 @@ double LoadSchedule::addForces(double t, const Lanes* v, Lanes* force) const noe
   return power;
 }
 
+double LoadSchedule::power(double t, const Lanes* v) const noexcept
+{
+  double power = 0.0;
+  for (const Force& load : m_forces) {
+    if (load.absent) continue;
+    const Lanes value = load.line.value + load.line.slope * (t - m_begin);
+    for (const Index node : load.force.nodes) power += dot(value, v[node]);
+  }
+  return power;
+}
+
 } // namespace esm

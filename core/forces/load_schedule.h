@@ -43,6 +43,7 @@ public:
   void place(double t, Lanes* x, Lanes* v) const noexcept;
   /// Adds the nodal forces at t. @return their power [W] at the velocities v.
   double addForces(double t, const Lanes* v, Lanes* force) const noexcept;
+  double power(double t, const Lanes* v) const noexcept; ///< of the nodal forces, at other velocities [W]
 
 private:
   struct Line { ///< value at m_begin, slope

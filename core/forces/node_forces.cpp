@@ -22,11 +22,6 @@ ESM_CPU_CLONES double setBedded(std::size_t count, const Lanes* weight, const La
   return sumLanes(heat);
 }
 
-ESM_CPU_CLONES void addDrag(std::size_t count, const double* viscosity, const Lanes* v, Lanes* force) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) force[i] -= v[i] * viscosity[i];
-}
-
 } // namespace
 
 NodeForces::NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity,
@@ -69,9 +64,8 @@ double NodeForces::set(const Lanes* x, const Lanes* v, Lanes* force) const noexc
   return sumLanes(heat);
 }
 
-void NodeForces::addDamping(const Lanes* v, Lanes* force) const noexcept
+void NodeForces::addFewDampers(const Lanes* v, Lanes* force) const noexcept
 {
-  addDrag(m_viscosity.size(), m_viscosity.data(), v, force);
   for (const Anchor& anchor : m_few) force[anchor.node] -= v[anchor.node] * anchor.viscosity;
 }
 

@@ -29,8 +29,11 @@ public:
 
   /// Sets force (N entries) at x, v. @return the power that the dampers turn into heat [W].
   double set(const Lanes* x, const Lanes* v, Lanes* force) const noexcept;
-  /// Adds the viscous part at velocities v alone.
-  void addDamping(const Lanes* v, Lanes* force) const noexcept;
+  /// Adds the viscous part at velocities v of what viscosity() does not hold.
+  void addFewDampers(const Lanes* v, Lanes* force) const noexcept;
+  /// c of every node, anchors and mass damping together [N s/m]; N entries, or empty where few or none have
+  /// any.
+  const std::vector<double>& viscosity() const noexcept { return m_viscosity; }
   const NodeArray& weight() const noexcept { return m_weight; } ///< m g [N]
 
 private:

@@ -28,9 +28,15 @@ protected:
     s.tolerance = tolerance;
     return s;
   }
+  /// Velocities half a step beside the positions see dampers turned by that much: heat is of first order.
+  bool isStaggered() const
+  {
+    return std::string(GetParam()) == "leapfrog" || std::string(GetParam()) == "chebyshev";
+  }
   bool isImplicit() const { return std::string(GetParam()) == "implicit"; }
 };
-INSTANTIATE_TEST_SUITE_P(Solvers, Conservation, ::testing::Values("verlet", "rk4", "implicit"),
+INSTANTIATE_TEST_SUITE_P(Solvers, Conservation,
+                         ::testing::Values("leapfrog", "chebyshev", "verlet", "rk4", "dopri5", "implicit"),
                          [](const auto& solver) { return std::string(solver.param); });
 
 /// A net at rest length everywhere.
@@ -78,7 +84,7 @@ TEST_P(Conservation, RotationCostsNoEnergy)
   advanceWell(simulation, 2.0);
   EXPECT_NEAR(simulation.energies().total(), energy, 1e-4 * energy);
   EXPECT_LT((simulation.angularMomentum() - spin).norm(), 1e-4 * spin.norm());
-  EXPECT_LT(simulation.dissipatedEnergy(), 1e-4 * energy);
+  EXPECT_LT(simulation.dissipatedEnergy(), (isStaggered() ? 5e-4 : 1e-4) * energy);
   const Eigen::Vector3d axis = simulation.state().position.col(1) - simulation.state().position.col(0);
   EXPECT_NEAR(axis.norm(), length, 1e-4 * length);
   EXPECT_NEAR(axis.x() / length, std::cos(2.0 * w), 5e-4);
@@ -111,7 +117,7 @@ TEST_P(Conservation, WorkAndEnergyBalance)
   }
   EXPECT_GT(simulation.dissipatedEnergy(), 0.1) << "something must have happened";
   EXPECT_GT(std::abs(simulation.externalWork()), 0.1);
-  EXPECT_LT(largest, 2e-4) << "of about 1 J that went in and out";
+  EXPECT_LT(largest, isStaggered() ? 4e-3 : 2e-4) << "of about 1 J that went in and out";
 }
 
 // A node led slowly away from a fixed one: the hand's force is the spring's.

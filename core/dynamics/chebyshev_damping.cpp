@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/chebyshev_damping.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace esm {
+namespace {
+
+/// T_s(w0) for order 1: 1/1.85 = 0.54 is how far P swings below zero. Smaller swings cost stages, larger ones
+/// bring P near -1, where leapfrog bears no stiffness at all.
+constexpr double kPeak = 1.85;
+constexpr double kShift = 2.0 / 13.0; ///< s^2 (w0 - 1) for order 2 (Verwer et al.)
+
+/// T_n(w) and its first two derivatives.
+struct ChebyshevValue {
+  double value, slope, curvature;
+};
+
+ChebyshevValue chebyshev(int n, double w) noexcept
+{
+  ChebyshevValue before{1.0, 0.0, 0.0}, now{w, 1.0, 0.0};
+  if (n == 0) return before;
+  for (int j = 2; j <= n; ++j) {
+    const ChebyshevValue next{2.0 * w * now.value - before.value,
+                              2.0 * (now.value + w * now.slope) - before.slope,
+                              2.0 * (2.0 * now.slope + w * now.curvature) - before.curvature};
+    before = std::exchange(now, next);
+  }
+  return now;
+}
+
+/// w0 with T_s(w0) = kPeak, by bisection: only + - * /, so that the bits are the same everywhere.
+double peakPlace(int stages) noexcept
+{
+  double low = 1.0, high = 2.0;
+  for (int i = 0; i < 60; ++i) {
+    const double middle = 0.5 * (low + high);
+    (chebyshev(stages, middle).value < kPeak ? low : high) = middle;
+  }
+  return low;
+}
+
+} // namespace
+
+ChebyshevDamping::ChebyshevDamping(int stages, int order) : m_stages(stages)
+{
+  if (stages == 1) { // P = 1 - z
+    m_w0 = 0.0;
+    m_base = 1.0;
+    return;
+  }
+  m_w0 = order == 1 ? peakPlace(stages) : 1.0 + kShift / (stages * stages);
+  // b_j: the scale of the polynomial after stage j; it starts from 1 at z = 0 and, for order 2, has the right
+  // curvature there.
+  const auto scaleAt = [&](int j) {
+    const ChebyshevValue at = chebyshev(order == 1 ? j : std::max(j, 2), m_w0);
+    return order == 1 ? 1.0 / at.value : at.curvature / (at.slope * at.slope);
+  };
+  const auto baseAt = [&](int j) { return order == 1 ? 0.0 : 1.0 - scaleAt(j) * chebyshev(j, m_w0).value; };
+  const ChebyshevValue last = chebyshev(stages, m_w0);
+  m_w1 = order == 1 ? last.value / last.slope : last.slope / last.curvature;
+  m_base = baseAt(stages);
+  m_swing = scaleAt(stages);
+  m_reach = (1.0 + m_w0) / m_w1;
+  m_first = scaleAt(1) * m_w1;
+  for (int j = 2; j <= stages; ++j) {
+    const double ratio = scaleAt(j) / scaleAt(j - 1), kick = 2.0 * m_w1 * ratio;
+    m_stage[static_cast<std::size_t>(j)] = {2.0 * m_w0 * ratio, -scaleAt(j) / scaleAt(j - 2),
+                                            kick * (1.0 - baseAt(j - 1)), kick};
+  }
+}
+
+double ChebyshevDamping::value(double z) const noexcept
+{
+  return m_base + m_swing * chebyshev(m_stages, m_w0 - m_w1 * z).value;
+}
+
+bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcept
+{
+  constexpr int kSamples = 32;
+  const double top = h * mode.damping;
+  if (top > m_reach) return false;
+  for (int i = 0; i <= kSamples; ++i) {
+    const double z = top * i / kSamples;
+    // A mode that is damped so little cannot be stiffer than its springs' dampers allow.
+    double stiffness = mode.stiffness;
+    if (mode.leastDamping > 0.0) stiffness = std::min(stiffness, mode.undamped + z / (h * mode.leastDamping));
+    const double p = value(z), share = z > 1e-9 ? (1.0 - p) / z : 1.0;
+    if (!(h * h * stiffness * share < 2.0 * (1.0 + p))) return false;
+  }
+  return true;
+}
+
+double ChebyshevDamping::stableStep(const FastestMode& mode) const noexcept
+{
+  const double root = std::sqrt(mode.stiffness);
+  double high =
+    std::min(root > 0.0 ? 2.0 / root : std::numeric_limits<double>::infinity(),
+             mode.damping > 0.0 ? m_reach / mode.damping : std::numeric_limits<double>::infinity());
+  if (!std::isfinite(high) || isStable(high * (1.0 - 1e-6), mode)) return high;
+  double low = 0.0;
+  for (int i = 0; i < 12; ++i) {
+    const double middle = 0.5 * (low + high);
+    (isStable(middle, mode) ? low : high) = middle;
+  }
+  return low;
+}
+
+} // namespace esm
