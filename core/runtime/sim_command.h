@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
+#include "core/runtime/quality_ladder.h"
 
 #include <Eigen/Core>
 
@@ -30,6 +31,9 @@ struct Reset {};
 struct SetFrameRate {
   double framesPerSecond;
 };
+struct SetQuality {
+  QualityPlan plan;
+};
 struct Grab {
   Index node;
   Eigen::Vector3d target; ///< [m]
@@ -46,7 +50,7 @@ struct FollowDevice {
 } // namespace command
 
 using SimCommand = std::variant<command::Load, command::SetParameters, command::Play, command::Pause,
-                                command::StepOnce, command::Reset, command::SetFrameRate, command::Grab,
-                                command::MoveGrab, command::Release, command::FollowDevice>;
+                                command::StepOnce, command::Reset, command::SetFrameRate, command::SetQuality,
+                                command::Grab, command::MoveGrab, command::Release, command::FollowDevice>;
 
 } // namespace esm

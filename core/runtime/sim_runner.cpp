@@ -52,6 +52,11 @@ void SimRunner::apply(SimCommand&& command)
 
 void SimRunner::carryOut(command::Load&& load)
 {
+  QualityLadder ladder = m_ladder;
+  ladder.start(load.settings);
+  load.settings.tolerance = ladder.tolerance();
+  load.settings.effort = ladder.effort();
+  const bool isAuto = load.settings.solver == "auto";
   Result<Simulation> fresh =
     Simulation::create(std::move(load.net), std::move(load.loads), std::move(load.settings));
   if (!fresh) {
@@ -61,12 +66,14 @@ void SimRunner::carryOut(command::Load&& load)
   endContact();
   m_grip.reset();
   m_simulation.emplace(std::move(*fresh));
+  m_ladder = std::move(ladder);
+  m_auto = isAuto;
   m_generation = load.generation;
   m_playing = m_stepPending = m_failed = false;
   m_slice = m_period;
   m_stepLimit = kFirstSteps;
   m_report = {};
-  m_message = m_simulation->why();
+  m_message.clear();
   keepPicture();
 }
 
@@ -79,7 +86,7 @@ void SimRunner::carryOut(command::SetParameters&& change)
   }
   if (m_grip) m_grip->adapt(m_simulation->net());
   m_failed = false;
-  m_message = m_simulation->why();
+  m_message.clear();
   keepPicture();
 }
 
@@ -87,7 +94,7 @@ void SimRunner::carryOut(command::Play)
 {
   if (!m_simulation) return;
   m_playing = true;
-  m_failed = false;
+  if (std::exchange(m_failed, false)) m_message.clear();
 }
 
 void SimRunner::carryOut(command::Pause)
@@ -101,7 +108,7 @@ void SimRunner::carryOut(command::StepOnce)
   if (!m_simulation) return;
   m_playing = false;
   m_stepPending = true;
-  m_failed = false;
+  if (std::exchange(m_failed, false)) m_message.clear();
   endContact();
 }
 
@@ -114,13 +121,19 @@ void SimRunner::carryOut(command::Reset)
   m_simulation->reset();
   m_failed = m_stepPending = false;
   m_report = {};
-  m_message = m_simulation->why();
+  m_message.clear();
   keepPicture();
 }
 
 void SimRunner::carryOut(const command::SetFrameRate& rate)
 {
   m_period = periodOf(rate.framesPerSecond);
+}
+
+void SimRunner::carryOut(command::SetQuality&& quality)
+{
+  m_ladder.setPlan(std::move(quality.plan));
+  applyAccuracy();
 }
 
 void SimRunner::carryOut(const command::Grab& grab)
@@ -165,6 +178,18 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
   keepPicture();
   if (m_grip && m_followDevice && m_playing) publishContact();
   return report.simulatedTime;
+}
+
+void SimRunner::keepTime(double took)
+{
+  if (m_playing && m_simulation && m_ladder.endFrame(took, m_period)) applyAccuracy();
+}
+
+void SimRunner::applyAccuracy()
+{
+  if (!m_simulation) return;
+  if (const Status status = m_simulation->setAccuracy(m_ladder.tolerance(), m_ladder.effort()); !status)
+    m_message = "The accuracy was not taken, the former one holds: " + status.error().detail;
 }
 
 void SimRunner::readDevice()
@@ -252,6 +277,16 @@ void SimRunner::endContact()
   m_contact.publish();
 }
 
+/// Without the clock: SimThread knows who is behind it.
+Stability SimRunner::stability() const
+{
+  if (!m_simulation) return Stability::Idle;
+  if (m_failed) return Stability::Stopped;
+  const QualityState quality = m_ladder.state();
+  if (m_report.rough || quality.tolerance > quality.wantedTolerance) return Stability::Rough;
+  return m_auto && m_simulation->solverName() == "implicit" ? Stability::Implicit : Stability::Good;
+}
+
 void SimRunner::draw(SimSnapshot& picture)
 {
   picture.generation = m_generation;
@@ -259,11 +294,12 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.time = m_time;
   picture.position = m_position;
   picture.tension = m_tension;
-  picture.stability = !m_simulation ? Stability::Idle : m_failed ? Stability::Stopped : Stability::Good;
+  picture.stability = stability();
+  picture.quality = m_ladder.state();
   picture.report = m_report;
   picture.energies = m_energies;
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();
-  picture.message = m_message;
+  picture.message = m_message.empty() && m_simulation ? m_simulation->why() : m_message;
   picture.grabbedNode = m_grip ? m_grip->node() : kNoIndex;
   picture.toolPosition = m_grip ? m_grip->target() : Eigen::Vector3d(Eigen::Vector3d::Zero());
   picture.toolForce =

@@ -39,6 +39,10 @@ public:
   ///        equal bits.
   double runFrame(const std::function<bool()>& enough = {});
 
+  /// A frame has taken `took` of the wall clock [s]: where that is too much, accuracy gives way by the plan
+  /// of the last SetQuality; without one only the clock does. Never called, never changed: see runFrame().
+  void keepTime(double took);
+
   /// Pauses as after failed numerics; for what went wrong outside the mathematics (no memory).
   void stopWith(std::string message);
 
@@ -53,11 +57,14 @@ private:
   void carryOut(command::StepOnce);
   void carryOut(command::Reset);
   void carryOut(const command::SetFrameRate& rate);
+  void carryOut(command::SetQuality&& quality);
   void carryOut(const command::Grab& grab);
   void carryOut(const command::MoveGrab& move);
   void carryOut(command::Release);
   void carryOut(const command::FollowDevice& follow);
 
+  void applyAccuracy();
+  Stability stability() const;
   void readDevice();
   StepReport advanceSliced(double interval, const std::function<bool()>& enough);
   void judge(const StepReport& report);
@@ -69,6 +76,8 @@ private:
   TripleBuffer<ContactModel>& m_contact;
   std::optional<Simulation> m_simulation;
   std::optional<ToolGrip> m_grip;
+  QualityLadder m_ladder;
+  bool m_auto = false; ///< the solver is the engine's own choice
   std::uint64_t m_generation = 0;
   std::uint64_t m_contactSequence = 0;
   double m_period;
@@ -77,7 +86,8 @@ private:
   double m_slice;           ///< simulated time between two questions whether it is enough [s]
   std::int64_t m_stepLimit; ///< of a slice
   StepReport m_report;
-  std::string m_message;
+  std::string
+    m_message; ///< a refusal or a failure; empty: the simulation's own why() is what there is to say
   // The last finite picture, so that a NaN cannot leave even if the dynamics let one through.
   Eigen::Matrix3Xd m_position;
   Eigen::ArrayXd m_tension;

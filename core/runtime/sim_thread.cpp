@@ -111,10 +111,12 @@ void SimThread::Impl::runFrame(const std::stop_token& stop)
 {
   const WallClock::time_point latest = WallClock::now() + std::chrono::duration_cast<WallClock::duration>(
                                                             std::chrono::duration<double>(kLongestFrame));
-  const double before = processorTime();
+  const double before = processorTime(), begin = seconds(WallClock::now());
   const double simulated =
     runner.runFrame([&] { return stop.stop_requested() || WallClock::now() >= latest; });
-  clock.endFrame(seconds(WallClock::now()), simulated, processorTime() - before);
+  const double end = seconds(WallClock::now());
+  clock.endFrame(end, simulated, processorTime() - before);
+  runner.keepTime(end - begin);
 }
 
 void SimThread::Impl::publish()
@@ -124,8 +126,8 @@ void SimThread::Impl::publish()
   picture.sequence = ++sequence;
   picture.realTimeFactor = runner.playing() ? clock.realTimeFactor() : 0.0;
   picture.frameCost = runner.playing() ? clock.frameCost() : 0.0;
-  if (picture.stability == Stability::Good && picture.playing && picture.realTimeFactor < kSlowFactor)
-    picture.stability = Stability::Slow;
+  const bool runs = picture.stability != Stability::Idle && picture.stability != Stability::Stopped;
+  if (runs && picture.playing && picture.realTimeFactor < kSlowFactor) picture.stability = Stability::Slow;
   pictures.publish();
 }
 
@@ -171,6 +173,11 @@ void SimThread::reset()
 void SimThread::setFrameRate(double framesPerSecond)
 {
   m_impl->commands.push(command::SetFrameRate{framesPerSecond});
+}
+
+void SimThread::setQuality(QualityPlan plan)
+{
+  m_impl->commands.push(command::SetQuality{std::move(plan)});
 }
 
 void SimThread::grab(Index node, const Eigen::Vector3d& target, double maxForce)

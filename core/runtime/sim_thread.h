@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/dynamics/simulation.h"
 #include "core/runtime/hand_over.h"
+#include "core/runtime/quality_ladder.h"
 
 #include <memory>
 #include <string>
@@ -13,10 +14,12 @@ namespace esm {
 
 /// How the simulation feels; the window's stability light.
 enum class Stability : std::uint8_t {
-  Idle, ///< nothing loaded
-  Good,
-  Slow,   ///< stable, but behind the wall clock: realTimeFactor < 0.95
-  Stopped ///< numerics failed; paused on the last good state, `message` says cause and cure
+  Idle,     ///< nothing loaded
+  Good,     ///< the tolerance is kept
+  Implicit, ///< kept, but so stiff that the engine went implicit; `message` names the place
+  Rough,    ///< bounded, but the wanted tolerance is not kept: `quality` and `message` say why
+  Slow,     ///< stable, but behind the wall clock: realTimeFactor < 0.95
+  Stopped   ///< numerics failed; paused on the last good state, `message` says cause and cure
 };
 
 /// One picture of the running simulation. Plain data.
@@ -32,6 +35,7 @@ struct SimSnapshot {
   Stability stability = Stability::Idle;
   StepReport report; ///< of the last frame
   Energies energies;
+  QualityState quality;
   std::string solver;
   std::string message; ///< why this solver, or what went wrong and the cure (English)
   Index grabbedNode = kNoIndex;
@@ -60,6 +64,9 @@ public:
   void stepOnce(); ///< one frame, then pause
   void reset();    ///< to t = 0, playing or not as before
   void setFrameRate(double framesPerSecond);
+  /// What gives way when the net is too heavy for the frame rate, from the next frame on and for all nets to
+  /// come. Before the first call: only the clock.
+  void setQuality(QualityPlan plan);
 
   /// Takes hold of a node with a spring towards `target`. The spring's stiffness is chosen from the net so
   /// that grabbing never makes it unstable, and the pull is limited to `maxForce` [N].
