@@ -77,6 +77,7 @@ std::unique_ptr<Integrator> makeMultirate();
 std::unique_ptr<Integrator> makeWavefront();
 std::unique_ptr<Integrator> makeLinearized();
 std::unique_ptr<Integrator> makeRelax();
+std::unique_ptr<Integrator> makeDescent();
 
 /// Whether all numbers are finite.
 bool allFinite(const NodeArray& x, const NodeArray& v) noexcept;

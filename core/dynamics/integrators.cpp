@@ -33,6 +33,10 @@ std::span<const IntegratorEntry> integratorTable() noexcept
       "lie", "linearised implicit Euler (Baraff and Witkin): one linear system a step, first order, bounded",
       &makeLinearized, ByName},
     IntegratorEntry{
+      "descent",
+      "implicit Euler by descent on its incremental potential: gains no energy, whatever net and step",
+      &makeDescent, ByName},
+    IntegratorEntry{
       "multirate",
       "velocity Verlet with each spring at its own rate: nets with a few stiff springs or light nodes",
       &makeMultirate, ByName},

@@ -1,0 +1,176 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/implicit_matrix.h"
+#include "core/dynamics/integrator.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace esm {
+namespace {
+
+constexpr int kIterations = 8;   ///< of a step at most, each with a factor
+constexpr double kEnough = 1e-3; ///< an iteration that gains less of what all have gained is the last
+constexpr double kShortest = 1.0 / 4096.0; ///< of a Newton step [1]
+
+/// Implicit Euler as a descent: the method that cannot fail. The step y of implicit Euler is where the
+/// incremental potential is least (Kane, Marsden, Ortiz and West 2000; Gast et al. 2015),
+///
+///     P(y) = sum m/(2 h^2) |y - x - h v|^2 + V(y) - f.(y - x) + h/2 R(y, w),   w = (y - x)/h
+///
+/// V springs, anchors, tools and weight, f the loads, R the power of all dampers. Newton's method with the
+/// convex matrix starts at y = x, and a line search sees to it that P falls. So whatever y it stops at, P(y)
+/// <= P(x), which says that
+///
+///     V(y) - f.(y - x) + sum m/2 |w - v|^2 <= V(x) + sum m/2 |v|^2:
+///
+/// what is stored came from somewhere, whatever the net, the step and the number of iterations. The new
+/// velocity w is shortened if kinetic energy would be more than what is left. Strongly damped, first order.
+/// The supports move first, then the net follows.
+class Descent final : public Integrator {
+public:
+  void prepare(const System& system) override
+  {
+    for (NodeArray* array : {&m_x, &m_y, &m_trial, &m_w, &m_force, &m_change})
+      array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+    m_matrix.prepare(system, true);
+  }
+  void restart() noexcept override {}
+  void constraintsChanged(const System& system) override { m_matrix.constraintsChanged(system); }
+  int order() const noexcept override { return 1; }
+  double stableStep(const FastestMode&) const noexcept override
+  {
+    return std::numeric_limits<double>::infinity();
+  }
+  double stepCost(const System& system) override
+  {
+    const auto springs = static_cast<double>(system.forces().activeSprings());
+    return 0.5 * kIterations * (m_matrix.factorCost() + m_matrix.solveCost() + 6.0 * springs);
+  }
+
+  StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
+  {
+    ++report.steps;
+    const double before = storedEnergy(system, state.x);
+    m_x = state.x; // same size: no allocation
+    m_w = state.v;
+    system.place(end, m_x, m_w);
+    const double moved = storedEnergy(system, m_x);
+    if (!std::isfinite(before) || !std::isfinite(moved)) return StepResult::NonFinite;
+    const Goal goal{state.v, h, end};
+    m_y = m_x;
+    const Sums sums = descend(system, goal, report);
+    if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
+    const double work = sums.loadWork + h * sums.toolPower;
+    const double kinetic = freeKinetic(system, m_w);
+    const double left = freeKinetic(system, state.v) + moved - sums.stored + work;
+    if (kinetic > left) {
+      const double share = std::sqrt(std::max(left, 0.0) / kinetic);
+      for (std::size_t i = 0; i < m_w.size(); ++i)
+        if (system.isFree(i)) m_w[i] *= share;
+    }
+    std::swap(state.x, m_y);
+    std::swap(state.v, m_w);
+    state.work += moved - before + work;
+    state.heat += h * sums.heatPower;
+    state.time = end;
+    return StepResult::Done;
+  }
+
+private:
+  struct Goal {
+    const NodeArray& v; ///< at the start
+    double h, end;
+  };
+  struct Sums {
+    double potential = 0.0;                  ///< P [J]
+    double stored = 0.0;                     ///< V [J]
+    double loadWork = 0.0;                   ///< f.(y - x) [J]
+    double toolPower = 0.0, heatPower = 0.0; ///< [W]
+  };
+
+  static double storedEnergy(const System& system, const NodeArray& x) noexcept
+  {
+    return system.elasticEnergy(x) + system.forces().gravityEnergy(x.data());
+  }
+  static double freeKinetic(const System& system, const NodeArray& v) noexcept
+  {
+    double energy = 0.0;
+    for (std::size_t i = 0; i < v.size(); ++i)
+      if (system.isFree(i)) energy += 0.5 * system.mass()[i] * dot(v[i], v[i]);
+    return energy;
+  }
+
+  /// P and its parts at y; sets m_w to the velocity that leads there, m_force to - h dP/dy of the free nodes.
+  Sums look(System& system, const Goal& goal, NodeArray& y) noexcept
+  {
+    Sums sums;
+    for (std::size_t i = 0; i < y.size(); ++i)
+      m_w[i] = system.isFree(i) ? (y[i] - m_x[i]) * (1.0 / goal.h) : Lanes{0, 0, 0, 0};
+    // The sum of f w; what it leaves in m_force is overwritten.
+    sums.loadWork = goal.h * system.schedule().addForces(goal.end, m_w.data(), m_force.data());
+    const Rates rates = system.evaluate(goal.end, y, m_w, m_force); // places the supports
+    sums.heatPower = rates.heat;
+    for (const ToolSpring& tool : system.tools()) {
+      const Eigen::Vector3d w = toVector(m_w[static_cast<std::size_t>(tool.node)]);
+      sums.toolPower += tool.viscosity * (tool.targetVelocity - w).dot(tool.targetVelocity);
+    }
+    sums.stored = storedEnergy(system, y);
+    double inertia = 0.0;
+    for (std::size_t i = 0; i < y.size(); ++i) {
+      if (!system.isFree(i)) {
+        m_force[i] = Lanes{0, 0, 0, 0};
+        continue;
+      }
+      const Lanes jump = m_w[i] - goal.v[i];
+      inertia += 0.5 * system.mass()[i] * dot(jump, jump);
+      m_force[i] = m_force[i] * goal.h - jump * system.mass()[i];
+    }
+    sums.potential = inertia + sums.stored - sums.loadWork + 0.5 * goal.h * sums.heatPower;
+    return sums;
+  }
+
+  Sums descend(System& system, const Goal& goal, StepReport& report)
+  {
+    Sums best = look(system, goal, m_y);
+    if (m_matrix.freeCount() == 0) return best;
+    double gained = 0.0;
+    for (int iteration = 0; iteration < kIterations; ++iteration) {
+      ++report.newtonIterations;
+      ++report.factorizations;
+      if (!m_matrix.factor(system, m_y, m_w, ImplicitMatrix::Shares::ofStep(goal.h), true)) break;
+      m_change = m_force; // same size: no allocation
+      m_matrix.solve(m_change);
+      bool found = false;
+      double gain = 0.0;
+      for (double fraction = 1.0; fraction >= kShortest && !found; fraction *= 0.25) {
+        for (std::size_t i = 0; i < m_y.size(); ++i) m_trial[i] = m_y[i] + m_change[i] * (fraction * goal.h);
+        const Sums next = look(system, goal, m_trial);
+        found = next.potential < best.potential;
+        if (!found) continue;
+        gain = best.potential - next.potential;
+        best = next;
+        std::swap(m_y, m_trial);
+      }
+      if (!found) break;
+      gained += gain;
+      if (gain <= kEnough * gained) return best; // m_w is that of y
+    }
+    return look(system, goal, m_y);
+  }
+
+  NodeArray m_x; ///< at the start, supports moved [m]
+  NodeArray m_y, m_trial, m_w, m_force, m_change;
+  ImplicitMatrix m_matrix;
+};
+
+} // namespace
+
+std::unique_ptr<Integrator> makeDescent()
+{
+  return std::make_unique<Descent>();
+}
+
+} // namespace esm
