@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kIterations = 8;   ///< of a step at most, each with a factor
 constexpr double kEnough = 1e-3; ///< an iteration that gains less of what all have gained is the last
+constexpr int kMostPulls = 8;    ///< back to the start, see step()
 constexpr double kShortest = 1.0 / 4096.0; ///< of a Newton step [1]
 
 /// Implicit Euler as a descent: the method that cannot fail. The step y of implicit Euler is where the
@@ -26,14 +27,14 @@ constexpr double kShortest = 1.0 / 4096.0; ///< of a Newton step [1]
 ///
 ///     V(y) - f.(y - x) + sum m/2 |w - v|^2 <= V(x) + sum m/2 |v|^2:
 ///
-/// what is stored came from somewhere, whatever the net, the step and the number of iterations. The new
-/// velocity w is shortened if kinetic energy would be more than what is left. Strongly damped, first order.
-/// The supports move first, then the net follows.
+/// what is stored came from somewhere, whatever the net, the step and the number of iterations (where
+/// supports or tools move dampers, step() checks it). The new velocity w is shortened if kinetic energy would
+/// be more than what is left. Strongly damped, first order. The supports move first, then the net follows.
 class Descent final : public Integrator {
 public:
   void prepare(const System& system) override
   {
-    for (NodeArray* array : {&m_x, &m_y, &m_trial, &m_w, &m_force, &m_change})
+    for (NodeArray* array : {&m_x, &m_y, &m_trial, &m_w, &m_force, &m_change, &m_still})
       array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_matrix.prepare(system, true);
   }
@@ -61,11 +62,19 @@ public:
     if (!std::isfinite(before) || !std::isfinite(moved)) return StepResult::NonFinite;
     const Goal goal{state.v, h, end};
     m_y = m_x;
-    const Sums sums = descend(system, goal, report);
-    if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
-    const double work = sums.loadWork + h * sums.toolPower;
+    Sums sums = descend(system, goal, report);
+    double work = 0.0, left = 0.0;
+    for (int pull = 0;; ++pull) {
+      if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
+      work = sums.loadWork + h * (sums.heatPower + viscousPower(system));
+      left = freeKinetic(system, state.v) + moved - sums.stored + work;
+      if (left >= 0.0 || pull > kMostPulls) break;
+      // A moving support or tool worked through its dampers less than the descent took: not so far.
+      for (std::size_t i = 0; i < m_y.size(); ++i)
+        m_y[i] = pull < kMostPulls ? m_x[i] + (m_y[i] - m_x[i]) * 0.25 : m_x[i];
+      sums = look(system, goal, m_y);
+    }
     const double kinetic = freeKinetic(system, m_w);
-    const double left = freeKinetic(system, state.v) + moved - sums.stored + work;
     if (kinetic > left) {
       const double share = std::sqrt(std::max(left, 0.0) / kinetic);
       for (std::size_t i = 0; i < m_w.size(); ++i)
@@ -85,10 +94,10 @@ private:
     double h, end;
   };
   struct Sums {
-    double potential = 0.0;                  ///< P [J]
-    double stored = 0.0;                     ///< V [J]
-    double loadWork = 0.0;                   ///< f.(y - x) [J]
-    double toolPower = 0.0, heatPower = 0.0; ///< [W]
+    double potential = 0.0; ///< P [J]
+    double stored = 0.0;    ///< V [J]
+    double loadWork = 0.0;  ///< f.(y - x) [J]
+    double heatPower = 0.0; ///< [W]
   };
 
   static double storedEnergy(const System& system, const NodeArray& x) noexcept
@@ -113,10 +122,6 @@ private:
     sums.loadWork = goal.h * system.schedule().addForces(goal.end, m_w.data(), m_force.data());
     const Rates rates = system.evaluate(goal.end, y, m_w, m_force); // places the supports
     sums.heatPower = rates.heat;
-    for (const ToolSpring& tool : system.tools()) {
-      const Eigen::Vector3d w = toVector(m_w[static_cast<std::size_t>(tool.node)]);
-      sums.toolPower += tool.viscosity * (tool.targetVelocity - w).dot(tool.targetVelocity);
-    }
     sums.stored = storedEnergy(system, y);
     double inertia = 0.0;
     for (std::size_t i = 0; i < y.size(); ++i) {
@@ -130,6 +135,23 @@ private:
     }
     sums.potential = inertia + sums.stored - sums.loadWork + 0.5 * goal.h * sums.heatPower;
     return sums;
+  }
+
+  /// Power [W] of all viscous forces on the free nodes at y and w. What the dampers turn into heat beyond
+  /// what they take from the nodes, moving supports and tools have put in.
+  double viscousPower(System& system) noexcept
+  {
+    system.forces().computeForces(m_y.data(), m_w.data(), m_force.data());
+    system.forces().computeForces(m_y.data(), m_still.data(), m_trial.data());
+    system.springsEvaluated += 2 * system.forces().activeSprings();
+    double power = 0.0;
+    for (std::size_t i = 0; i < m_w.size(); ++i)
+      if (system.isFree(i)) power += dot(m_force[i] - m_trial[i], m_w[i]);
+    for (const ToolSpring& tool : system.tools()) {
+      const auto i = static_cast<std::size_t>(tool.node);
+      if (system.isFree(i)) power += tool.viscosity * dot(toLanes(tool.targetVelocity) - m_w[i], m_w[i]);
+    }
+    return power;
   }
 
   Sums descend(System& system, const Goal& goal, StepReport& report)
@@ -163,6 +185,7 @@ private:
 
   NodeArray m_x; ///< at the start, supports moved [m]
   NodeArray m_y, m_trial, m_w, m_force, m_change;
+  NodeArray m_still; ///< 0
   ImplicitMatrix m_matrix;
 };
 
