@@ -19,6 +19,7 @@ struct SimulateOptions {
   std::optional<std::string> solver;
   std::optional<double> duration, frameRate, tolerance, fixedStep;
   std::optional<int> threads;
+  std::optional<bool> skipResting;
   RunOutputs outputs;
   bool json = false;
 };
@@ -32,6 +33,8 @@ JsonLine jsonOf(const RunSummary& summary, const Project& project)
   line.add("springs_evaluated", summary.steps.springsEvaluated);
   line.add("factorizations", summary.steps.factorizations);
   line.add("newton_iterations", summary.steps.newtonIterations);
+  line.add("nodes_awake", summary.steps.nodesAwake);
+  line.add("mean_nodes_awake", summary.nodesAwake);
   line.add("smallest_step", summary.steps.smallestStep);
   line.add("solver", summary.solver);
   line.add("reason", summary.reason);
@@ -43,6 +46,7 @@ JsonLine jsonOf(const RunSummary& summary, const Project& project)
   line.add("largest_force", summary.largestForce);
   line.add("finite", !summary.steps.nonFinite);
   line.add("good", summary.steps.good());
+  line.add("tolerance_given_up", summary.steps.rough);
   line.add("simulated_time", summary.steps.simulatedTime);
   line.add("frames", summary.frames);
   line.add("nodes", project.net.nodeCount());
@@ -58,6 +62,7 @@ void override(SimulationSettings& settings, const SimulateOptions& options)
   settings.solver.solver = options.solver.value_or(settings.solver.solver);
   settings.solver.tolerance = options.tolerance.value_or(settings.solver.tolerance);
   settings.solver.fixedStep = options.fixedStep.value_or(settings.solver.fixedStep);
+  settings.solver.skipResting = options.skipResting.value_or(settings.solver.skipResting);
   settings.solver.threads = options.threads.value_or(settings.solver.threads);
 }
 
@@ -120,6 +125,9 @@ void addSimulate(CLI::App& program, Work& work)
             NumberRange::Positive);
   addNumber(*command, "--step", options->fixedStep, "fixed substep [s] without error control; 0: automatic",
             NumberRange::NotNegative);
+  command->add_flag_function(
+    "--skip-resting,!--no-skip", [&skip = options->skipResting](std::int64_t count) { skip = count > 0; },
+    "nodes at rest sleep and cost nothing, or not (default: the project's)");
   addInteger(*command, "--threads", options->threads, "threads to compute with", 1, 1024);
   command->add_option("-o,--output", options->outputs.motion,
                       "the motion: .csv (t,id,x,y,z), .f64 (float64, frames x nodes x 3) or .pvd (ParaView)");

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/simulate_run.h"
 
+#include "cli/interrupt_watch.h"
 #include "cli/messages.h"
 #include "core/base/file_io.h"
 #include "core/base/text_number.h"
@@ -132,6 +133,8 @@ private:
 Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outputs)
 {
   RunSummary summary;
+  std::optional<RunFiles> files;
+  InterruptWatch watch([&files] { files.reset(); });
   const auto timed = [&](auto&& work) {
     const ProcessorClock clock(summary.integrationSeconds);
     return work();
@@ -141,21 +144,35 @@ Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outpu
     timed([&] { return Simulation::create(project.net, project.loads, settings.solver); });
   if (!created) return created.error();
   Simulation& simulation = *created;
-  Result<RunFiles> files = RunFiles::create(outputs, simulation);
-  if (!files) return files.error();
+  const auto withFiles = [&](auto&& work) {
+    const std::lock_guard lock(watch.mutex());
+    return work();
+  };
+  const auto addFrame = [&] { return files->add(simulation); };
+  const Status opened = withFiles([&]() -> Status {
+    Result<RunFiles> fresh = RunFiles::create(outputs, simulation);
+    if (!fresh) return fresh.error();
+    files.emplace(std::move(*fresh));
+    return {};
+  });
+  if (!opened) return opened.error();
 
   const long long last = std::llround(settings.duration * settings.frameRate);
   Progress progress("simulating");
-  if (const Status added = files->add(simulation); !added) return added.error();
+  if (const Status added = withFiles(addFrame); !added) return added.error();
   summary.frames = 1;
+  summary.nodesAwake = simulation.net().nodeCount();
+  double awake = 0.0;
   while (summary.frames <= last && summary.steps.good()) {
     // From the frame's number, so that rounding does not add up over the frames.
     const double time = static_cast<double>(summary.frames) / settings.frameRate;
     const StepReport step = timed([&] { return simulation.advance(time - simulation.state().time); });
     summary.steps.add(step);
     summary.largestForce = std::max(summary.largestForce, step.largestForce);
+    awake += static_cast<double>(step.nodesAwake);
+    summary.nodesAwake = awake / static_cast<double>(summary.frames);
     if (!step.good()) break;
-    if (const Status added = files->add(simulation); !added) return added.error();
+    if (const Status added = withFiles(addFrame); !added) return added.error();
     progress.show(summary.frames++, last);
   }
   summary.energies = simulation.energies();
@@ -163,7 +180,8 @@ Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outpu
   summary.dissipated = simulation.dissipatedEnergy();
   summary.solver = simulation.solverName();
   summary.reason = simulation.why();
-  if (const Status finished = files->finish(simulation); !finished) return finished.error();
+  const Status finished = withFiles([&] { return files->finish(simulation); });
+  if (!finished) return finished.error();
   return summary;
 }
 

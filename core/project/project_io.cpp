@@ -31,10 +31,23 @@ Json tissueOf(const Project& project)
           {"law_parameter", project.tissue.lawParameter}};
 }
 
+Json simulationOf(const SimulationSettings& settings)
+{
+  const SolverSettings& solver = settings.solver;
+  Json object = {{"duration", settings.duration},
+                 {"frame_rate", settings.frameRate},
+                 {"solver", json::validUtf8(solver.solver)},
+                 {"tolerance", solver.tolerance},
+                 {"fixed_step", solver.fixedStep},
+                 {"threads", solver.threads}};
+  // Only where it differs: files are read by older programs, which know no such key.
+  if (!solver.skipResting) object["skip_resting"] = false;
+  return object;
+}
+
 Json treeOf(const Project& project)
 {
   const ViewSettings& view = project.view;
-  const SolverSettings& solver = project.simulation.solver;
   return {{"format", kFormat},
           {"schema_version", kSchemaVersion},
           {"name", json::validUtf8(project.name)},
@@ -49,13 +62,7 @@ Json treeOf(const Project& project)
           {"regions", json::regionsOf(project.tissue)},
           {"tissue", tissueOf(project)},
           {"loads", json::loadsOf(project.loads)},
-          {"simulation",
-           {{"duration", project.simulation.duration},
-            {"frame_rate", project.simulation.frameRate},
-            {"solver", json::validUtf8(solver.solver)},
-            {"tolerance", solver.tolerance},
-            {"fixed_step", solver.fixedStep},
-            {"threads", solver.threads}}},
+          {"simulation", simulationOf(project.simulation)},
           {"view",
            {{"target", json::listOf(view.target)},
             {"distance", view.distance},
@@ -98,7 +105,8 @@ TissueModel readTissue(const View& root, bool& parametersFromTissue)
 
 SimulationSettings readSimulation(const View& object)
 {
-  object.expectKeys({"duration", "frame_rate", "solver", "tolerance", "fixed_step", "threads"});
+  object.expectKeys({"duration", "frame_rate", "solver", "tolerance", "fixed_step", "threads"},
+                    {"skip_resting"});
   SimulationSettings settings;
   settings.duration = object["duration"].number(Range::NotNegative);
   settings.frameRate = object["frame_rate"].number(Range::Positive);
@@ -106,6 +114,7 @@ SimulationSettings readSimulation(const View& object)
   settings.solver.tolerance = object["tolerance"].number(Range::Positive);
   settings.solver.fixedStep = object["fixed_step"].number(Range::NotNegative);
   settings.solver.threads = object["threads"].integer(1, 1024);
+  if (object.has("skip_resting")) settings.solver.skipResting = object["skip_resting"].boolean();
   return settings;
 }
 

@@ -2,16 +2,21 @@
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: MIT
 """The commands of `esm`: exit codes, the JSON line, one line per fault, and what the arguments do."""
+import json
 import math
+import os
+import signal
 import subprocess
 import sys
+import time
 import unittest
 
-from program import SOURCE, ProgramTest
+from program import PROGRAM, SOURCE, ProgramTest
 
 INSPECT_KEYS = ("nodes springs triangles components isolated_vertices boundary_edges nonmanifold_edges "
                 "degenerate_faces duplicate_faces nonfinite_vertices bbox_min bbox_max finite sum_rest_length").split()
-REPORT_KEYS = "integration_seconds steps springs_evaluated solver reason energy largest_force finite".split()
+REPORT_KEYS = ("integration_seconds steps rejected_steps springs_evaluated factorizations nodes_awake "
+               "mean_nodes_awake tolerance_given_up solver reason energy largest_force finite").split()
 
 
 class Usage(ProgramTest):
@@ -187,7 +192,12 @@ class Simulate(ProgramTest):
         self.assertEqual(self.json_of("simulate", "osc.json", "--duration", "0")["frames"], 1)
 
     def test_every_solver_is_taken(self):
-        for solver in self.json_of("solvers"):
+        solvers = self.json_of("solvers")
+        self.assertLessEqual(set("leapfrog chebyshev verlet rk4 dopri5 implicit lie multirate wavefront relax".split()),
+                             set(solvers))
+        listed = self.run_program("solvers").stdout.splitlines()
+        self.assertEqual([line.split(maxsplit=1) for line in listed], [list(pair) for pair in solvers.items()])
+        for solver in solvers:
             self.assertEqual(self.json_of("simulate", "osc.json", "--duration", "0.1", "--solver", solver)["solver"],
                              solver)
 
@@ -201,6 +211,31 @@ class Simulate(ProgramTest):
         self.assertEqual((self.folder / "m.f64").stat().st_size % 48, 0)
         self.assertGreater((self.folder / "m.f64").stat().st_size, 0)
         self.assertIs(self.read_json("r.json")["good"], False)
+
+    def test_what_rests_is_skipped_unless_asked_for(self):
+        self.run_program("import", "tet.obj", "-o", "p.esm")  # no loads: nothing ever moves
+        skipped, full = self.json_of("simulate", "p.esm"), self.json_of("simulate", "p.esm", "--no-skip")
+        self.assertEqual((skipped["nodes_awake"], full["nodes_awake"]), (0, 5))
+        self.assertLess(skipped["mean_nodes_awake"], 1)
+        self.assertEqual(full["mean_nodes_awake"], 5)
+        self.assertEqual(skipped["springs_evaluated"], 0)
+        self.assertGreater(full["springs_evaluated"], 0)
+
+        # The wish travels with the project, and is not written where it is nothing special.
+        project = self.read_json("p.esm")
+        self.assertNotIn("skip_resting", project["simulation"])
+        project["simulation"]["skip_resting"] = False
+        self.write("p.esm", json.dumps(project))
+        self.run_program("export", "p.esm", "-o", "q.esm")
+        self.assertIs(self.read_json("q.esm")["simulation"]["skip_resting"], False)
+        self.assertEqual(self.json_of("simulate", "q.esm")["nodes_awake"], 5)
+        self.assertEqual(self.json_of("simulate", "q.esm", "--skip-resting")["nodes_awake"], 0)
+        project["simulation"]["skip_resting"] = "no"
+        self.write("p.esm", json.dumps(project))
+        self.assertIn("/simulation/skip_resting", self.refused("validate", "p.esm"))
+
+    def test_a_tolerance_that_is_kept_is_not_given_up(self):
+        self.assertIs(self.json_of("simulate", "osc.json")["tolerance_given_up"], False)
 
     def test_bad_outputs_are_found_before_computing(self):
         self.assertIn("absent/m.csv", self.refused("simulate", "osc.json", "-o", "absent/m.csv"))
@@ -217,6 +252,48 @@ class Simulate(ProgramTest):
         self.assertEqual([float(w) for w in lines[-1].split(",")[:2]], [1, 3])
         self.assertAlmostEqual(float(lines[1].split(",")[2]), 10, places=9)  # 100 N/m, 0.1 m at the start
         self.assertTrue((self.folder / "end.ply").exists())
+
+
+class Interrupt(ProgramTest):
+    """Ctrl-C in the midst of a run, even of a frame that takes hours: no half of a motion stays behind."""
+
+    def start(self, output, **popen):
+        command = [PROGRAM, "simulate", "osc.json", "--step", "1e-13", "--duration", "1000", "-o", output]
+        running = subprocess.Popen(command, cwd=self.folder, stderr=subprocess.PIPE, **popen)
+        self.addCleanup(running.stderr.close)
+        self.addCleanup(running.wait)
+        self.addCleanup(running.kill)
+        while not any(name.startswith(output + ".") for name in os.listdir(self.folder)):
+            self.assertIsNone(running.poll())
+            time.sleep(0.01)
+        return running
+
+    def test_it_leaves_nothing_behind(self):
+        for wanted, output in ((signal.SIGINT, "m.csv"), (signal.SIGTERM, "m.f64"), (signal.SIGHUP, "m.pvd")):
+            with self.subTest(output):
+                running = self.start(output)
+                running.send_signal(wanted)
+                self.assertEqual(running.wait(timeout=60), -wanted)  # as of any program that a signal ends
+                self.assertEqual(sorted(os.listdir(self.folder)), ["osc.json", "tet.obj"])
+
+    def test_an_older_file_stays(self):
+        self.write("m.csv", "older")
+        running = self.start("m.csv")
+        running.send_signal(signal.SIGINT)
+        running.wait(timeout=60)
+        self.assertEqual((self.folder / "m.csv").read_text(), "older")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["m.csv", "osc.json", "tet.obj"])
+
+    def test_what_the_caller_ignores_stays_ignored(self):
+        running = self.start("m.csv", preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_IGN))
+        running.send_signal(signal.SIGINT)
+        time.sleep(0.1)
+        running.send_signal(signal.SIGTERM)
+        self.assertEqual(running.wait(timeout=60), -signal.SIGTERM)
+
+    def test_a_run_that_ends_is_as_ever(self):
+        self.run_program("simulate", "osc.json", "-o", "m.csv")
+        self.assertTrue((self.folder / "m.csv").exists())
 
 
 class Locale(ProgramTest):
