@@ -15,9 +15,9 @@ namespace esm {
 /// D and K are sums of 3 x 3 blocks (SpringTangent, anchors, tools, mass damping), both symmetric. The
 /// pattern is laid out and analysed once; afterwards nothing allocates.
 ///
-/// In a net of more than kManyNodes nodes systems are solved by conjugate gradients, to a thousandth, which is
-/// enough for Newton's method; once they have cost as much as a factor would have, the factor is made after
-/// all, and from then on, if memory allows.
+/// In a net of more than kManyNodes nodes systems are solved by conjugate gradients, to a thousandth, which
+/// is enough for Newton's method; once they have cost as much as a factor would have, the factor is made
+/// after all, and from then on, if memory allows.
 class ImplicitMatrix {
 public:
   /// How much of each part goes in. A step of implicit share s [s] has mass 1, s, s^2.

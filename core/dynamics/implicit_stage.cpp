@@ -72,6 +72,7 @@ bool ImplicitStage::refactor(const Problem& problem, const NodeArray& x, const N
   m_freshIterations = 0;
   m_excess = 0.0;
   ++report.factorizations;
+  problem.system.solverWork += m_matrix.factorCost();
   if (m_matrix.factor(problem.system, x, v, ImplicitMatrix::Shares::ofStep(problem.s), convex)) return true;
   m_factoredShare = 0.0;
   return !convex && refactor(problem, x, v, true, report);
@@ -136,6 +137,7 @@ StepResult ImplicitStage::solve(System& system, double t, double s, const NodeAr
   if (m_excess * m_matrix.solveCost() > m_matrix.factorCost()) m_factoredShare = 0.0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (!std::isfinite(norm)) return StepResult::NonFinite;
+    if (system.isExhausted()) return StepResult::NotConverged;
     if (norm == 0.0) return StepResult::Done;
     if (!(std::abs(m_factoredShare - s) < kOtherShare * s)) {
       ++factors;

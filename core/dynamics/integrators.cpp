@@ -64,7 +64,8 @@ StepResult Integrator::run(System& system, MotionState& state, double end, std::
   for (std::int64_t i = 1; i <= steps; ++i) {
     const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
     StepResult result = step(system, state, h, stepEnd, report);
-    for (int parts = 4; result == StepResult::NotConverged && parts <= 256; parts *= 4) {
+    for (int parts = 4; result == StepResult::NotConverged && parts <= 256 && !system.isExhausted();
+         parts *= 4) {
       ++report.rejectedSteps;
       const double from = state.time, part = (stepEnd - from) / parts;
       for (int j = 1; j <= parts; ++j) {

@@ -151,7 +151,11 @@ public:
   }
   double stepCost(const System& system) override
   {
-    return costOf(m_best) * static_cast<double>(system.forces().activeSprings());
+    const auto nodes = static_cast<double>(system.nodeCount());
+    const auto springs = static_cast<double>(system.forces().activeSprings());
+    const double plain = std::max(system.forces().passCost() + 0.6 * nodes, 1.0);
+    m_stageCost = (0.5 * springs + 1.2 * nodes) / plain;
+    return costOf(m_best) * plain;
   }
 
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
@@ -190,8 +194,11 @@ public:
   }
 
 private:
-  /// In plain steps; measured: a viscous stage with its sweep over the nodes takes 0.8 of one.
-  double costOf(std::size_t place) const noexcept { return 1.0 + 0.8 * (m_damping[place].stages() - 1); }
+  /// In plain steps.
+  double costOf(std::size_t place) const noexcept
+  {
+    return 1.0 + m_stageCost * (m_damping[place].stages() - 1);
+  }
 
   using Limits = std::array<double, ChebyshevDamping::kMostStages>;
 
@@ -249,6 +256,7 @@ private:
   Limits m_limit{};                        ///< largest step of each [s]
   std::size_t m_best = 0;
   FastestMode m_tuned;
+  double m_stageCost = 0.8; ///< of a further stage, in plain steps
   NodeArray m_x, m_v, m_force;
   NodeArray m_a, m_d, m_before; ///< see ChebyshevDamping
   NodeArray m_damper;

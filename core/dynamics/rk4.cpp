@@ -37,7 +37,8 @@ public:
   int order() const noexcept override { return 4; }
   double stepCost(const System& system) override
   {
-    return 4.7 * static_cast<double>(system.forces().activeSprings());
+    return 4.0 * system.forces().passCost() +
+           5.5 * static_cast<double>(system.nodeCount()); // sweeps, measured
   }
 
   /// The stable region holds the half disc |h s| < 2.7 left of the imaginary axis; a mode's roots s obey

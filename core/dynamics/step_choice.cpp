@@ -47,6 +47,7 @@ StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings)
   for (const IntegratorEntry& entry : integratorTable()) {
     const Method place = m_candidates.size();
     if (entry.name == "leapfrog") m_leapfrog = place;
+    if (entry.name == "descent") m_descent = place;
     if (entry.role == MethodRole::Implicit) m_implicit = place;
     if (entry.name == m_settings.solver) m_method = place;
     m_candidates.push_back({entry.make(), entry.role, entry.typicalError, 0.0, 0.0, false, false});
@@ -70,7 +71,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_untilCheck = 0;
   m_checkGap = 1;
-  m_settled = 0;
+  m_settled = m_descents = m_descentTerm = 0;
   m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
@@ -273,6 +274,14 @@ void StepDriver::sayToleranceGivenUp(const System& system)
 {
   explain(system);
   m_why += "; the tolerance would cost too many steps and may not hold";
+}
+
+void StepDriver::sayDescent(const System& system)
+{
+  explain(system);
+  m_name = integratorTable()[m_descent].name;
+  m_why += "; as no step was both good and affordable, it takes damped steps that gain no energy: lower the "
+           "stiffness or the loads, raise the masses, or allow more effort";
 }
 
 void StepDriver::explain(const System& system)

@@ -14,12 +14,21 @@ constexpr double kErrorHorizon = 2.0; ///< motion over which errors add up at le
 constexpr double kShortestHorizon = 0.1; ///< [s]
 constexpr double kMemory = 0.2;          ///< over which the net's damping is averaged [s]
 constexpr double kSolveShare = 0.1;      ///< of the budget, for what implicit solvers leave
-constexpr double kSafety = 0.5;          ///< share of the tolerance that is spent on purpose
+constexpr double kSafety = 0.8;          ///< share of the tolerance that is spent on purpose
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0;
-constexpr int kMostAttempts = 24;      ///< of one stretch
-constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
-constexpr int kLongestCheckGap = 24;   ///< stretches
+constexpr int kMostAttempts = 24; ///< of one stretch
+/// Of a stretch that is done twice, if that is many steps [s].
+constexpr double kCheckLength = kFrame / 2.0;
+constexpr double kSettlingTime = 0.15;     ///< after the start or an event, in which motion unfolds [s]
+constexpr int kLongestCheckGap = 24;       ///< stretches
+constexpr double kMostEffort = 3.0;        ///< for one frame, before descent takes over
+constexpr double kLeastShare = 1.0 / 8.0;  ///< of it for a stretch, however short
+constexpr double kMostDescentSteps = 16.0; ///< of one stretch
+constexpr int kLongestDescent = 64;        ///< stretches before something else is tried again
+/// Energy may grow by this much in a stretch without cause, in steps whose error nobody measures, or in
+/// explicit ones, which stir up the fastest modes a little at their limit.
+constexpr double kGrowth = 0.02, kCoarseGrowth = 0.1;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
@@ -51,6 +60,8 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
 {
   StepReport report;
   system.springsEvaluated = 0;
+  system.solverWork = 0.0;
+  system.workLimit = kInfinity;
   m_maxSteps = maxSteps;
   const double begin = state.time;
   double end = begin + interval;
@@ -60,7 +71,9 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     if (std::abs(event - end) <= 1e-9 * interval) end = event;
     const double target = std::min(event, end);
     const bool isFixed = m_settings.fixedStep > 0.0;
-    const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / kFrame * (1.0 - 1e-9));
+    const double longest =
+      m_untilCheck <= 0 && controlledStep(kFrame) < kCheckLength / 8.0 ? kCheckLength : kFrame;
+    const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / longest * (1.0 - 1e-9));
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
     const bool done = isFixed ? stretchFixed(system, state, stretchEnd, report)
                               : stretchControlled(system, state, stretchEnd, report);
@@ -124,9 +137,15 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   const double length = end - state.time;
   refreshBound(system, state);
   m_start = state;
+  if (m_auto) {
+    if (m_descents > 0) return stretchByDescent(system, state, end, report);
+    const double share = std::max(length / kFrame, kLeastShare);
+    system.workLimit = system.workDone() + kMostEffort * m_settings.effort * share;
+  }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     const double step = controlledStep(length);
     const double count = std::ceil(length / step * (1.0 - 1e-9));
+    if (isTooDear(system, count * current().stepCost(system))) break;
     if (!(count < 1e12)) return giveUp(Run::NotConverged, report), false;
     const auto steps = static_cast<std::int64_t>(count);
     // An implicit solver measures over the nodes that it has.
@@ -137,14 +156,19 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     current().setSolveTolerance(std::max(kSolveShare * budget / count, (unchecked ? 1e-4 : 1e-13) * m_extent),
                                 unchecked);
     Run result = run(system, state, end, steps, report);
-    if (unchecked && result == Run::Done && energyAppeared(system, state)) { // too rough: once more, exactly
+    if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
       report.rejectedSteps += steps;
       state = m_start;
       current().restart();
       current().setSolveTolerance(std::max(kSolveShare * budget / count, 1e-6 * m_extent), false);
       result = run(system, state, end, steps, report);
+      if (result == Run::Done && energyAppeared(system, state, kGrowth)) break;
     }
     if (result == Run::Limit) return stopAtLimit(system, state, report), false;
+    if (m_auto && result != Run::Done && (unchecked || system.isExhausted())) break;
+    if (m_auto && result == Run::Done && !unchecked && attempt < 3 &&
+        energyAppeared(system, state, kCoarseGrowth))
+      result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
       if (unchecked || !checkDue(system, state, rms(state.v, m_part.wholeCount))) {
         --m_untilCheck;
@@ -157,10 +181,12 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       m_coarseV = state.v;
       state = m_start;
       current().restart();
+      if (isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system))) break;
       result = run(system, state, end, 2 * steps, report);
       if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     }
     if (result != Run::Done) {
+      if (isTooDear(system, 0.0)) break;
       if (!retreat(system, state, result, attempt, report)) return false;
       continue;
     }
@@ -171,7 +197,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
     const double rough = 0.1 * std::max(rmsDisplacement(m_start.x), 1e-6 * m_extent);
     const bool atFloor = length / count <= floorStep() && coarseError <= rough;
-    const bool accepted = coarseError / ratio <= allowed || atFloor;
+    const bool accepted = coarseError / ratio <= allowed || atFloor ||
+                          (system.isExhausted() && !energyAppeared(system, state, kGrowth));
     learn(coarseError, allowed, length / count);
     if (accepted) {
       m_roughAtCheck = coarseError / ratio > allowed;
@@ -187,20 +214,58 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     reconsider(system);
     current().restart();
   }
-  giveUp(Run::NotConverged, report);
-  return false;
+  if (!m_auto) return giveUp(Run::NotConverged, report), false;
+  report.rejectedSteps += 1;
+  state = m_start;
+  m_descentTerm = std::clamp(2 * m_descentTerm, 1, kLongestDescent);
+  m_descents = m_descentTerm;
+  return stretchByDescent(system, state, end, report);
 }
 
-/// Whether the net has more energy than at the start of the stretch without work that explains it.
-bool StepDriver::energyAppeared(const System& system, const MotionState& state) const
+/// Whether this much work more is beyond what `auto` may spend on the stretch.
+bool StepDriver::isTooDear(const System& system, double work) const noexcept
 {
-  const auto energy = [&](const MotionState& at) {
-    return system.kineticEnergy(at.v) + system.elasticEnergy(at.x) +
-           system.forces().gravityEnergy(at.x.data());
-  };
-  const double before = energy(m_start), work = state.work - m_start.work;
-  const double gained = energy(state) - before - work;
-  return !(gained <= 0.05 * (std::abs(before) + system.kineticEnergy(m_start.v) + std::abs(work)));
+  return m_auto && !(system.workDone() + work <= system.workLimit);
+}
+
+/// What always succeeds: a few damped steps that gain no energy.
+bool StepDriver::stretchByDescent(System& system, MotionState& state, double end, StepReport& report)
+{
+  const double length = end - state.time;
+  system.workLimit = kInfinity;
+  const Method other = m_method;
+  prepare(m_descent, system);
+  m_method = m_descent;
+  const double affordable = 0.5 * m_settings.effort * length / kFrame / current().stepCost(system);
+  const auto steps = static_cast<std::int64_t>(std::clamp(affordable, 1.0, kMostDescentSteps));
+  const Run result = run(system, state, end, steps, report);
+  m_method = other;
+  current().restart();
+  sayDescent(system);
+  if (result != Run::Done) return giveUp(result, report), false;
+  report.rough = true;
+  m_untilCheck = 0;
+  m_checkGap = 1;
+  measure(system, state, length);
+  if (--m_descents <= 0) reconsider(system);
+  return true;
+}
+
+/// Whether the net has more energy than at the start of the stretch without work that explains it, by more
+/// than this share of what was there, has been worked and has fallen.
+bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share) const
+{
+  const double kinetic = system.kineticEnergy(m_start.v), elastic = system.elasticEnergy(m_start.x);
+  const double high = system.forces().gravityEnergy(m_start.x.data());
+  const double fallen = high - system.forces().gravityEnergy(state.x.data());
+  const double work = state.work - m_start.work;
+  const double gained =
+    system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
+  // Of sums with rounding errors; and what nobody can see.
+  double mass = 0.0;
+  for (const double m : system.mass()) mass += m;
+  const double least = 1e-12 * (std::abs(high) + mass * m_extent * m_extent);
+  return !(gained <= share * (kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen)) + least);
 }
 
 /// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so
@@ -208,7 +273,7 @@ bool StepDriver::energyAppeared(const System& system, const MotionState& state) 
 /// good state.
 void StepDriver::stopAtLimit(const System& system, MotionState& state, StepReport& report)
 {
-  if (energyAppeared(system, state)) {
+  if (energyAppeared(system, state, kGrowth)) {
     state = m_start;
     current().restart();
     m_candidates[m_method].accurateStep = 0.25 * controlledStep(kFrame);
@@ -251,7 +316,8 @@ void StepDriver::learn(double error, double budget, double step)
   const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
   double& accurate = m_candidates[m_method].accurateStep;
   accurate = step;
-  if (!(share <= 1.2) || share < 0.3) accurate *= std::clamp(0.9 * gain, 0.1, kMostGrowth);
+  if (!(share <= 1.2) || share < 0.3)
+    accurate *= std::clamp(0.9 * gain, isImplicit ? 0.1 : 1e-4, kMostGrowth);
   if (!(share <= 1.2)) {
     m_checkGap = std::max(1, m_checkGap / 4);
   } else {

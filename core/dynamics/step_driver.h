@@ -36,7 +36,10 @@ struct ErrorScale {
 ///
 /// `auto` compares costs: explicit steps at their limit against implicit ones at the accurate step. If even
 /// explicit steps would be too many, it goes implicit with a smallest step and says that the tolerance may
-/// not hold: bounded rather than exact.
+/// not hold: bounded rather than exact. Where implicit steps find no solution either, gain energy, or the
+/// attempts have cost some times the effort, a few steps of descent take the stretch: they cannot fail. After
+/// a failure the next one, two, four, ... stretches go the same way, so that failing is not paid for every
+/// time.
 class StepDriver {
 public:
   explicit StepDriver(SolverSettings settings);
@@ -93,7 +96,9 @@ private:
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
   enum class Run { Done, Limit, NonFinite, NotConverged };
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
-  bool energyAppeared(const System& system, const MotionState& state) const;
+  bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
+  bool energyAppeared(const System& system, const MotionState& state, double share) const;
+  bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
   bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
@@ -102,6 +107,7 @@ private:
   void giveToleranceUp(const System& system, bool yes);
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
+  void sayDescent(const System& system);
   double budgetFor(const MotionState& state, double length) const noexcept;
   double distance(const MotionState& state, double length) const noexcept;
   double errorHorizon(double time) const noexcept;
@@ -114,6 +120,7 @@ private:
   SolverSettings m_settings;
   bool m_auto = false;
   Method m_leapfrog = 0, m_implicit = 0; ///< the planner's first explicit choice and its refuge
+  Method m_descent = 0;                  ///< where that fails, too
   Method m_method = 0;
   std::string m_name, m_why;
   std::vector<Candidate> m_candidates; ///< in the table's order
@@ -125,6 +132,8 @@ private:
   double m_floorStep = 0.0;         ///< smallest implicit step while the tolerance is given up [s]
   double m_explicitFloorStep = 0.0; ///< smallest step that accuracy may cost under `auto` [s]
   int m_settled = 0;                ///< stretches before the method may change again
+  int m_descents = 0;               ///< stretches of descent still to come
+  int m_descentTerm = 0;            ///< how many there were after the last failure
   int m_untilCheck = 0;             ///< stretches until the next one that is done twice
   int m_checkGap = 1;
   std::int64_t m_maxSteps = 0;

@@ -5,6 +5,7 @@
 #include "core/forces/force_model.h"
 #include "core/forces/load_schedule.h"
 
+#include <limits>
 #include <span>
 
 namespace esm {
@@ -67,6 +68,10 @@ public:
   Eigen::Vector3d toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept;
 
   std::int64_t springsEvaluated = 0; ///< since the caller set it to 0
+  /// Work of implicit solvers besides force passes, in spring evaluations; and how much of both there may be.
+  double solverWork = 0.0, workLimit = std::numeric_limits<double>::infinity();
+  double workDone() const noexcept { return static_cast<double>(springsEvaluated) + solverWork; }
+  bool isExhausted() const noexcept { return workDone() > workLimit; }
 
 private:
   double toolEnergy(const NodeArray& x) const noexcept;

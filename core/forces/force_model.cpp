@@ -21,6 +21,22 @@ SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept
   return law;
 }
 
+/// Of a damped spring against a linear one, measured.
+double lawCost(SpringLaw law) noexcept
+{
+  switch (law) {
+  case SpringLaw::Linear:
+    return 1.0;
+  case SpringLaw::Cubic:
+    return 1.1;
+  case SpringLaw::Exponential:
+    return 1.9;
+  case SpringLaw::Table:
+    return 4.0;
+  }
+  return 1.0;
+}
+
 /// Springs by the lower of their ends: neighbours in memory are touched together.
 std::vector<Index> byLowerEnd(const SpringNet& net)
 {
@@ -58,6 +74,7 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
     for (std::size_t i = 0; i < batch.count; ++i) m_ends.push_back({batch.a[i], batch.b[i]});
     m_activeSprings += static_cast<std::int64_t>(batch.count);
     m_damperSize += esm::damperSize(batch);
+    m_passCost += static_cast<double>(batch.count) * (lawCost(batch.law) - (batch.damped ? 0.0 : 0.35));
     m_batches.push_back(std::move(batch));
   }
   for (Index i = 0; i < net.anchors.count(); ++i) {
@@ -70,6 +87,7 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
     const Eigen::ArrayXd drag = net.massDamping * net.mass;
     m_massDrag.assign(drag.begin(), drag.end());
   }
+  m_passCost += 0.1 * static_cast<double>(net.nodeCount());
   m_nodeForces = NodeForces(net, gravity, m_anchors, m_massDrag);
 }
 
