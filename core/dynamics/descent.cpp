@@ -63,6 +63,7 @@ public:
     const Goal goal{state.v, h, end};
     m_y = m_x;
     Sums sums = descend(system, goal, report);
+    if (!std::isfinite(sums.stored)) return StepResult::NonFinite;
     double work = 0.0, left = 0.0;
     for (int pull = 0;; ++pull) {
       if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
@@ -165,18 +166,24 @@ private:
       if (!m_matrix.factor(system, m_y, m_w, ImplicitMatrix::Shares::ofStep(goal.h), true)) break;
       m_change = m_force; // same size: no allocation
       m_matrix.solve(m_change);
-      bool found = false;
+      bool found = false, beyond = false;
       double gain = 0.0;
       for (double fraction = 1.0; fraction >= kShortest && !found; fraction *= 0.25) {
         for (std::size_t i = 0; i < m_y.size(); ++i) m_trial[i] = m_y[i] + m_change[i] * (fraction * goal.h);
         const Sums next = look(system, goal, m_trial);
         found = next.potential < best.potential;
+        beyond = beyond || !std::isfinite(next.potential);
         if (!found) continue;
         gain = best.potential - next.potential;
         best = next;
         std::swap(m_y, m_trial);
       }
-      if (!found) break;
+      if (!found) {
+        // Loads past all reason: to stay where it is would hide them.
+        if (!beyond || iteration > 0) break;
+        best.stored = std::numeric_limits<double>::infinity();
+        return best;
+      }
       gained += gain;
       if (gain <= kEnough * gained) return best; // m_w is that of y
     }

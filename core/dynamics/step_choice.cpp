@@ -72,6 +72,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_untilCheck = 0;
   m_checkGap = 1;
   m_settled = m_descents = m_descentTerm = 0;
+  m_grown = 0.0;
   m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;

@@ -28,7 +28,7 @@ constexpr double kMostDescentSteps = 16.0; ///< of one stretch
 constexpr int kLongestDescent = 64;        ///< stretches before something else is tried again
 /// Energy may grow by this much in a stretch without cause, in steps whose error nobody measures, or in
 /// explicit ones, which stir up the fastest modes a little at their limit.
-constexpr double kGrowth = 0.02, kCoarseGrowth = 0.1;
+constexpr double kGrowth = 0.02, kCoarseGrowth = 0.05;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
@@ -137,6 +137,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   const double length = end - state.time;
   refreshBound(system, state);
   m_start = state;
+  m_growth = m_grown;
   if (m_auto) {
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
     const double share = std::max(length / kFrame, kLeastShare);
@@ -166,7 +167,9 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     }
     if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     if (m_auto && result != Run::Done && (unchecked || system.isExhausted())) break;
-    if (m_auto && result == Run::Done && !unchecked && attempt < 3 &&
+    const bool isCheap =
+      m_method == m_implicit || count >= 32.0 || m_untilCheck <= 0; // to look at the energy
+    if (m_auto && result == Run::Done && !unchecked && isCheap &&
         energyAppeared(system, state, kCoarseGrowth))
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
@@ -197,8 +200,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
     const double rough = 0.1 * std::max(rmsDisplacement(m_start.x), 1e-6 * m_extent);
     const bool atFloor = length / count <= floorStep() && coarseError <= rough;
-    const bool accepted = coarseError / ratio <= allowed || atFloor ||
-                          (system.isExhausted() && !energyAppeared(system, state, kGrowth));
+    const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
+    const bool accepted = sane && (coarseError / ratio <= allowed || atFloor || system.isExhausted());
     learn(coarseError, allowed, length / count);
     if (accepted) {
       m_roughAtCheck = coarseError / ratio > allowed;
@@ -253,7 +256,7 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
 
 /// Whether the net has more energy than at the start of the stretch without work that explains it, by more
 /// than this share of what was there, has been worked and has fallen.
-bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share) const
+bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share)
 {
   const double kinetic = system.kineticEnergy(m_start.v), elastic = system.elasticEnergy(m_start.x);
   const double high = system.forces().gravityEnergy(m_start.x.data());
@@ -265,7 +268,11 @@ bool StepDriver::energyAppeared(const System& system, const MotionState& state, 
   double mass = 0.0;
   for (const double m : system.mass()) mass += m;
   const double least = 1e-12 * (std::abs(high) + mass * m_extent * m_extent);
-  return !(gained <= share * (kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen)) + least);
+  const double scale = kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen);
+  const double sum = std::max(m_grown, 0.0) + gained; // what came slowly is no better
+  if (!(sum <= share * scale + least)) return true;
+  m_growth = sum;
+  return false;
 }
 
 /// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so
@@ -385,6 +392,7 @@ double StepDriver::errorHorizon(double time) const noexcept
 void StepDriver::measure(const System& system, const MotionState& state, double length) noexcept
 {
   m_calm += length;
+  m_grown = m_growth;
   const double fade = std::exp(-length / kMemory);
   m_recentHeat = fade * m_recentHeat + std::max(state.heat - m_start.heat, 0.0);
   m_recentKinetic = fade * m_recentKinetic + system.kineticEnergy(state.v) * length;

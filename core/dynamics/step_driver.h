@@ -97,7 +97,7 @@ private:
   enum class Run { Done, Limit, NonFinite, NotConverged };
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
-  bool energyAppeared(const System& system, const MotionState& state, double share) const;
+  bool energyAppeared(const System& system, const MotionState& state, double share);
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
@@ -128,13 +128,14 @@ private:
   FastestMode m_mode;
   std::int64_t m_stepsSinceBound = 0;
   bool m_toleranceGivenUp = false;
-  bool m_roughAtCheck = false;      ///< the last check found more error than wanted, and left it at that
-  double m_floorStep = 0.0;         ///< smallest implicit step while the tolerance is given up [s]
-  double m_explicitFloorStep = 0.0; ///< smallest step that accuracy may cost under `auto` [s]
-  int m_settled = 0;                ///< stretches before the method may change again
-  int m_descents = 0;               ///< stretches of descent still to come
-  int m_descentTerm = 0;            ///< how many there were after the last failure
-  int m_untilCheck = 0;             ///< stretches until the next one that is done twice
+  bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
+  double m_floorStep = 0.0;             ///< smallest implicit step while the tolerance is given up [s]
+  double m_explicitFloorStep = 0.0;     ///< smallest step that accuracy may cost under `auto` [s]
+  double m_grown = 0.0, m_growth = 0.0; ///< energy that appeared up to the present stretch, up to its end [J]
+  int m_settled = 0;                    ///< stretches before the method may change again
+  int m_descents = 0;                   ///< stretches of descent still to come
+  int m_descentTerm = 0;                ///< how many there were after the last failure
+  int m_untilCheck = 0;                 ///< stretches until the next one that is done twice
   int m_checkGap = 1;
   std::int64_t m_maxSteps = 0;
 
