@@ -8,6 +8,8 @@
 #include "app/panels/node_panel.h"
 #include "app/panels/regions_panel.h"
 #include "app/panels/tissue_panel.h"
+#include "app/real_time_dialog.h"
+#include "app/reason_text.h"
 #include "app/status_strip.h"
 #include "app/window_actions.h"
 #include "fuzzyeditor/fuzzy_evaluation.h"
@@ -55,6 +57,7 @@ MainWindow::MainWindow(LanguageSwitch* language, QWidget* parent)
   connectFrame();
   qApp->installEventFilter(this);
 
+  m_controller->setQuality(savedQualityPlan());
   retranslateUi();
   showProject();
   resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
@@ -254,6 +257,7 @@ void MainWindow::connectActions()
   });
   connect(m_actions->solver, &QActionGroup::triggered, this,
           [this](QAction* action) { m_document->setSolver(action->data().toString().toStdString()); });
+  on(m_actions->realTime, [this] { chooseRealTime(); });
   on(m_actions->arm, [this](bool armed) { armed ? m_controller->arm() : m_controller->disarm(); });
   on(m_actions->stop, [this] { emergencyStop(); });
   on(m_actions->keys, [this] { showKeys(); });
@@ -272,8 +276,7 @@ void MainWindow::connectFrame()
     m_lastStability = snapshot.stability;
     if (stopped)
       statusBar()->showMessage(
-        tr("The simulation stopped on its last good state. %1").arg(QString::fromStdString(snapshot.message)),
-        20000);
+        tr("The simulation stopped on its last good state. %1").arg(reasonText(snapshot.message)), 20000);
     if (m_lastStatus.isValid() && m_lastStatus.elapsed() < kPause && !stopped) return;
     m_lastStatus.start();
     m_status->setRun(snapshot);
@@ -282,6 +285,14 @@ void MainWindow::connectFrame()
     m_actions->arm->setEnabled(device.state != DeviceState::Absent);
     m_actions->arm->setChecked(device.state == DeviceState::Arming || device.state == DeviceState::Active);
   });
+}
+
+void MainWindow::chooseRealTime()
+{
+  RealTimeDialog dialog(savedQualityPlan(), this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  saveQualityPlan(dialog.plan());
+  m_controller->setQuality(dialog.plan());
 }
 
 void MainWindow::emergencyStop()

@@ -68,6 +68,7 @@ private:
   void showProject();
   void refreshRegions();
   void refreshHoldAction();
+  void chooseRealTime();
   void emergencyStop();
 
   // main_window_texts.cpp

@@ -20,16 +20,12 @@ double refreshRate()
   return rate >= 24.0 && rate <= 360.0 ? rate : 60.0;
 }
 
-/// On the wall clock a frame in time is worth more than its last digits, and the eye forgives a twentieth of
-/// the motion. The command line keeps to the project's own tolerance.
-constexpr double kPreviewTolerance = 0.05;
-constexpr double kPreviewEffort = 5e5; ///< about a quarter of each frame, see SolverSettings
-
 } // namespace
 
 SimulationController::SimulationController(Document* document, SceneView* view, QObject* parent)
   : QObject(parent), m_document(document), m_view(view), m_sim(refreshRate())
 {
+  setQuality({});
   connect(document, &Document::projectReset, this, &SimulationController::load);
   connect(document, &Document::netChanged, this, &SimulationController::load);
   connect(document, &Document::parametersChanged, this, [this] {
@@ -63,10 +59,9 @@ void SimulationController::load()
     return;
   }
   const Project& project = m_document->project();
-  SolverSettings settings = project.simulation.solver;
-  settings.tolerance = std::max(settings.tolerance, kPreviewTolerance);
-  settings.effort = kPreviewEffort;
-  m_generation = m_sim.load(*net, project.loads, std::move(settings));
+  // On the wall clock a frame in time is worth more than its last digits: see setQuality(). The command line
+  // keeps to the project's own tolerance.
+  m_generation = m_sim.load(*net, project.loads, project.simulation.solver);
   m_view->setNet(net, m_generation);
   if (m_playing) m_sim.play();
 }
@@ -110,6 +105,11 @@ void SimulationController::stepOnce()
 void SimulationController::reset()
 {
   m_sim.reset();
+}
+
+void SimulationController::setQuality(const QualityPlan& plan)
+{
+  m_sim.setQuality(plan);
 }
 
 // === Pulling

@@ -33,6 +33,7 @@ public:
   bool isPlaying() const noexcept { return m_playing; } ///< as asked for; the snapshot follows
   void stepOnce();
   void reset();
+  void setQuality(const QualityPlan& plan); ///< what gives way when the model is too heavy for real time
   const SimSnapshot& snapshot() const noexcept { return m_snapshot; }
   bool snapshotIsCurrent() const noexcept { return m_snapshot.generation == m_generation; }
 

@@ -18,6 +18,10 @@ const char* stabilityName(Stability stability)
   switch (stability) {
   case Stability::Good:
     return "good";
+  case Stability::Implicit:
+    return "implicit";
+  case Stability::Rough:
+    return "rough";
   case Stability::Slow:
     return "slow";
   case Stability::Stopped:
@@ -78,6 +82,9 @@ void addRun(QJsonObject& json, SimulationController* run)
   json["forceNorm"] = snapshot.toolForce.norm();
   json["grabbedNode"] = snapshot.grabbedNode;
   json["stability"] = stabilityName(snapshot.stability);
+  json["rung"] = static_cast<int>(snapshot.quality.rung);
+  json["tolerance"] = snapshot.quality.tolerance;
+  json["nodesAwake"] = static_cast<double>(snapshot.report.nodesAwake);
   json["solver"] = QString::fromStdString(snapshot.solver);
   json["message"] = QString::fromStdString(snapshot.message);
   const HapticStatus device = run->hapticStatus();

@@ -3,6 +3,7 @@
 #include "app/status_strip.h"
 
 #include "app/panels/haptics_panel.h"
+#include "app/reason_text.h"
 #include "app/theme.h"
 
 #include <QEvent>
@@ -11,52 +12,113 @@
 
 namespace esm {
 
+namespace {
+
+QString percent(double tolerance)
+{
+  return QLocale().toString(100.0 * tolerance, 'g', 3);
+}
+
+/// What led to the rung in force.
+QString rungText(const QualityState& quality)
+{
+  if (quality.rung == 0)
+    return StatusStrip::tr("Accuracy as wanted: error up to %1 %").arg(percent(quality.tolerance));
+  QString text;
+  switch (quality.measure) {
+  case QualityMeasure::Tolerance:
+    text = StatusStrip::tr("Larger error to keep real time: up to %1 % (step %2 of %3)");
+    break;
+  case QualityMeasure::Effort:
+    text = StatusStrip::tr("Rougher solver steps to keep real time; wanted error %1 % (step %2 of %3)");
+    break;
+  case QualityMeasure::SlowMotion:
+    text = StatusStrip::tr("Nothing more may give way but the clock; wanted error %1 % (step %2 of %3)");
+    break;
+  }
+  return text.arg(percent(quality.tolerance)).arg(quality.rung).arg(quality.lastRung);
+}
+
+} // namespace
+
 StabilityLight::StabilityLight(QWidget* parent) : QLabel(parent)
 {
   setObjectName(QStringLiteral("lblStable"));
   refresh();
 }
 
-void StabilityLight::show(Stability stability, bool playing, const std::string& message)
+void StabilityLight::show(const SimSnapshot& snapshot)
 {
-  const QString text = QString::fromStdString(message);
-  if (stability == m_stability && playing == m_playing && text == m_message) return;
-  m_stability = stability;
-  m_playing = playing;
-  m_message = text;
+  const auto shown = [](double factor) { return static_cast<int>(100.0 * factor + 0.5); };
+  if (snapshot.stability == m_stability && snapshot.playing == m_playing && snapshot.message == m_message &&
+      shown(snapshot.realTimeFactor) == shown(m_realTimeFactor) && snapshot.quality.rung == m_quality.rung)
+    return;
+  m_stability = snapshot.stability;
+  m_playing = snapshot.playing;
+  m_realTimeFactor = snapshot.realTimeFactor;
+  m_quality = snapshot.quality;
+  m_message = snapshot.message;
   refresh();
+}
+
+QString StabilityLight::causeAndCure() const
+{
+  switch (m_stability) {
+  case Stability::Implicit:
+    return tr("The tolerance is kept, by implicit steps. Softer tissue or heavier nodes would allow cheaper "
+              "explicit ones.");
+  case Stability::Rough: {
+    const QString cure = tr("Fewer nodes, softer tissue or heavier nodes help; what gives way is chosen in "
+                            "Simulation, Real time.");
+    if (!(m_quality.tolerance > m_quality.wantedTolerance)) return cure;
+    return tr("To keep real time, the error may be %1 % instead of %2 %.")
+             .arg(percent(m_quality.tolerance), percent(m_quality.wantedTolerance)) +
+           QLatin1Char(' ') + cure;
+  }
+  case Stability::Slow:
+    return tr("The model is too large or too stiff for this computer in real time: use fewer nodes, softer "
+              "tissue or a looser tolerance.");
+  case Stability::Idle:
+  case Stability::Good:
+  case Stability::Stopped:
+    break;
+  }
+  return {};
 }
 
 void StabilityLight::refresh()
 {
   const SignalColours colours = signalColours(palette());
-  QColor colour = palette().color(QPalette::Disabled, QPalette::WindowText);
-  QString words, cure;
-  switch (m_stability) {
-  case Stability::Idle:
+  QColor colour = m_playing ? colours.warning : palette().color(QPalette::Disabled, QPalette::WindowText);
+  QString words = tr("paused");
+  if (m_stability == Stability::Idle) {
     words = tr("no model");
-    break;
-  case Stability::Good:
-    words = m_playing ? tr("stable") : tr("paused");
-    colour = m_playing ? colours.good : colour;
-    break;
-  case Stability::Slow:
-    words = tr("behind real time");
-    cure = tr("The model is too large or too stiff for this computer in real time: use fewer nodes, softer "
-              "tissue or a looser tolerance.");
-    colour = colours.warning;
-    break;
-  case Stability::Stopped:
+  } else if (m_stability == Stability::Stopped) {
     words = tr("stopped, last good state");
     colour = colours.bad;
-    break;
+  } else if (m_playing) {
+    switch (m_stability) {
+    case Stability::Implicit:
+      words = tr("stiff, implicit steps");
+      break;
+    case Stability::Rough:
+      words = tr("rougher than wanted");
+      break;
+    case Stability::Slow:
+      words = tr("slowed, %1 × real time").arg(QLocale().toString(m_realTimeFactor, 'f', 2));
+      break;
+    default:
+      words = tr("stable");
+      colour = colours.good;
+      break;
+    }
   }
   setTextFormat(Qt::RichText);
   setText(QStringLiteral("<span style='color:%1'>●</span> %2").arg(colour.name(), words));
   setAccessibleName(tr("Stability: %1").arg(words));
   QStringList tip{words};
-  if (!cure.isEmpty()) tip << cure;
-  if (!m_message.isEmpty()) tip << m_message;
+  if (const QString cure = causeAndCure(); !cure.isEmpty()) tip << cure;
+  if (!m_message.empty()) tip << reasonText(m_message);
   setToolTip(tip.join(QStringLiteral("\n")));
 }
 
@@ -100,21 +162,46 @@ void StatusStrip::setNet(Index nodes, Index springs)
 
 void StatusStrip::retranslate()
 {
-  m_nodes->setText(tr("%n node(s)", nullptr, m_nodeCount));
+  const QString nodes = tr("%n node(s)", nullptr, m_nodeCount);
+  const bool someRest = m_awakeCount >= 0 && m_awakeCount < m_nodeCount;
+  m_nodes->setText(someRest ? tr("%1 of %2 awake").arg(m_awakeCount).arg(nodes) : nodes);
   m_springs->setText(tr("%n spring(s)", nullptr, m_springCount));
 }
 
 void StatusStrip::setRun(const SimSnapshot& snapshot)
 {
   const QLocale locale;
-  m_realTime->setText(snapshot.playing
-                        ? tr("real time %1×").arg(locale.toString(snapshot.realTimeFactor, 'f', 2))
-                        : tr("t = %1 s").arg(locale.toString(snapshot.time, 'f', 2)));
+  const QString factor = locale.toString(snapshot.realTimeFactor, 'f', 2);
+  if (!snapshot.playing)
+    m_realTime->setText(tr("t = %1 s").arg(locale.toString(snapshot.time, 'f', 2)));
+  else if (snapshot.quality.rung == 0)
+    m_realTime->setText(tr("real time %1×").arg(factor));
+  else
+    m_realTime->setText(tr("real time %1×, error %2 %").arg(factor, percent(snapshot.quality.tolerance)));
   m_realTime->setToolTip(tr("Simulated time over wall time; a frame costs %1 % of its period")
-                           .arg(locale.toString(100.0 * snapshot.frameCost, 'f', 0)));
+                           .arg(locale.toString(100.0 * snapshot.frameCost, 'f', 0)) +
+                         QLatin1Char('\n') + rungText(snapshot.quality));
   m_solver->setText(tr("solver %1").arg(QString::fromStdString(snapshot.solver)));
-  m_solver->setToolTip(QString::fromStdString(snapshot.message));
-  m_light->show(snapshot.stability, snapshot.playing, snapshot.message);
+  m_solver->setToolTip(reasonText(snapshot.message));
+  showWork(snapshot);
+  m_light->show(snapshot);
+}
+
+void StatusStrip::showWork(const SimSnapshot& snapshot)
+{
+  const QLocale locale;
+  const StepReport& work = snapshot.report;
+  m_awakeCount = snapshot.playing ? static_cast<Index>(work.nodesAwake) : -1;
+  retranslate();
+  m_nodes->setToolTip(tr("%1 of %2 nodes awake; the others rest and cost nothing")
+                        .arg(work.nodesAwake)
+                        .arg(snapshot.position.cols()));
+  m_springs->setToolTip(
+    tr("Last frame: %1 springs evaluated in %2 steps, %3 factorizations, %4 rejected steps")
+      .arg(locale.toString(static_cast<qlonglong>(work.springsEvaluated)),
+           locale.toString(static_cast<qlonglong>(work.steps)))
+      .arg(work.factorizations)
+      .arg(work.rejectedSteps));
 }
 
 void StatusStrip::setDevice(const HapticStatus& status)

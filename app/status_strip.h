@@ -11,13 +11,14 @@ class QStatusBar;
 
 namespace esm {
 
-/// How the run goes, as light and words; cause and cure in the tool tip (and in the status line when the
-/// simulation had to stop).
+/// How the run goes, as light and words: green while the tolerance is kept, yellow while something gives way
+/// (implicit steps, accuracy, the clock), red when it had to stop. Cause and cure are in the tool tip (and in
+/// the status line when the simulation had to stop).
 class StabilityLight : public QLabel {
   Q_OBJECT
 public:
   explicit StabilityLight(QWidget* parent = nullptr);
-  void show(Stability stability, bool playing, const std::string& message);
+  void show(const SimSnapshot& snapshot);
   using QLabel::show;
 
 protected:
@@ -25,12 +26,16 @@ protected:
 
 private:
   void refresh();
+  QString causeAndCure() const;
   Stability m_stability = Stability::Idle;
   bool m_playing = false;
-  QString m_message;
+  double m_realTimeFactor = 0.0;
+  QualityState m_quality;
+  std::string m_message; ///< the engine's, English
 };
 
-/// The fields of the status bar: tool, nodes, springs, real time, solver, stability, device, language.
+/// The fields of the status bar: tool, nodes (and how many are awake), springs (and the work on them), real
+/// time with the accuracy in force, solver and why it was chosen, stability, device, language.
 class StatusStrip : public QObject {
   Q_OBJECT
 public:
@@ -44,9 +49,11 @@ public:
 
 private:
   QLabel* add(const char* name);
+  void showWork(const SimSnapshot& snapshot);
   QLabel *m_tool, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
   StabilityLight* m_light;
   Index m_nodeCount = 0, m_springCount = 0;
+  Index m_awakeCount = -1; ///< -1: nothing runs
 };
 
 } // namespace esm

@@ -9,6 +9,7 @@
 #include <QAction>
 #include <QActionGroup>
 #include <QComboBox>
+#include <QCoreApplication>
 #include <QMainWindow>
 #include <QMenu>
 #include <QMenuBar>
@@ -28,6 +29,27 @@ void say(QAction* action, const QString& text, const QString& help = {})
   if (!action->shortcut().isEmpty())
     plain += QStringLiteral(" (%1)").arg(action->shortcut().toString(QKeySequence::NativeText));
   action->setToolTip(plain);
+}
+
+/// The engine's solvers in short; one that is not known here speaks for itself, in English.
+QString solverHelp(const SolverInfo& info)
+{
+  constexpr std::pair<const char*, const char*> kKnown[] = {
+    {"leapfrog", QT_TRANSLATE_NOOP("esm::Solver", "explicit, one force pass per step, second order")},
+    {"chebyshev", QT_TRANSLATE_NOOP("esm::Solver", "explicit, with more viscous stages per step")},
+    {"verlet", QT_TRANSLATE_NOOP("esm::Solver", "explicit, second order in viscosity too")},
+    {"rk4", QT_TRANSLATE_NOOP("esm::Solver", "explicit, fourth order")},
+    {"dopri5", QT_TRANSLATE_NOOP("esm::Solver", "explicit, fifth order, for small errors")},
+    {"implicit", QT_TRANSLATE_NOOP("esm::Solver", "implicit, second order, stable at any step: stiff nets")},
+    {"lie", QT_TRANSLATE_NOOP("esm::Solver", "linearised implicit, first order, bounded")},
+    {"descent", QT_TRANSLATE_NOOP("esm::Solver", "implicit, first order, never gains energy")},
+    {"multirate", QT_TRANSLATE_NOOP("esm::Solver", "each spring at its own rate: few stiff springs")},
+    {"wavefront", QT_TRANSLATE_NOOP("esm::Solver", "from the greatest force outward, as in 1999")},
+    {"relax", QT_TRANSLATE_NOOP("esm::Solver", "to the rest of each moment, without inertia")},
+  };
+  for (const auto& [name, help] : kKnown)
+    if (info.name == name) return QCoreApplication::translate("esm::Solver", help);
+  return QString::fromStdString(info.description);
 }
 
 } // namespace
@@ -124,14 +146,13 @@ void WindowActions::createActions()
   toolPull->setShortcut(Qt::Key_E);
   toolSelect->setIcon(icon(Symbol::Select));
   toolSelect->setShortcut(Qt::Key_W);
+  realTime = add("RealTime");
   solver = new QActionGroup(this);
   solverAuto = choice(solver, "SolverAuto", QStringLiteral("auto"));
   for (const SolverInfo& info : solverNames()) {
     const QString name = QString::fromStdString(info.name);
     QAction* action = choice(solver, "Solver", name);
     action->setObjectName(QStringLiteral("actSolver_") + name);
-    action->setText(name);
-    action->setStatusTip(QString::fromStdString(info.description));
   }
 
   arm = with("Arm", Symbol::Arm);
@@ -188,6 +209,8 @@ void WindowActions::createMenus(QMainWindow* window)
   simulationMenu = menu("menuSimulation", {play, step, reset, nullptr});
   toolMenu = subMenu(simulationMenu, "menuTool", tools->actions());
   solverMenu = subMenu(simulationMenu, "menuSolver", solver->actions());
+  solverMenu->setToolTipsVisible(true);
+  simulationMenu->addAction(realTime);
   hapticsMenu = menu("menuHaptics", {arm, stop});
   helpMenu = menu("menuHelp", {keys, nullptr, about, aboutQt});
 }
@@ -295,12 +318,22 @@ void WindowActions::retranslateRun()
   say(toolCamera, tr("&Camera"), tr("Camera: drag to turn, right button to move, wheel to zoom"));
   say(toolPull, tr("P&ull"), tr("Pull: drag a node and feel its force"));
   say(toolSelect, tr("&Select"), tr("Select: click a node to see why it is as it is"));
-  solverAuto->setText(tr("Automatic"));
+  retranslateSolvers();
+  say(realTime, tr("Real &time…"), tr("What gives way when the model is too heavy for real time"));
   say(arm, tr("&Force on the device"), tr("Let the device feel the force; it fades in"));
   say(stop, tr("&Stop"), tr("Force zero at once and let go"));
   say(keys, tr("&Keys"));
   say(about, tr("&About this program"));
   say(aboutQt, tr("About &Qt"));
+}
+
+void WindowActions::retranslateSolvers()
+{
+  say(solverAuto, tr("Automatic"), tr("The cheapest way that keeps the tolerance"));
+  for (const SolverInfo& info : solverNames())
+    for (QAction* action : solver->actions())
+      if (action->data().toString().toStdString() == info.name)
+        say(action, QString::fromStdString(info.name), solverHelp(info));
 }
 
 void WindowActions::retranslateMenus()

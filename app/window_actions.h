@@ -28,7 +28,7 @@ public:
   QAction *fit, *showSurface, *showSprings, *defaultLayout, *fullScreen;
   QActionGroup *colouring, *theme, *language; ///< data: Colouring as int, theme name, language code
   QAction *addRegion, *holdNode;
-  QAction *play, *step, *reset, *solverAuto;
+  QAction *play, *step, *reset, *solverAuto, *realTime;
   QActionGroup *tools, *solver; ///< data: Tool as int, solver name
   QAction *toolCamera, *toolSelect, *toolPull;
   QAction *arm, *stop;
@@ -51,6 +51,7 @@ private:
   void retranslateFileAndEdit();
   void retranslateViewAndTissue();
   void retranslateRun();
+  void retranslateSolvers();
   void retranslateMenus();
 
   QMainWindow* m_window;

@@ -211,7 +211,7 @@
         <translation>sie ist durch ESM_VIEW=off abgeschaltet</translation>
     </message>
     <message>
-        <source>the display "%1" has no OpenGL</source>
+        <source>the display &quot;%1&quot; has no OpenGL</source>
         <translation>die Anzeige „%1“ hat kein OpenGL</translation>
     </message>
     <message>
@@ -708,7 +708,7 @@
 <context>
     <name>esm::MembershipPlot</name>
     <message>
-        <source>Plot of a variable's words</source>
+        <source>Plot of a variable&apos;s words</source>
         <translation>Diagramm der Wörter einer Größe</translation>
     </message>
     <message>
@@ -754,7 +754,7 @@
         <translation>, festgehalten,</translation>
     </message>
     <message>
-        <source>Young's modulus %1 kPa, viscosity %2 ms, anchoring %3 kPa/mm</source>
+        <source>Young&apos;s modulus %1 kPa, viscosity %2 ms, anchoring %3 kPa/mm</source>
         <translation>Elastizitätsmodul %1 kPa, Viskosität %2 ms, Verankerung %3 kPa/mm</translation>
     </message>
     <message>
@@ -815,6 +815,152 @@
     <message>
         <source>Nothing to show yet: import a mesh or open a project.</source>
         <translation>Noch nichts zu sehen: ein Netz importieren oder ein Projekt öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RealTimeDialog</name>
+    <message>
+        <source>Up</source>
+        <translation>Nach oben</translation>
+    </message>
+    <message>
+        <source>Down</source>
+        <translation>Nach unten</translation>
+    </message>
+    <message>
+        <source>Real time</source>
+        <translation>Echtzeit</translation>
+    </message>
+    <message>
+        <source>What gives way, the first one first</source>
+        <translation>Was nachgibt, das Erste zuerst</translation>
+    </message>
+    <message>
+        <source>Let it give way earlier</source>
+        <translation>Soll früher nachgeben</translation>
+    </message>
+    <message>
+        <source>Let it give way later</source>
+        <translation>Soll später nachgeben</translation>
+    </message>
+    <message>
+        <source>Wanted error</source>
+        <translation>Gewünschter Fehler</translation>
+    </message>
+    <message>
+        <source>Largest allowed error</source>
+        <translation>Größter erlaubter Fehler</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Error of the positions, as a part of the motion</source>
+        <translation>Fehler der Orte, gemessen an der Bewegung</translation>
+    </message>
+    <message>
+        <source>A model that is too heavy for this computer first gives up accuracy, then runs in slow motion. Choose the order; what stands below slow motion never gives way.</source>
+        <translation>Ein Modell, das für diesen Rechner zu schwer ist, verliert zuerst Genauigkeit und läuft dann in Zeitlupe. Die Reihenfolge ist wählbar; was unter der Zeitlupe steht, gibt nie nach.</translation>
+    </message>
+    <message>
+        <source>OK</source>
+        <translation>OK</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Defaults</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>Larger error, up to the allowed one</source>
+        <translation>Größerer Fehler, bis zum erlaubten</translation>
+    </message>
+    <message>
+        <source>Rougher solver steps, implicit sooner</source>
+        <translation>Gröbere Löserschritte, früher implizit</translation>
+    </message>
+    <message>
+        <source>Slow motion</source>
+        <translation>Zeitlupe</translation>
+    </message>
+    <message>
+        <source>%1. %2</source>
+        <translation>%1. %2</translation>
+    </message>
+    <message>
+        <source>never: %1</source>
+        <translation>nie: %1</translation>
+    </message>
+</context>
+<context>
+    <name>esm::Reason</name>
+    <message>
+        <source>springs at node %1 (%2 N/m on %3 kg) need explicit steps of %4 µs</source>
+        <translation>Federn am Knoten %1 (%2 N/m an %3 kg) brauchen explizite Schritte von %4 µs</translation>
+    </message>
+    <message>
+        <source>no spring limits the step</source>
+        <translation>keine Feder begrenzt den Schritt</translation>
+    </message>
+    <message>
+        <source>%1 as asked</source>
+        <translation>%1 wie gewünscht</translation>
+    </message>
+    <message>
+        <source>explicit steps are cheapest</source>
+        <translation>explizite Schritte sind am billigsten</translation>
+    </message>
+    <message>
+        <source>the tolerance asks for order %1</source>
+        <translation>die Toleranz verlangt Ordnung %1</translation>
+    </message>
+    <message>
+        <source>the engine went implicit</source>
+        <translation>es wird implizit gerechnet</translation>
+    </message>
+    <message>
+        <source>the engine went implicit and stays bounded, but the tolerance may not hold</source>
+        <translation>es wird implizit gerechnet und bleibt beschränkt, aber die Toleranz wird vielleicht nicht gehalten</translation>
+    </message>
+    <message>
+        <source>the tolerance would cost too many steps and may not hold</source>
+        <translation>die Toleranz würde zu viele Schritte kosten und wird vielleicht nicht gehalten</translation>
+    </message>
+    <message>
+        <source>as no step was both good and affordable, it takes damped steps that gain no energy: lower the stiffness or the loads, raise the masses, or allow more effort</source>
+        <translation>weil kein Schritt zugleich gut und bezahlbar war, werden gedämpfte Schritte getan, die keine Energie gewinnen: Steifigkeit oder Lasten senken, Massen erhöhen oder mehr Aufwand erlauben</translation>
+    </message>
+    <message>
+        <source>numbers became infinite (stiffest at node %1)</source>
+        <translation>Zahlen wurden unendlich (am steifsten am Knoten %1)</translation>
+    </message>
+    <message>
+        <source>numbers became infinite</source>
+        <translation>Zahlen wurden unendlich</translation>
+    </message>
+    <message>
+        <source>the solver %1 found no step small enough (stiffest at node %2)</source>
+        <translation>der Löser %1 fand keinen Schritt, der klein genug ist (am steifsten am Knoten %2)</translation>
+    </message>
+    <message>
+        <source>the solver %1 found no step small enough</source>
+        <translation>der Löser %1 fand keinen Schritt, der klein genug ist</translation>
+    </message>
+    <message>
+        <source>the last good state is kept: take a smaller fixed step, at most %1 µs, or automatic steps</source>
+        <translation>der letzte gute Stand bleibt: ein kleinerer fester Schritt, höchstens %1 µs, oder automatische Schritte helfen</translation>
+    </message>
+    <message>
+        <source>the last good state is kept: lower the stiffness or the loads, or raise the masses</source>
+        <translation>der letzte gute Stand bleibt: Steifigkeit oder Lasten senken oder Massen erhöhen</translation>
+    </message>
+    <message>
+        <source>the last good state is kept: lower the stiffness or the loads, or take a larger tolerance</source>
+        <translation>der letzte gute Stand bleibt: Steifigkeit oder Lasten senken oder eine größere Toleranz wählen</translation>
     </message>
 </context>
 <context>
@@ -1156,6 +1302,53 @@
     </message>
 </context>
 <context>
+    <name>esm::Solver</name>
+    <message>
+        <source>explicit, one force pass per step, second order</source>
+        <translation>explizit, eine Kraftberechnung je Schritt, zweite Ordnung</translation>
+    </message>
+    <message>
+        <source>explicit, with more viscous stages per step</source>
+        <translation>explizit, mit mehr zähen Stufen je Schritt</translation>
+    </message>
+    <message>
+        <source>explicit, second order in viscosity too</source>
+        <translation>explizit, auch in der Zähigkeit zweite Ordnung</translation>
+    </message>
+    <message>
+        <source>explicit, fourth order</source>
+        <translation>explizit, vierte Ordnung</translation>
+    </message>
+    <message>
+        <source>explicit, fifth order, for small errors</source>
+        <translation>explizit, fünfte Ordnung, für kleine Fehler</translation>
+    </message>
+    <message>
+        <source>implicit, second order, stable at any step: stiff nets</source>
+        <translation>implizit, zweite Ordnung, stabil bei jedem Schritt: steife Netze</translation>
+    </message>
+    <message>
+        <source>linearised implicit, first order, bounded</source>
+        <translation>linearisiert implizit, erste Ordnung, beschränkt</translation>
+    </message>
+    <message>
+        <source>implicit, first order, never gains energy</source>
+        <translation>implizit, erste Ordnung, gewinnt nie Energie</translation>
+    </message>
+    <message>
+        <source>each spring at its own rate: few stiff springs</source>
+        <translation>jede Feder in ihrem Takt: wenige steife Federn</translation>
+    </message>
+    <message>
+        <source>from the greatest force outward, as in 1999</source>
+        <translation>von der größten Kraft nach außen, wie 1999</translation>
+    </message>
+    <message>
+        <source>to the rest of each moment, without inertia</source>
+        <translation>in die Ruhelage jedes Augenblicks, ohne Trägheit</translation>
+    </message>
+</context>
+<context>
     <name>esm::StabilityLight</name>
     <message>
         <source>no model</source>
@@ -1170,10 +1363,6 @@
         <translation>angehalten</translation>
     </message>
     <message>
-        <source>behind real time</source>
-        <translation>langsamer als Echtzeit</translation>
-    </message>
-    <message>
         <source>The model is too large or too stiff for this computer in real time: use fewer nodes, softer tissue or a looser tolerance.</source>
         <translation>Das Modell ist für diesen Rechner in Echtzeit zu groß oder zu steif: weniger Knoten, weicheres Gewebe oder eine größere Toleranz helfen.</translation>
     </message>
@@ -1184,6 +1373,30 @@
     <message>
         <source>Stability: %1</source>
         <translation>Stabilität: %1</translation>
+    </message>
+    <message>
+        <source>The tolerance is kept, by implicit steps. Softer tissue or heavier nodes would allow cheaper explicit ones.</source>
+        <translation>Die Toleranz wird gehalten, mit impliziten Schritten. Weicheres Gewebe oder schwerere Knoten würden billigere explizite erlauben.</translation>
+    </message>
+    <message>
+        <source>Fewer nodes, softer tissue or heavier nodes help; what gives way is chosen in Simulation, Real time.</source>
+        <translation>Weniger Knoten, weicheres Gewebe oder schwerere Knoten helfen; was nachgibt, ist unter Simulation, Echtzeit wählbar.</translation>
+    </message>
+    <message>
+        <source>To keep real time, the error may be %1 % instead of %2 %.</source>
+        <translation>Um Echtzeit zu halten, darf der Fehler %1 % statt %2 % sein.</translation>
+    </message>
+    <message>
+        <source>stiff, implicit steps</source>
+        <translation>steif, implizite Schritte</translation>
+    </message>
+    <message>
+        <source>rougher than wanted</source>
+        <translation>gröber als gewünscht</translation>
+    </message>
+    <message>
+        <source>slowed, %1 × real time</source>
+        <translation>verlangsamt, %1 × Echtzeit</translation>
     </message>
 </context>
 <context>
@@ -1230,6 +1443,38 @@
         <source>%1: %2; %3 of %4 ticks late, worst %5 ms</source>
         <translation>%1: %2; %3 von %4 Takten verspätet, höchstens %5 ms</translation>
     </message>
+    <message>
+        <source>Accuracy as wanted: error up to %1 %</source>
+        <translation>Genauigkeit wie gewünscht: Fehler bis %1 %</translation>
+    </message>
+    <message>
+        <source>Larger error to keep real time: up to %1 % (step %2 of %3)</source>
+        <translation>Größerer Fehler, um Echtzeit zu halten: bis %1 % (Stufe %2 von %3)</translation>
+    </message>
+    <message>
+        <source>Rougher solver steps to keep real time; wanted error %1 % (step %2 of %3)</source>
+        <translation>Gröbere Löserschritte, um Echtzeit zu halten; gewünschter Fehler %1 % (Stufe %2 von %3)</translation>
+    </message>
+    <message>
+        <source>Nothing more may give way but the clock; wanted error %1 % (step %2 of %3)</source>
+        <translation>Nur die Uhr darf noch nachgeben; gewünschter Fehler %1 % (Stufe %2 von %3)</translation>
+    </message>
+    <message>
+        <source>%1 of %2 awake</source>
+        <translation>%1 von %2 wach</translation>
+    </message>
+    <message>
+        <source>real time %1×, error %2 %</source>
+        <translation>Echtzeit %1×, Fehler %2 %</translation>
+    </message>
+    <message>
+        <source>%1 of %2 nodes awake; the others rest and cost nothing</source>
+        <translation>%1 von %2 Knoten wach; die anderen ruhen und kosten nichts</translation>
+    </message>
+    <message>
+        <source>Last frame: %1 springs evaluated in %2 steps, %3 factorizations, %4 rejected steps</source>
+        <translation>Letztes Bild: %1 Federn berechnet in %2 Schritten, %3 Faktorisierungen, %4 verworfene Schritte</translation>
+    </message>
 </context>
 <context>
     <name>esm::TissuePanel</name>
@@ -1238,7 +1483,7 @@
         <translation>Wanddicke</translation>
     </message>
     <message>
-        <source>Thickness of the organ's wall in mm</source>
+        <source>Thickness of the organ&apos;s wall in mm</source>
         <translation>Dicke der Organwand in mm</translation>
     </message>
     <message>
@@ -1270,7 +1515,7 @@
         <translation>Schwerkraft in z</translation>
     </message>
     <message>
-        <source>Acceleration along z in m/s²; -9.81 is the Earth's</source>
+        <source>Acceleration along z in m/s²; -9.81 is the Earth&apos;s</source>
         <translation>Beschleunigung in z in m/s²; -9,81 ist die der Erde</translation>
     </message>
     <message>
@@ -1614,6 +1859,18 @@
     <message>
         <source>Camera: drag to turn, right button to move, wheel to zoom</source>
         <translation>Kamera: Ziehen dreht, rechte Taste verschiebt, Rad zoomt</translation>
+    </message>
+    <message>
+        <source>Real &amp;time…</source>
+        <translation>Ech&amp;tzeit…</translation>
+    </message>
+    <message>
+        <source>What gives way when the model is too heavy for real time</source>
+        <translation>Was nachgibt, wenn das Modell für Echtzeit zu schwer ist</translation>
+    </message>
+    <message>
+        <source>The cheapest way that keeps the tolerance</source>
+        <translation>Der billigste Weg, der die Toleranz hält</translation>
     </message>
 </context>
 </TS>

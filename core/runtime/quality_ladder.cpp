@@ -24,6 +24,11 @@ constexpr std::array<std::string_view, 3> kMeasureNames = {"tolerance", "effort"
 
 } // namespace
 
+std::vector<QualityMeasure> QualityPlan::usualOrder()
+{
+  return {QualityMeasure::Tolerance, QualityMeasure::Effort, QualityMeasure::SlowMotion};
+}
+
 QualityPlan QualityPlan::clockOnly()
 {
   return {{QualityMeasure::SlowMotion}, 0.0, 0.0, std::numeric_limits<double>::infinity()};

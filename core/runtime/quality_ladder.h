@@ -22,12 +22,12 @@ enum class QualityMeasure : std::uint8_t {
 
 /// The user's wishes: what gives way first, and how far. Plain data.
 struct QualityPlan {
-  std::vector<QualityMeasure> order = {QualityMeasure::Tolerance, QualityMeasure::Effort,
-                                       QualityMeasure::SlowMotion};
+  std::vector<QualityMeasure> order = usualOrder();
   double finest = 1e-2;  ///< tolerance wanted on the clock; the project's own holds where it is looser
   double coarsest = 0.2; ///< lowest allowed accuracy
   double effort = 1e6;   ///< wanted, see SolverSettings: about a third of each frame
 
+  static std::vector<QualityMeasure> usualOrder(); ///< tolerance, effort, slow motion
   /// Nothing but the clock gives way, whatever the settings ask for.
   static QualityPlan clockOnly();
   bool operator==(const QualityPlan&) const = default;

@@ -283,8 +283,9 @@ Stability SimRunner::stability() const
   if (!m_simulation) return Stability::Idle;
   if (m_failed) return Stability::Stopped;
   const QualityState quality = m_ladder.state();
+  const std::string& solver = m_simulation->solverName();
   if (m_report.rough || quality.tolerance > quality.wantedTolerance) return Stability::Rough;
-  return m_auto && m_simulation->solverName() == "implicit" ? Stability::Implicit : Stability::Good;
+  return m_auto && solver == "implicit" ? Stability::Implicit : Stability::Good;
 }
 
 void SimRunner::draw(SimSnapshot& picture)

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/language.h"
+#include "app/main_window.h"
+#include "app/real_time_dialog.h"
+#include "app/reason_text.h"
+#include "app/status_strip.h"
+#include "app/theme.h"
+#include "app/window_actions.h"
+#include "tests/app/sheet.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QActionGroup>
+#include <QDoubleSpinBox>
+#include <QListWidget>
+#include <QMenu>
+#include <QSettings>
+#include <QStatusBar>
+#include <QTest>
+#include <QTimer>
+
+#include <gtest/gtest.h>
+
+using namespace esm;
+
+namespace {
+
+struct RealTimeTest : testing::Test {
+  LanguageSwitch language;
+  void SetUp() override
+  {
+    applyTheme(Theme::Light);
+    language.set(Language::English);
+    QSettings().remove(QStringLiteral("realTime"));
+  }
+  void TearDown() override { language.set(Language::English); }
+};
+
+SimSnapshot running(Stability stability)
+{
+  SimSnapshot snapshot;
+  snapshot.playing = true;
+  snapshot.stability = stability;
+  snapshot.realTimeFactor = stability == Stability::Slow ? 0.62 : 1.0;
+  snapshot.position.setZero(3, 64);
+  snapshot.report.nodesAwake = 12;
+  snapshot.report.springsEvaluated = 34567;
+  snapshot.quality = {0, 5, QualityMeasure::SlowMotion, 0.01, 0.01, 1e6};
+  snapshot.solver = "leapfrog";
+  snapshot.message =
+    "springs at node 812 (1e+09 N/m on 0.01 kg) need explicit steps of 0.4 us; the engine went implicit";
+  return snapshot;
+}
+
+QString colourOf(const QLabel& light)
+{
+  return light.text().section(QLatin1Char('\''), 1, 1).section(QLatin1Char(':'), 1);
+}
+
+/// A net and settings that make the engine say something of each kind.
+std::string whyOf(double stiffness, SolverSettings settings, int frames = 3)
+{
+  Project project = test::sheetProject();
+  project.net.stiffness.setConstant(stiffness);
+  project.loads.gravity = {0.0, 0.0, -9.81};
+  Simulation simulation = Simulation::create(project.net, project.loads, std::move(settings)).value();
+  for (int i = 0; i < frames; ++i)
+    if (!simulation.advance(1.0 / 60.0).good()) break;
+  return simulation.why();
+}
+
+} // namespace
+
+// Green while the tolerance is kept, yellow while something gives way, red when it stopped; words say the
+// same.
+TEST_F(RealTimeTest, TheLightShowsWhatGivesWay)
+{
+  StabilityLight light;
+  const SignalColours colours = signalColours(light.palette());
+  const auto show = [&](const SimSnapshot& snapshot) { light.show(snapshot), QTest::qWait(0); };
+  show(running(Stability::Good));
+  EXPECT_EQ(colourOf(light), colours.good.name());
+  EXPECT_TRUE(light.text().contains("stable"));
+  show(running(Stability::Implicit));
+  EXPECT_EQ(colourOf(light), colours.warning.name());
+  EXPECT_TRUE(light.text().contains("implicit"));
+  EXPECT_TRUE(light.toolTip().contains("node 812")) << qPrintable(light.toolTip()); // cause
+  EXPECT_TRUE(light.toolTip().contains("Softer tissue"));                           // cure
+  SimSnapshot rough = running(Stability::Rough);
+  rough.quality.rung = 2;
+  rough.quality.measure = QualityMeasure::Tolerance;
+  rough.quality.tolerance = 0.2;
+  show(rough);
+  EXPECT_EQ(colourOf(light), colours.warning.name());
+  EXPECT_TRUE(light.toolTip().contains("20 % instead of 1 %")) << qPrintable(light.toolTip());
+  show(running(Stability::Slow));
+  EXPECT_EQ(colourOf(light), colours.warning.name());
+  EXPECT_TRUE(light.text().contains("0.62 × real time")) << qPrintable(light.text());
+  show(running(Stability::Stopped));
+  EXPECT_EQ(colourOf(light), colours.bad.name());
+  EXPECT_TRUE(light.text().contains("stopped"));
+  language.set(Language::German);
+  show(running(Stability::Slow));
+  EXPECT_TRUE(light.text().contains("0,62 × Echtzeit")) << qPrintable(light.text());
+  EXPECT_TRUE(light.toolTip().contains("Federn am Knoten 812")) << qPrintable(light.toolTip());
+}
+
+TEST_F(RealTimeTest, TheStatusBarShowsAccuracyWorkAndSleep)
+{
+  QStatusBar bar;
+  StatusStrip strip(&bar);
+  strip.setNet(64, 161);
+  const auto label = [&](const char* name) { return bar.findChild<QLabel*>(QLatin1String(name)); };
+  SimSnapshot snapshot = running(Stability::Good);
+  strip.setRun(snapshot);
+  EXPECT_EQ(label("lblNodes")->text(), "12 of 64 nodes awake");
+  EXPECT_TRUE(label("lblSprings")->toolTip().contains("34567 springs evaluated"))
+    << qPrintable(label("lblSprings")->toolTip());
+  EXPECT_EQ(label("lblRealTime")->text(), "real time 1.00×");
+  EXPECT_TRUE(label("lblSolver")->text().contains("leapfrog"));
+  EXPECT_TRUE(label("lblSolver")->toolTip().contains("0.4 µs"));
+  snapshot.quality = {2, 5, QualityMeasure::Tolerance, 0.01, 0.2, 1e6};
+  strip.setRun(snapshot);
+  EXPECT_EQ(label("lblRealTime")->text(), "real time 1.00×, error 20 %");
+  EXPECT_TRUE(label("lblRealTime")->toolTip().contains("step 2 of 5"));
+  snapshot.playing = false;
+  strip.setRun(snapshot);
+  EXPECT_EQ(label("lblNodes")->text(), "64 nodes");
+}
+
+// What the engine really says, in German: should a sentence of it change, its translation is missed here.
+TEST_F(RealTimeTest, TheEnginesReasonsAreTranslated)
+{
+  language.set(Language::German);
+  const std::string reasons[] = {
+    whyOf(100.0, {"auto", 1e-2}),                 // explicit
+    whyOf(100.0, {"auto", 1e-7}),                 // of higher order
+    whyOf(1e13, {"auto", 1e-2}),                  // implicit
+    whyOf(1e13, {"auto", 1e-2, 0.0, 1, 1e3}),     // the tolerance given up
+    whyOf(100.0, {"rk4", 1e-2}),                  // as asked
+    whyOf(1e9, {"verlet", 1e-2, 0.005, 1}, 2000), // stopped
+  };
+  for (const std::string& reason : reasons)
+    for (const QString& clause : QString::fromStdString(reason).split(QStringLiteral("; "))) {
+      EXPECT_FALSE(clause.isEmpty());
+      EXPECT_NE(reasonText(clause.toStdString()), clause) << reason;
+    }
+  EXPECT_TRUE(QString::fromStdString(reasons[5]).contains("infinite")) << reasons[5];
+  EXPECT_EQ(reasonText("springs at node 812 (1e+09 N/m on 0.01 kg) need explicit steps of 0.4 us"),
+            "Federn am Knoten 812 (1e+09 N/m an 0,01 kg) brauchen explizite Schritte von 0,4 µs");
+  EXPECT_EQ(reasonText("something new"), "something new");
+  language.set(Language::English);
+  EXPECT_EQ(reasonText("the engine went implicit"), "the engine went implicit");
+}
+
+TEST_F(RealTimeTest, TheOrderIsChosenAndKept)
+{
+  EXPECT_EQ(savedQualityPlan(), QualityPlan());
+  RealTimeDialog dialog(savedQualityPlan());
+  auto* order = dialog.findChild<QListWidget*>("realTimeOrder");
+  ASSERT_EQ(order->count(), 3);
+  EXPECT_FALSE(dialog.findChild<QAbstractButton*>("realTimeUp")->isEnabled());
+  order->setCurrentRow(1);
+  dialog.findChild<QAbstractButton*>("realTimeUp")->click(); // effort before tolerance
+  order->setCurrentRow(2);
+  dialog.findChild<QAbstractButton*>("realTimeUp")->click(); // slow motion before tolerance
+  EXPECT_TRUE(order->item(2)->text().startsWith("never")) << qPrintable(order->item(2)->text());
+  EXPECT_FALSE(order->item(1)->text().startsWith("never"));
+  dialog.findChild<QDoubleSpinBox*>("realTimeCoarsest")->setValue(8.0);
+  dialog.findChild<QDoubleSpinBox*>("realTimeFinest")->setValue(10.0); // the allowed error goes along
+  const QualityPlan chosen = dialog.plan();
+  EXPECT_EQ(formatQualityOrder(chosen.order), "effort,slow-motion,tolerance");
+  EXPECT_NEAR(chosen.finest, 0.1, 1e-12);
+  EXPECT_NEAR(chosen.coarsest, 0.1, 1e-12);
+  saveQualityPlan(chosen);
+  EXPECT_EQ(savedQualityPlan(), chosen);
+  dialog.findChild<QAbstractButton*>("realTimeDefaults")->click();
+  EXPECT_EQ(dialog.plan(), QualityPlan());
+  for (const char* name : {"realTimeOk", "realTimeCancel", "realTimeOrder", "realTimeFinest"})
+    EXPECT_FALSE(dialog.findChild<QWidget*>(QLatin1String(name))->accessibleName().isEmpty()) << name;
+}
+
+TEST_F(RealTimeTest, DamagedSettingsAreTheDefaults)
+{
+  QSettings settings;
+  settings.setValue("realTime/order", "tolerance,tolerance,fast");
+  settings.setValue("realTime/finest", "-3");
+  settings.setValue("realTime/coarsest", "much");
+  EXPECT_EQ(savedQualityPlan(), QualityPlan());
+}
+
+// From the menu to the engine: the wish of the dialog is in force at once, in the midst of motion.
+TEST_F(RealTimeTest, TheWindowPutsTheWishIntoForce)
+{
+  MainWindow window(&language);
+  window.document()->start(test::sheetProject(), QString());
+  window.show();
+  window.controller()->setPlaying(true);
+  const auto wanted = [&] { return window.controller()->snapshot().quality.wantedTolerance; };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return window.controller()->snapshot().time > 0.05; }, 20000));
+  EXPECT_NEAR(wanted(), 0.01, 1e-12);
+  bool answered = false;
+  QTimer::singleShot(0, [&] {
+    auto* dialog = window.findChild<RealTimeDialog*>();
+    if (dialog == nullptr) return;
+    dialog->findChild<QDoubleSpinBox*>("realTimeFinest")->setValue(3.0);
+    dialog->findChild<QAbstractButton*>("realTimeOk")->click();
+    answered = true;
+  });
+  window.actions()->realTime->trigger();
+  ASSERT_TRUE(answered);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return std::abs(wanted() - 0.03) < 1e-12; }, 20000));
+  EXPECT_GT(window.controller()->snapshot().time, 0.05);
+  MainWindow next(&language); // the next start
+  next.document()->start(test::sheetProject(), QString());
+  EXPECT_TRUE(QTest::qWaitFor(
+    [&] { return std::abs(next.controller()->snapshot().quality.wantedTolerance - 0.03) < 1e-12; }, 20000));
+}
+
+// Every solver of the engine can be chosen, with a line on it in the language of the window.
+TEST_F(RealTimeTest, TheMenuNamesAllSolvers)
+{
+  MainWindow window(&language);
+  const QList<QAction*> actions = window.actions()->solver->actions();
+  EXPECT_EQ(actions.size(), static_cast<qsizetype>(solverNames().size() + 1));
+  window.setLanguage(Language::German);
+  for (const SolverInfo& info : solverNames()) {
+    auto* action =
+      window.findChild<QAction*>(QStringLiteral("actSolver_") + QString::fromStdString(info.name));
+    ASSERT_NE(action, nullptr) << info.name;
+    EXPECT_EQ(action->text().toStdString(), info.name);
+    EXPECT_FALSE(action->toolTip().isEmpty());
+  }
+  EXPECT_EQ(window.findChild<QAction*>("actSolver_rk4")->toolTip(), "explizit, vierte Ordnung");
+}
