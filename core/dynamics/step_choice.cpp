@@ -313,7 +313,7 @@ void StepDriver::giveUp(Run failure, StepReport& report)
     m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(nameOf(m_mode.node)) + ")";
   if (failure == Run::Limit) {
     report.stepLimit = true;
-    m_why = "the work limit of " + std::to_string(m_maxSteps) +
+    m_limitText = "the work limit of " + std::to_string(m_maxSteps) +
             " steps was reached before the end of the interval; allow more steps or a larger tolerance" +
             place;
   } else if (failure == Run::NonFinite) {

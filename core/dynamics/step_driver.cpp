@@ -59,6 +59,7 @@ double rms(const NodeArray& a, std::size_t count) noexcept
 StepReport StepDriver::advance(System& system, MotionState& state, double interval, std::int64_t maxSteps)
 {
   StepReport report;
+  m_limitText.clear();
   system.springsEvaluated = 0;
   system.solverWork = 0.0;
   system.workLimit = kInfinity;

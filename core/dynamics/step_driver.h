@@ -65,7 +65,7 @@ public:
   double explicitStep(const FastestMode& mode) const noexcept;
 
   const std::string& solverName() const noexcept { return m_name; }
-  const std::string& why() const noexcept { return m_why; }
+  const std::string& why() const noexcept { return m_limitText.empty() ? m_why : m_limitText; }
 
 private:
   using Method = std::size_t; ///< place in integratorTable()
@@ -123,6 +123,7 @@ private:
   Method m_descent = 0;                  ///< where that fails, too
   Method m_method = 0;
   std::string m_name, m_why;
+  std::string m_limitText; ///< of the last advance(), if its work limit ended it
   std::vector<Candidate> m_candidates; ///< in the table's order
   StepBound m_bound;
   FastestMode m_mode;
