@@ -37,7 +37,7 @@ public:
   virtual StepResult run(System& system, MotionState& state, double end, std::int64_t steps,
                          StepReport& report);
   /// The bounds of the motion have changed.
-  virtual void tune(const FastestMode& /*mode*/) noexcept {}
+  virtual void tune(const System& /*system*/, const FastestMode& /*mode*/) noexcept {}
 
   virtual int order() const noexcept = 0;
   /// Whether a step leads to a state of rest under the loads at its end, whatever its length: no inertia.

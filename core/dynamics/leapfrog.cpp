@@ -138,8 +138,12 @@ public:
   void restart() noexcept override {}
   int order() const noexcept override { return m_order; }
 
-  void tune(const FastestMode& mode) noexcept override
+  void tune(const System& system, const FastestMode& mode) noexcept override
   {
+    const auto nodes = static_cast<double>(system.nodeCount());
+    const auto springs = static_cast<double>(system.forces().activeSprings());
+    m_plainCost = std::max(system.forces().passCost() + 0.6 * nodes, 1.0);
+    m_stageCost = (0.5 * springs + 1.2 * nodes) / m_plainCost;
     m_best = limitsAt(mode, m_limit);
     m_tuned = mode;
   }
@@ -149,14 +153,7 @@ public:
     Limits limit{};
     return limit[limitsAt(mode, limit)];
   }
-  double stepCost(const System& system) override
-  {
-    const auto nodes = static_cast<double>(system.nodeCount());
-    const auto springs = static_cast<double>(system.forces().activeSprings());
-    const double plain = std::max(system.forces().passCost() + 0.6 * nodes, 1.0);
-    m_stageCost = (0.5 * springs + 1.2 * nodes) / plain;
-    return costOf(m_best) * plain;
-  }
+  double stepCost(const System&) override { return costOf(m_best) * m_plainCost; }
 
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {
@@ -256,6 +253,7 @@ private:
   Limits m_limit{};                        ///< largest step of each [s]
   std::size_t m_best = 0;
   FastestMode m_tuned;
+  double m_plainCost = 1.0; ///< of a step with one stage, see ForceModel::passCost()
   double m_stageCost = 0.8; ///< of a further stage, in plain steps
   NodeArray m_x, m_v, m_force;
   NodeArray m_a, m_d, m_before; ///< see ChebyshevDamping

@@ -63,6 +63,7 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_extent = extentOf(system, state.x);
   m_displacement = m_squareOverTime = 0.0;
   m_speed = m_topSpeed = m_recentHeat = m_recentKinetic = m_recentPath = m_calm = 0.0;
+  if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
 }
 

@@ -223,6 +223,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   state = m_start;
   m_descentTerm = std::clamp(2 * m_descentTerm, 1, kLongestDescent);
   m_descents = m_descentTerm;
+  m_growth = m_grown;
   return stretchByDescent(system, state, end, report);
 }
 
@@ -408,7 +409,7 @@ void StepDriver::setBound(const System& system, const MotionState& state)
 {
   m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;
-  for (Candidate& candidate : m_candidates) candidate.integrator->tune(m_mode);
+  for (Candidate& candidate : m_candidates) candidate.integrator->tune(system, m_mode);
 }
 
 void StepDriver::refreshBound(const System& system, const MotionState& state)
