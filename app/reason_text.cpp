@@ -19,6 +19,8 @@ struct Clause {
 constexpr Clause kClauses[] = {
   {R"(springs at node (\d+) \((\S+) N/m on (\S+) kg\) need explicit steps of (\S+) us)",
    QT_TRANSLATE_NOOP("esm::Reason", "springs at node %1 (%2 N/m on %3 kg) need explicit steps of %4 µs")},
+  {"they take them alone, and the rest its own",
+   QT_TRANSLATE_NOOP("esm::Reason", "they take them alone, and the rest its own")},
   {"no spring limits the step", QT_TRANSLATE_NOOP("esm::Reason", "no spring limits the step")},
   {R"((\S+) as asked)", QT_TRANSLATE_NOOP("esm::Reason", "%1 as asked")},
   {"explicit steps are cheapest", QT_TRANSLATE_NOOP("esm::Reason", "explicit steps are cheapest")},

@@ -962,6 +962,10 @@
         <source>the last good state is kept: lower the stiffness or the loads, or take a larger tolerance</source>
         <translation>der letzte gute Stand bleibt: Steifigkeit oder Lasten senken oder eine größere Toleranz wählen</translation>
     </message>
+    <message>
+        <source>they take them alone, and the rest its own</source>
+        <translation>sie tun sie allein, und der Rest die seinen</translation>
+    </message>
 </context>
 <context>
     <name>esm::RegionsPanel</name>

@@ -14,7 +14,7 @@ namespace {
 
 constexpr double kHeavyLoad = 0.9, kVeryHeavyLoad = 2.0, kLightLoad = 0.5;
 constexpr int kHeavyFrames = 6;                         ///< too many
-constexpr int kUnjudgedFrames = 8;                      ///< after a change
+constexpr double kUnjudgedTime = 0.13;                  ///< after a change
 constexpr double kPatience = 1.0, kMostPatience = 60.0; ///< lightness before the way up
 constexpr double kRelapse = 3.0;                        ///< down again so soon: up was too early
 constexpr double kToleranceFactor = 5.0, kEffortFactor = 4.0;
@@ -103,7 +103,7 @@ void QualityLadder::build()
   rung.measure = QualityMeasure::SlowMotion;
   m_rungs.push_back(rung);
   m_rung = 0;
-  m_unjudged = kUnjudgedFrames;
+  m_unjudged = kUnjudgedTime;
   m_heavy = 0;
   m_light = 0.0;
   m_patience = kPatience;
@@ -116,7 +116,7 @@ bool QualityLadder::endFrame(double took, double period) noexcept
   if (!(load >= 0.0) || !std::isfinite(load)) return false;
   const double passed = std::max(took, period);
   m_sinceRise += passed;
-  if (m_unjudged > 0) return --m_unjudged, false;
+  if (m_unjudged > 0.0) return m_unjudged -= passed, false;
   m_heavy = load > kHeavyLoad ? m_heavy + (load > kVeryHeavyLoad ? 2 : 1) : std::max(m_heavy - 1, 0);
   // From slow motion back to the clock is no change of accuracy: no room is needed for a dearer rung.
   const double light = accuracyRises() ? kLightLoad : kHeavyLoad;
@@ -143,7 +143,7 @@ bool QualityLadder::accuracyRises() const noexcept
 bool QualityLadder::moveTo(std::size_t rung) noexcept
 {
   m_rung = rung;
-  m_unjudged = kUnjudgedFrames;
+  m_unjudged = kUnjudgedTime;
   m_heavy = 0;
   m_light = 0.0;
   return true;

@@ -25,7 +25,7 @@ struct QualityPlan {
   std::vector<QualityMeasure> order = usualOrder();
   double finest = 1e-2;  ///< tolerance wanted on the clock; the project's own holds where it is looser
   double coarsest = 0.2; ///< lowest allowed accuracy
-  double effort = 1e6;   ///< wanted, see SolverSettings: about a third of each frame
+  double effort = 2e6;   ///< wanted, see SolverSettings: about a half of each frame
 
   static std::vector<QualityMeasure> usualOrder(); ///< tolerance, effort, slow motion
   /// Nothing but the clock gives way, whatever the settings ask for.
@@ -47,15 +47,15 @@ struct QualityState {
 
 /// Keeps simulated time on the wall clock by giving up accuracy, rung by rung in the user's order:
 ///
-///     0  tolerance 1e-2, effort 1e6       as wanted
-///     1  tolerance 5e-2, effort 1e6       down while frames take > 0.9 of their period,
-///     2  tolerance 2e-1, effort 1e6         for some frames
-///     3  tolerance 2e-1, effort 2.5e5     up while they take < 0.5 of it, for a second;
-///     4  tolerance 2e-1, effort 6.3e4       longer each time that it proves too early
+///     0  tolerance 1e-2, effort 2e6       as wanted
+///     1  tolerance 5e-2, effort 2e6       down while frames take > 0.9 of their period,
+///     2  tolerance 2e-1, effort 2e6         for some frames
+///     3  tolerance 2e-1, effort 5e5       up while they take < 0.5 of it, for a second;
+///     4  tolerance 2e-1, effort 1.3e5     longer each time that it proves too early
 ///     5  slow motion                      FrameClock lets the time go that cannot be caught up
 ///
 /// Single dear frames (the solver checks its error now and then) do not count, a series does. After each
-/// change some frames pass unjudged, for the solver to find its steps. Only arithmetic: the caller brings the
+/// change a moment passes unjudged, for the solver to find its steps. Only arithmetic: the caller brings the
 /// times, tests bring invented ones. All times in [s].
 class QualityLadder {
 public:
@@ -87,8 +87,8 @@ private:
   bool m_fixedStep = false;                              ///< then accuracy is nothing to choose
   std::vector<Rung> m_rungs;                             ///< never empty
   std::size_t m_rung = 0;
-  int m_unjudged = 0; ///< frames
-  int m_heavy = 0;    ///< frames too dear, less those that were not
+  double m_unjudged = 0.0; ///< time
+  int m_heavy = 0;         ///< frames too dear, less those that were not
   double m_light = 0.0, m_patience = 0.0;
   double m_sinceRise = 0.0; ///< since the last way up
 };

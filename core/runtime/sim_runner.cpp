@@ -212,6 +212,7 @@ StepReport SimRunner::advanceSliced(double interval, const std::function<bool()>
     StepReport part = m_simulation->advance(ask, m_stepLimit);
     const double took = seconds(std::chrono::steady_clock::now() - begin);
     const bool fault = part.nonFinite || part.notConverged;
+    m_brokenOff = part.stepLimit;
     part.stepLimit = false; // ours, no fault of the net
     sum.add(part);
     left -= part.simulatedTime;
@@ -244,6 +245,7 @@ void SimRunner::stopWith(std::string message)
 void SimRunner::keepPicture()
 {
   const NetState& state = m_simulation->state();
+  if (!std::exchange(m_brokenOff, false)) m_why = m_simulation->why();
   if (!state.position.allFinite()) return;
   m_position = state.position;
   m_time = state.time;
@@ -300,7 +302,7 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.report = m_report;
   picture.energies = m_energies;
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();
-  picture.message = m_message.empty() && m_simulation ? m_simulation->why() : m_message;
+  picture.message = m_message.empty() ? m_why : m_message;
   picture.grabbedNode = m_grip ? m_grip->node() : kNoIndex;
   picture.toolPosition = m_grip ? m_grip->target() : Eigen::Vector3d(Eigen::Vector3d::Zero());
   picture.toolForce =

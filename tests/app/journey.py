@@ -181,7 +181,7 @@ def journey():
     point = until("there is something to pull", lambda s: len(s["pullPoint"]) == 2)["pullPoint"]
     drag(point, (point[0] + 60, point[1] - 110), hold=True)
     pulled = until("the hand feels a force", lambda s: s["forceNorm"] > 1e-4 and s["grabbedNode"] >= 0)
-    assert pulled["stability"] in ("good", "slow"), pulled["stability"]
+    assert pulled["stability"] in ("good", "implicit", "rough", "slow"), pulled["stability"]
     assert pulled["device"]["force"] == 0, pulled["device"]  # never armed
     time.sleep(1.0)
     picture("pull")
