@@ -53,7 +53,12 @@ public:
 
 /// What a method is to the planner (StepDriver): one of the explicit ones that compete by cost; the implicit
 /// one that serves where they all are too slow; or one that only runs when asked for by name.
-enum class MethodRole { Explicit, Implicit, ByName };
+enum class MethodRole {
+  Explicit,
+  Local, ///< explicit with local steps: laid out and weighed only where few springs hold up many
+  Implicit,
+  ByName
+};
 
 /// A line of the table of methods: adding one is adding one file and one line in integrators.cpp.
 struct IntegratorEntry {

@@ -39,7 +39,7 @@ std::span<const IntegratorEntry> integratorTable() noexcept
     IntegratorEntry{
       "multirate",
       "velocity Verlet with each spring at its own rate: nets with a few stiff springs or light nodes",
-      &makeMultirate, ByName},
+      &makeMultirate, Local, 1e-3},
     IntegratorEntry{"wavefront",
                     "the propagation of 1999: from the greatest force outward layer by layer, first order",
                     &makeWavefront, ByName},

@@ -14,6 +14,8 @@ namespace {
 
 constexpr double kFrame = 1.0 / 60.0;
 /// Implicit steps per frame to begin with; measured from then on.
+/// Explicit steps per frame beyond which it pays to lay out the other ways and weigh them.
+constexpr double kManySteps = 500.0;
 constexpr double kImplicitGuess = 4.0;
 
 std::string microseconds(double seconds)
@@ -90,11 +92,15 @@ void StepDriver::guessSteps()
     candidate.accurateStep = kFrame / kImplicitGuess;
     candidate.estimate = 0.0;
     candidate.isMeasured = false;
-    if (candidate.role != MethodRole::Explicit) continue;
-    const double gain = m_settings.tolerance / candidate.typicalError;
-    candidate.accurateStep = candidate.estimate =
-      candidate.integrator->stableStep(m_mode) * std::pow(gain, 1.0 / candidate.integrator->order());
+    if (isExplicit(candidate)) guessStep(candidate);
   }
+}
+
+void StepDriver::guessStep(Candidate& candidate) const noexcept
+{
+  const double gain = m_settings.tolerance / candidate.typicalError;
+  candidate.accurateStep = candidate.estimate =
+    candidate.integrator->stableStep(m_mode) * std::pow(gain, 1.0 / candidate.integrator->order());
 }
 
 void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
@@ -200,8 +206,14 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system)
 {
   Method best = m_leapfrog;
   double least = std::numeric_limits<double>::infinity();
+  const bool isHeldUp = kFrame / explicitLimit() > kManySteps;
   for (Method method = 0; method < m_candidates.size(); ++method) {
-    if (m_candidates[method].role != MethodRole::Explicit) continue;
+    Candidate& candidate = m_candidates[method];
+    if (!isExplicit(candidate) || (candidate.role == MethodRole::Local && !isHeldUp)) continue;
+    if (candidate.role == MethodRole::Local && !candidate.prepared) {
+      prepare(method, system); // its classes tell its step
+      if (!candidate.isMeasured) guessStep(candidate);
+    }
     const double needed = cost(method, system) * (method == m_method ? 0.8 : 1.0); // a change must pay
     if (needed >= least) continue;
     least = needed;
@@ -223,7 +235,7 @@ void StepDriver::choose(System& system, const MotionState&)
     m_toleranceGivenUp = false;
     // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
     const double steps = kFrame / explicitLimit();
-    if (steps > 500.0 &&
+    if (steps > kManySteps &&
         (toleranceIsTooDear(system) || cost(m_method, system) > 2.0 * cost(m_implicit, system)))
       m_method = m_implicit;
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
@@ -244,7 +256,7 @@ void StepDriver::reconsider(System& system)
   } else {
     m_method = cheapestExplicit(system);
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
-    if (before == m_leapfrog && kFrame / stable > 500.0 && accurate > 4.0 * stable) {
+    if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
       if (tooDear || cost(before, system) > 3.0 * cost(m_implicit, system)) m_method = m_implicit;
     }
@@ -302,6 +314,8 @@ void StepDriver::explain(const System& system)
     m_why = need + "; the engine went implicit and stays bounded, but the tolerance may not hold";
   else if (m_method == m_implicit)
     m_why = need + "; the engine went implicit";
+  else if (m_candidates[m_method].role == MethodRole::Local)
+    m_why = need + "; they take them alone, and the rest its own";
   else if (m_method != m_leapfrog)
     m_why = need + "; the tolerance asks for order " + std::to_string(current().order());
   else

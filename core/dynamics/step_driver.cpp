@@ -321,7 +321,7 @@ bool StepDriver::checkDue(const System&, const MotionState&, double speed) const
 void StepDriver::learn(double error, double budget, double step)
 {
   const double order = current().order(), share = error / budget;
-  const bool isImplicit = m_candidates[m_method].role != MethodRole::Explicit;
+  const bool isImplicit = !isExplicit(m_candidates[m_method]);
   const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
   double& accurate = m_candidates[m_method].accurateStep;
   accurate = step;
@@ -341,7 +341,7 @@ void StepDriver::learn(double error, double budget, double step)
   const double change = here.estimate > 0.0 ? estimate / here.estimate : 1.0;
   here.estimate = estimate;
   for (Candidate& other : m_candidates)
-    if (&other != &here && other.role == MethodRole::Explicit && (here.isMeasured || !other.isMeasured))
+    if (&other != &here && isExplicit(other) && (here.isMeasured || !other.isMeasured))
       other.accurateStep *=
         std::clamp(std::pow(change, std::min(1.0, order / other.integrator->order())), 0.2, 5.0);
   here.isMeasured = true;

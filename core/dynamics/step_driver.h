@@ -79,10 +79,15 @@ private:
     bool prepared = false;
   };
 
+  static bool isExplicit(const Candidate& candidate) noexcept
+  {
+    return candidate.role == MethodRole::Explicit || candidate.role == MethodRole::Local;
+  }
   Integrator& current() noexcept { return *m_candidates[m_method].integrator; }
   void use(Method method, const System& system);
   void prepare(Method method, const System& system);
   void guessSteps();
+  void guessStep(Candidate& candidate) const noexcept;
   void choose(System& system, const MotionState& state);
   void reconsider(System& system);
   double cost(Method method, const System& system);
