@@ -63,6 +63,7 @@ StepResult Integrator::run(System& system, MotionState& state, double end, std::
   const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
   for (std::int64_t i = 1; i <= steps; ++i) {
     const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
+    if (system.isExhausted()) return StepResult::NotConverged;
     StepResult result = step(system, state, h, stepEnd, report);
     for (int parts = 4; result == StepResult::NotConverged && parts <= 256 && !system.isExhausted();
          parts *= 4) {

@@ -18,7 +18,7 @@ TEST_P(StressSweep, AThousandNets)
   settings.tolerance = 1e-2;
   settings.effort = 5e5;
   const std::uint32_t first = GetParam() * 1000;
-  const StressSummary summary = sweepStress(first, first + 1000, settings, 0.05, 4.0);
+  const StressSummary summary = sweepStress(first, first + 1000, settings, 0.1, 4.0);
   EXPECT_EQ(summary.badFrames, 0);
   RecordProperty("growth", std::to_string(summary.growth));
   RecordProperty("cost", std::to_string(summary.frameCost));
@@ -29,7 +29,7 @@ TEST_P(StressSweep, SomeAtTheDefaultEffort)
   SolverSettings settings;
   settings.tolerance = 1e-2;
   const std::uint32_t first = 20000 + GetParam() * 10;
-  const StressSummary summary = sweepStress(first, first + 10, settings, 0.05, 4.0);
+  const StressSummary summary = sweepStress(first, first + 10, settings, 0.1, 4.0);
   EXPECT_EQ(summary.badFrames, 0);
 }
 
