@@ -4,13 +4,11 @@
 // esm_bench SUBCOMMAND: run time against error, stability, growth, the kernel, the clock. See usage below and
 // docs/BENCHMARKS.md.
 #include "bench/quick.h"
+#include "bench/skip.h"
 #include "bench/sub_benches.h"
 #include "bench/work_precision.h"
 
 #include <cstdio>
-#if defined(ESM_BENCH_SKIP)
-#include "bench/skip.h"
-#endif
 
 namespace esm::bench {
 namespace {
@@ -43,9 +41,7 @@ int run(const std::vector<std::string>& words)
 #if defined(ESM_BENCH_KERNEL)
   if (words[0] == "kernel") return runKernel(rest);
 #endif
-#if defined(ESM_BENCH_SKIP)
   if (words[0] == "skip") return runSkip(rest);
-#endif
   return usage();
 }
 

@@ -222,10 +222,22 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system)
   return best;
 }
 
+/// What a frame costs at least: plain steps at their limit or, where these are many, one implicit step. To
+/// ask for less would only lead to methods that cost more.
+void StepDriver::weighLeastCost(const System& system)
+{
+  const double steps = std::ceil(kFrame / explicitLimit());
+  m_leastCost = steps * m_candidates[m_leapfrog].integrator->stepCost(system);
+  if (!m_auto || !(steps > kManySteps)) return;
+  prepare(m_implicit, system);
+  m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system));
+}
+
 bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
 {
   const auto springs = static_cast<double>(system.forces().activeSprings());
-  return springs * kFrame / explicitLimit() > m_settings.effort;
+  const double cost = springs * kFrame / explicitLimit();
+  return cost > m_settings.effort && cost > 1.5 * m_leastCost;
 }
 
 void StepDriver::choose(System& system, const MotionState&)
@@ -328,9 +340,9 @@ void StepDriver::giveUp(Run failure, StepReport& report)
     m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(nameOf(m_mode.node)) + ")";
   if (failure == Run::Limit) {
     report.stepLimit = true;
-    m_limitText = "the work limit of " + std::to_string(m_maxSteps) +
-            " steps was reached before the end of the interval; allow more steps or a larger tolerance" +
-            place;
+    m_limitText =
+      "the work limit of " + std::to_string(m_maxSteps) +
+      " steps was reached before the end of the interval; allow more steps or a larger tolerance" + place;
   } else if (failure == Run::NonFinite) {
     report.nonFinite = true;
     m_why = std::string("numbers became infinite") + place + "; the last good state is kept: " +

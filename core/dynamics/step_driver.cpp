@@ -142,7 +142,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   if (m_auto) {
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
     const double share = std::max(length / kFrame, kLeastShare);
-    system.workLimit = system.workDone() + kMostEffort * m_settings.effort * share;
+    system.workLimit = system.workDone() + kMostEffort * std::max(m_settings.effort, m_leastCost) * share;
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     const double step = controlledStep(length);

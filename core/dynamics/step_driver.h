@@ -93,6 +93,7 @@ private:
   double cost(Method method, const System& system);
   void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
+  void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system);
   bool toleranceIsTooDear(const System& system) const noexcept;
@@ -128,13 +129,14 @@ private:
   Method m_descent = 0;                  ///< where that fails, too
   Method m_method = 0;
   std::string m_name, m_why;
-  std::string m_limitText; ///< of the last advance(), if its work limit ended it
+  std::string m_limitText;             ///< of the last advance(), if its work limit ended it
   std::vector<Candidate> m_candidates; ///< in the table's order
   StepBound m_bound;
   FastestMode m_mode;
   std::int64_t m_stepsSinceBound = 0;
   bool m_toleranceGivenUp = false;
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
+  double m_leastCost = 0.0;             ///< of a frame, whatever the tolerance [spring evaluations]
   double m_floorStep = 0.0;             ///< smallest implicit step while the tolerance is given up [s]
   double m_explicitFloorStep = 0.0;     ///< smallest step that accuracy may cost under `auto` [s]
   double m_grown = 0.0, m_growth = 0.0; ///< energy that appeared up to the present stretch, up to its end [J]

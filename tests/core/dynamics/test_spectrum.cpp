@@ -1,0 +1,133 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// How fast a net can move, and what the explicit methods make of it.
+#include "core/dynamics/chebyshev_damping.h"
+#include "core/dynamics/spectral_radius.h"
+#include "core/dynamics/step_bound.h"
+#include "tests/support/nets.h"
+#include "tests/support/physics.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <cmath>
+#include <numbers>
+
+namespace esm::testing {
+namespace {
+
+FastestMode boundOf(const SpringNet& net)
+{
+  System system(net, {});
+  MotionState state;
+  state.x.resize(static_cast<std::size_t>(net.nodeCount()));
+  state.v.assign(state.x.size(), Lanes{0, 0, 0, 0});
+  copyNodes(net.restPosition, state.x);
+  system.enter(state, true);
+  StepBound bound;
+  bound.prepare(system);
+  return bound.compute(system, state.x, state.v);
+}
+
+/// Eigenvalues of M^-1 K (springs at rest length: only the axial part), dense, by Eigen.
+double exactStiffness(const SpringNet& net)
+{
+  const Eigen::Index n = 3 * net.nodeCount();
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index a = net.ends(0, s), b = net.ends(1, s);
+    const Eigen::Vector3d u = (net.restPosition.col(b) - net.restPosition.col(a)).normalized();
+    const Eigen::Matrix3d block = net.stiffness[s] * u * u.transpose();
+    k.block<3, 3>(3 * a, 3 * a) += block;
+    k.block<3, 3>(3 * b, 3 * b) += block;
+    k.block<3, 3>(3 * a, 3 * b) -= block;
+    k.block<3, 3>(3 * b, 3 * a) -= block;
+  }
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) k(i, j) /= std::sqrt(net.mass[i / 3] * net.mass[j / 3]);
+  return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(k).eigenvalues().maxCoeff();
+}
+
+SpringNet relaxed(std::uint32_t seed)
+{
+  SpringNet net = randomNet(seed, 40);
+  for (Index s = 0; s < net.springCount(); ++s)
+    net.restLength[s] = (net.restPosition.col(net.ends(0, s)) - net.restPosition.col(net.ends(1, s))).norm();
+  return net;
+}
+
+} // namespace
+
+// The bound must not lie below the largest eigenvalue, which the dense solver knows, nor far above: Ritz
+// values get a margin of 2 %, the step one of 5 % (10 % in the square).
+TEST(Spectrum, BoundIsTheLargestEigenvalueOrALittleMore)
+{
+  for (std::uint32_t seed = 1; seed <= 20; ++seed) {
+    const SpringNet net = relaxed(seed);
+    const double exact = exactStiffness(net), bound = boundOf(net).stiffness;
+    EXPECT_GE(bound, 0.999 * exact) << "seed " << seed;
+    EXPECT_LE(bound, 1.03 * exact) << "seed " << seed;
+  }
+}
+
+// A tridiagonal matrix with 2 on the diagonal and -1 beside it has the eigenvalues 2 - 2 cos(k pi/(n + 1)).
+TEST(Spectrum, TridiagonalEigenvalueInClosedForm)
+{
+  const std::size_t n = 12;
+  const double largest =
+    largestTridiagonalEigenvalue(std::vector<double>(n, 2.0), std::vector<double>(n - 1, -1.0));
+  EXPECT_NEAR(largest, 2.0 - 2.0 * std::cos(12.0 * std::numbers::pi / 13.0), 1e-11);
+}
+
+// P(z) = 1 - z + ... for order 1, 1 - z + z^2/2 + ... for order 2, and |P| < 1 up to its reach.
+TEST(Spectrum, ChebyshevPolynomialsHaveTheirOrderAndStayBelowOne)
+{
+  for (const int order : {1, 2})
+    for (int stages = order; stages <= ChebyshevDamping::kMostStages; ++stages) {
+      const ChebyshevDamping damping(stages, order);
+      const double h = 1e-4, slope = (damping.value(h) - damping.value(-h)) / (2 * h);
+      EXPECT_NEAR(damping.value(0.0), 1.0, 1e-13);
+      EXPECT_NEAR(slope, -1.0, 1e-7);
+      const double curvature = (damping.value(h) - 2.0 * damping.value(0.0) + damping.value(-h)) / (h * h);
+      if (order == 2) {
+        EXPECT_NEAR(curvature, 1.0, 1e-5); // rounding 1e-16/h^2, and h^2 P''''
+      }
+      // The reach is that of a mode that is all damper: w2 -> 0.
+      FastestMode mode;
+      mode.damping = 1.0;
+      const double reach = damping.stableStep(mode);
+      EXPECT_GT(reach, (order == 1 ? 1.3 : 0.6) * (stages * stages - (order == 1 ? 0 : 1)));
+      for (int i = 1; i < 200; ++i) EXPECT_LT(std::abs(damping.value(reach * i / 200.0)), 1.0);
+    }
+}
+
+// One damped mass: at 0.99 of the stable step it stays, at 1.1 of it it does not. (The bound is exact for one
+// mode, but for the bisection's 0.1 %.)
+TEST(Spectrum, LeapfrogLimitIsSharpForOneMode)
+{
+  for (const double damping : {0.0, 100.0, 1500.0, 8000.0})
+    for (const int stages : {1, 2, 3, 4}) {
+      const ChebyshevDamping polynomial(stages, 1);
+      FastestMode mode;
+      mode.stiffness = 1e6;
+      mode.damping = damping;
+      mode.leastDamping = damping / mode.stiffness;
+      const auto grows = [&](double h) {
+        const double p = polynomial.value(h * damping),
+                     share = damping > 0.0 ? (1.0 - p) / (h * damping) : 1.0;
+        double x = 1.0, v = 0.0;
+        for (int i = 0; i < 2000; ++i) {
+          v = p * v - share * h * mode.stiffness * x;
+          x += h * v;
+        }
+        return !(std::abs(x) < 1e6);
+      };
+      const double limit = polynomial.stableStep(mode);
+      EXPECT_FALSE(grows(0.99 * limit)) << stages << " stages, damping " << damping;
+      if (damping == 0.0) {
+        EXPECT_TRUE(grows(1.01 * limit));
+      }
+    }
+}
+
+} // namespace esm::testing
