@@ -40,6 +40,7 @@ public:
   }
   void restart() noexcept override {}
   void constraintsChanged(const System& system) override { m_matrix.constraintsChanged(system); }
+  bool isUncontrolled() const noexcept override { return true; }
   int order() const noexcept override { return 1; }
   double stableStep(const FastestMode&) const noexcept override
   {

@@ -40,8 +40,9 @@ public:
   virtual void tune(const System& /*system*/, const FastestMode& /*mode*/) noexcept {}
 
   virtual int order() const noexcept = 0;
-  /// Whether a step leads to a state of rest under the loads at its end, whatever its length: no inertia.
-  virtual bool isQuasiStatic() const noexcept { return false; }
+  /// Whether it takes one step per stretch whatever the tolerance: its result is an equilibrium, or rough by
+  /// intent.
+  virtual bool isUncontrolled() const noexcept { return false; }
   /// Largest stable step for such motions [s]; infinity for an implicit method.
   virtual double stableStep(const FastestMode& mode) const noexcept = 0;
   /// How exactly an implicit method must solve for positions [m]; `rough`: a few iterations that gain are

@@ -139,6 +139,13 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   refreshBound(system, state);
   m_start = state;
   m_growth = m_grown;
+  if (!m_auto && current().isUncontrolled()) {
+    current().setSolveTolerance(1e-9 * m_extent, false);
+    const Run result = run(system, state, end, 1, report);
+    if (result != Run::Done) return giveUp(result, report), false;
+    measure(system, state, length);
+    return true;
+  }
   if (m_auto) {
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
     const double share = std::max(length / kFrame, kLeastShare);

@@ -17,7 +17,9 @@ protected:
     return s;
   }
 };
-INSTANTIATE_TEST_SUITE_P(Solvers, ClosedForms, ::testing::Values("auto", "leapfrog", "chebyshev", "verlet", "rk4", "dopri5", "implicit"),
+INSTANTIATE_TEST_SUITE_P(Solvers, ClosedForms,
+                         ::testing::Values("auto", "leapfrog", "chebyshev", "verlet", "rk4", "dopri5",
+                                           "implicit"),
                          [](const auto& solver) { return std::string(solver.param); });
 
 namespace {
