@@ -149,12 +149,16 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   if (m_auto) {
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
     const double share = std::max(length / kFrame, kLeastShare);
-    system.workLimit = system.workDone() + kMostEffort * std::max(m_settings.effort, m_leastCost) * share;
+    system.workLimit =
+      system.workDone() + kMostEffort * std::max(m_settings.effort, 2.0 * m_leastCost) * share;
   }
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     const double step = controlledStep(length);
     const double count = std::ceil(length / step * (1.0 - 1e-9));
-    if (isTooDear(system, count * current().stepCost(system))) break;
+    if (isTooDear(system, count * current().stepCost(system))) {
+      if (!fallBackToLeapfrog(system, length)) break;
+      continue;
+    }
     if (!(count < 1e12)) return giveUp(Run::NotConverged, report), false;
     const auto steps = static_cast<std::int64_t>(count);
     // An implicit solver measures over the nodes that it has.
@@ -181,9 +185,12 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
         energyAppeared(system, state, kCoarseGrowth))
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
-      if (unchecked || !checkDue(system, state, rms(state.v, m_part.wholeCount))) {
+      const bool isDue = !unchecked && checkDue(system, state, rms(state.v, m_part.wholeCount));
+      const bool isUnaffordable =
+        isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system));
+      if (!isDue || isUnaffordable) { // a step that nobody could afford to check is better than none
         --m_untilCheck;
-        report.rough = report.rough || unchecked || m_roughAtCheck;
+        report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
         measure(system, state, length);
         if (unchecked) reconsider(system);
         return true;
@@ -192,7 +199,6 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       m_coarseV = state.v;
       state = m_start;
       current().restart();
-      if (isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system))) break;
       result = run(system, state, end, 2 * steps, report);
       if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     }
@@ -209,7 +215,9 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const double rough = 0.1 * std::max(rmsDisplacement(m_start.x), 1e-6 * m_extent);
     const bool atFloor = length / count <= floorStep() && coarseError <= rough;
     const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
-    const bool accepted = sane && (coarseError / ratio <= allowed || atFloor || system.isExhausted());
+    // Where another attempt could not be paid for, this one must do.
+    const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system));
+    const bool accepted = sane && (coarseError / ratio <= allowed || atFloor || isLast);
     learn(coarseError, allowed, length / count);
     if (accepted) {
       m_roughAtCheck = coarseError / ratio > allowed;
@@ -238,6 +246,18 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
 bool StepDriver::isTooDear(const System& system, double work) const noexcept
 {
   return m_auto && !(system.workDone() + work <= system.workLimit);
+}
+
+/// Where a dearer method was on its way: plain steps at their limit, if these can be paid for.
+bool StepDriver::fallBackToLeapfrog(System& system, double length)
+{
+  if (!m_auto || m_method == m_leapfrog || m_method == m_implicit) return false;
+  if (isTooDear(system, m_leastCost * length / kFrame)) return false;
+  use(m_leapfrog, system);
+  m_candidates[m_leapfrog].accurateStep = explicitLimit();
+  m_settled = 4;
+  explain(system);
+  return true;
 }
 
 /// What always succeeds: a few damped steps that gain no energy.
@@ -417,6 +437,7 @@ void StepDriver::setBound(const System& system, const MotionState& state)
   m_mode = m_bound.compute(system, state.x, state.v);
   m_stepsSinceBound = 0;
   for (Candidate& candidate : m_candidates) candidate.integrator->tune(system, m_mode);
+  weighLeastCost(system);
 }
 
 void StepDriver::refreshBound(const System& system, const MotionState& state)

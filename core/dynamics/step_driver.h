@@ -102,6 +102,7 @@ private:
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
   enum class Run { Done, Limit, NonFinite, NotConverged };
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  bool fallBackToLeapfrog(System& system, double length);
   bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
   bool energyAppeared(const System& system, const MotionState& state, double share);
   bool isTooDear(const System& system, double work) const noexcept;
