@@ -88,7 +88,7 @@ private:
   StepReport m_report;
   std::string m_why;        ///< the simulation's own, but for the limits that slices set it
   bool m_brokenOff = false; ///< the last slice by such a limit
-  std::string m_message; ///< a refusal or a failure; empty: m_why is what there is to say
+  std::string m_message;    ///< a refusal or a failure; empty: m_why is what there is to say
   // The last finite picture, so that a NaN cannot leave even if the dynamics let one through.
   Eigen::Matrix3Xd m_position;
   Eigen::ArrayXd m_tension;
