@@ -60,7 +60,8 @@ TEST(KernelBits, Avx2AndPlainKernelsAgreeToTheLastBit)
         NodeArray kept(damperSize(batch)), keptPlain = kept;
         const SpringSums a = chosen->addForces(batch, x.data(), v.data(), first.data(), kept.data());
         const SpringSums b = plain->addForces(batch, x.data(), v.data(), second.data(), keptPlain.data());
-        EXPECT_EQ(std::memcmp(kept.data(), keptPlain.data(), kept.size() * sizeof(Lanes)), 0);
+        EXPECT_TRUE(kept.empty() ||
+                    std::memcmp(kept.data(), keptPlain.data(), kept.size() * sizeof(Lanes)) == 0);
         addDamping(batch, kept.data(), v.data(), first.data());
         plainAddDamping(batch, kept.data(), v.data(), second.data());
         EXPECT_EQ(std::memcmp(first.data(), second.data(), kNodes * sizeof(Lanes)), 0);
