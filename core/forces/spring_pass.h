@@ -56,6 +56,43 @@ ESM_INLINE void loadLanes(const double* from, Lanes& to) noexcept
   __builtin_memcpy(&to, from, sizeof(to));
 }
 
+/// The ends of springs i .. i+3 of a batch.
+struct FourEnds {
+  Index a0, a1, a2, a3, b0, b1, b2, b3;
+
+  ESM_INLINE FourEnds(const SpringBatch& batch, std::size_t i) noexcept
+    : a0(batch.a[i]),
+      a1(batch.a[i + 1]),
+      a2(batch.a[i + 2]),
+      a3(batch.a[i + 3]),
+      b0(batch.b[i]),
+      b1(batch.b[i + 1]),
+      b2(batch.b[i + 2]),
+      b3(batch.b[i + 3])
+  {}
+  /// values[b] - values[a] of each.
+  ESM_INLINE void difference(const Lanes* values, Lanes& d0, Lanes& d1, Lanes& d2, Lanes& d3) const noexcept
+  {
+    d0 = values[b0] - values[a0];
+    d1 = values[b1] - values[a1];
+    d2 = values[b2] - values[a2];
+    d3 = values[b3] - values[a3];
+  }
+  /// A force on each end a, the opposite one on b.
+  ESM_INLINE void pull(Lanes* force, const Lanes& f0, const Lanes& f1, const Lanes& f2,
+                       const Lanes& f3) const noexcept
+  {
+    force[a0] += f0;
+    force[b0] -= f0;
+    force[a1] += f1;
+    force[b1] -= f1;
+    force[a2] += f2;
+    force[b2] -= f2;
+    force[a3] += f3;
+    force[b3] -= f3;
+  }
+};
+
 /// The pass that all laws share. `Law::tension(batch, i, e, f)` gives f(e) of springs i .. i+3. With `keep`
 /// the damping is stored as well, see DamperArray.
 ///
@@ -65,8 +102,6 @@ template <class Law, bool damped, bool tensionOnly, bool keep>
 ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                                  Lanes* damper) noexcept
 {
-  const Index* endA = batch.a.data();
-  const Index* endB = batch.b.data();
   const Lanes zero = {0, 0, 0, 0};
   const Lanes one = {1, 1, 1, 1};
   const Lanes shortest = one * (kMinSpringLength * kMinSpringLength);
@@ -74,10 +109,9 @@ ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const
   LaneBits degenerate = {0, 0, 0, 0};
   const std::size_t count = batch.paddedCount();
   for (std::size_t i = 0; i < count; i += 4) {
-    const Index a0 = endA[i], a1 = endA[i + 1], a2 = endA[i + 2], a3 = endA[i + 3];
-    const Index b0 = endB[i], b1 = endB[i + 1], b2 = endB[i + 2], b3 = endB[i + 3];
-    const Lanes d0 = x[b0] - x[a0], d1 = x[b1] - x[a1], d2 = x[b2] - x[a2], d3 = x[b3] - x[a3];
-    Lanes dx, dy, dz, length, restLength, tension;
+    const FourEnds ends(batch, i);
+    Lanes d0, d1, d2, d3, dx, dy, dz, length, restLength, tension;
+    ends.difference(x, d0, d1, d2, d3);
     transpose(d0, d1, d2, d3, dx, dy, dz);
     const Lanes square = dx * dx + dy * dy + dz * dz;
     length = square;
@@ -90,8 +124,8 @@ ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const
     const Lanes e = length - restLength;
     Law::tension(batch, i, e, tension);
     if constexpr (damped) {
-      const Lanes w0 = v[b0] - v[a0], w1 = v[b1] - v[a1], w2 = v[b2] - v[a2], w3 = v[b3] - v[a3];
-      Lanes wx, wy, wz, viscosity;
+      Lanes w0, w1, w2, w3, wx, wy, wz, viscosity;
+      ends.difference(v, w0, w1, w2, w3);
       transpose(w0, w1, w2, w3, wx, wy, wz);
       const Lanes rate = (wx * dx + wy * dy + wz * dz) * inverse;
       loadLanes(&batch.viscosity[i], viscosity);
@@ -112,15 +146,7 @@ ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const
     }
     if constexpr (tensionOnly) tension = e <= zero ? zero : tension;
     const Lanes scale = tension * inverse;
-    const Lanes f0 = d0 * scale[0], f1 = d1 * scale[1], f2 = d2 * scale[2], f3 = d3 * scale[3];
-    force[a0] += f0;
-    force[b0] -= f0;
-    force[a1] += f1;
-    force[b1] -= f1;
-    force[a2] += f2;
-    force[b2] -= f2;
-    force[a3] += f3;
-    force[b3] -= f3;
+    ends.pull(force, d0 * scale[0], d1 * scale[1], d2 * scale[2], d3 * scale[3]);
   }
   SpringSums sums;
   sums.heat = sumLanes(heat);
