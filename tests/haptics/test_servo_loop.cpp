@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "allocation_counter.h"
 #include "servo_bench.h"
+#include "tests/support/allocation_counter.h"
 
 #include <gtest/gtest.h>
 
@@ -225,13 +225,13 @@ TEST(ServoLoop, ATickAllocatesNothing)
 {
   ServoBench bench;
   bringUp(bench);
-  const std::uint64_t before = allocationsOfThisThread();
+  const std::uint64_t before = testing::allocationsOfThisThread();
   tickUnder(bench, springTo({0.001, 0.0, 0.0}, 500.0), 1000);
   bench.order(ForceOrder::Stop);
   tickUnder(bench, constantForce(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())), 10);
-  EXPECT_EQ(allocationsOfThisThread(), before);
+  EXPECT_EQ(testing::allocationsOfThisThread(), before);
   auto counted = std::make_unique<int>(1); // the counter does count
-  EXPECT_EQ(allocationsOfThisThread(), before + 1);
+  EXPECT_EQ(testing::allocationsOfThisThread(), before + 1);
 }
 
 } // namespace esm
