@@ -55,11 +55,11 @@ public:
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {
     ++report.steps;
-    const double before = storedEnergy(system, state.x);
+    const double before = system.storedEnergy(state.x);
     m_x = state.x; // same size: no allocation
     m_w = state.v;
     system.place(end, m_x, m_w);
-    const double moved = storedEnergy(system, m_x);
+    const double moved = system.storedEnergy(m_x);
     if (!std::isfinite(before) || !std::isfinite(moved)) return StepResult::NonFinite;
     const Goal goal{state.v, h, end};
     m_y = m_x;
@@ -82,11 +82,7 @@ public:
       for (std::size_t i = 0; i < m_w.size(); ++i)
         if (system.isFree(i)) m_w[i] *= share;
     }
-    std::swap(state.x, m_y);
-    std::swap(state.v, m_w);
-    state.work += moved - before + work;
-    state.heat += h * sums.heatPower;
-    state.time = end;
+    state.advanceTo(end, m_y, m_w, moved - before + work, h * sums.heatPower);
     return StepResult::Done;
   }
 
@@ -102,10 +98,6 @@ private:
     double heatPower = 0.0; ///< [W]
   };
 
-  static double storedEnergy(const System& system, const NodeArray& x) noexcept
-  {
-    return system.elasticEnergy(x) + system.forces().gravityEnergy(x.data());
-  }
   static double freeKinetic(const System& system, const NodeArray& v) noexcept
   {
     double energy = 0.0;
@@ -124,7 +116,7 @@ private:
     sums.loadWork = goal.h * system.schedule().addForces(goal.end, m_w.data(), m_force.data());
     const Rates rates = system.evaluate(goal.end, y, m_w, m_force); // places the supports
     sums.heatPower = rates.heat;
-    sums.stored = storedEnergy(system, y);
+    sums.stored = system.storedEnergy(y);
     double inertia = 0.0;
     for (std::size_t i = 0; i < y.size(); ++i) {
       if (!system.isFree(i)) {

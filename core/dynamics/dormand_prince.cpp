@@ -51,11 +51,6 @@ ESM_CPU_CLONES void combine(std::size_t count, int stages, const double* w, cons
   }
 }
 
-ESM_CPU_CLONES void scale(std::size_t count, const double* inverseMass, Lanes* force) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) force[i] *= inverseMass[i];
-}
-
 /// The explicit Runge-Kutta method of fifth order by Dormand and Prince, six force passes per step: the
 /// seventh stage opens the next step. Work and heat go through the same quadrature.
 class DormandPrince final : public Integrator {
@@ -87,12 +82,11 @@ public:
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {
     const std::size_t count = state.x.size();
-    const double* inverseMass = system.inverseMass().data();
     std::array<const Lanes*, kStages + 1> a{};
     for (std::size_t j = 0; j <= kStages; ++j) a[j] = m_a[j].data();
     if (!m_started) {
       m_rates = system.evaluate(state.time, state.x, state.v, m_a[0]);
-      scale(count, inverseMass, m_a[0].data());
+      system.toAccelerations(m_a[0]);
       m_started = true;
     }
     Rates sum{kWeights[kStages - 1][0] * m_rates.work, kWeights[kStages - 1][0] * m_rates.heat}, last;
@@ -101,20 +95,16 @@ public:
               state.x.data(), state.v.data(), m_x.data(), m_v.data());
       const double t = j + 1 >= kStages - 1 ? end : state.time + kNode[j + 1] * h;
       last = system.evaluate(t, m_x, m_v, m_a[j + 1]);
-      scale(count, inverseMass, m_a[j + 1].data());
+      system.toAccelerations(m_a[j + 1]);
       const double weight = j + 1 < kStages ? kWeights[kStages - 1][j + 1] : 0.0;
       sum.work += weight * last.work;
       sum.heat += weight * last.heat;
     }
     ++report.steps;
     if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
-    std::swap(state.x, m_x);
-    std::swap(state.v, m_v);
     std::swap(m_a[0], m_a[kStages]);
     m_rates = last;
-    state.work += h * sum.work;
-    state.heat += h * sum.heat;
-    state.time = end;
+    state.advanceTo(end, m_x, m_v, h * sum.work, h * sum.heat);
     return StepResult::Done;
   }
 

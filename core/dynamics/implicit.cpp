@@ -75,11 +75,8 @@ public:
     m_guessEnd.judge(state.v, m_a, m_middleV, m_middleA, m_v);
     for (std::size_t i = 0; i < count; ++i)
       m_a[i] = system.isFree(i) ? (m_v[i] - m_startV[i]) * (1.0 / share) : Lanes{0, 0, 0, 0};
-    std::swap(state.x, m_x);
-    std::swap(state.v, m_v);
-    state.work += h * (kOuter * (rates[0].work + rates[1].work) + kDiagonal * rates[2].work);
-    state.heat += h * (kOuter * (rates[0].heat + rates[1].heat) + kDiagonal * rates[2].heat);
-    state.time = end;
+    state.advanceTo(end, m_x, m_v, h * (kOuter * (rates[0].work + rates[1].work) + kDiagonal * rates[2].work),
+                    h * (kOuter * (rates[0].heat + rates[1].heat) + kDiagonal * rates[2].heat));
     m_rates = rates[2];
     m_lastStep = h;
     return StepResult::Done;
@@ -89,7 +86,7 @@ private:
   void start(System& system, MotionState& state)
   {
     m_rates = system.evaluate(state.time, state.x, state.v, m_a);
-    for (std::size_t i = 0; i < m_a.size(); ++i) m_a[i] *= system.inverseMass()[i];
+    system.toAccelerations(m_a);
     m_started = true;
     m_lastStep = 0.0;
   }

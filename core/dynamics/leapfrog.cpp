@@ -182,11 +182,7 @@ public:
     }
     report.steps += steps;
     if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
-    std::swap(state.x, m_x);
-    std::swap(state.v, m_v);
-    state.work += h * work;
-    state.heat += h * heat;
-    state.time = end;
+    state.advanceTo(end, m_x, m_v, h * work, h * heat);
     return StepResult::Done;
   }
 

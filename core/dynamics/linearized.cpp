@@ -67,11 +67,7 @@ public:
     if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
     if (!isOld || isTooOld) m_freshLeft = std::min(left, kMostFresh);
     if (!(left <= m_freshLeft + kMuch)) m_factoredStep = 0.0;
-    std::swap(state.x, m_x);
-    std::swap(state.v, m_v);
-    state.work += h * rates.work;
-    state.heat += h * rates.heat;
-    state.time = end;
+    state.advanceTo(end, m_x, m_v, h * rates.work, h * rates.heat);
     m_meanFactors += 0.1 * (static_cast<double>(report.factorizations - factorsBefore) - m_meanFactors);
     return StepResult::Done;
   }

@@ -123,11 +123,7 @@ public:
       return StepResult::NotConverged;
     }
     system.place(end, m_x, m_v);
-    std::swap(state.x, m_x);
-    std::swap(state.v, m_v);
-    state.work += m_work;
-    state.heat += m_heat;
-    state.time = end;
+    state.advanceTo(end, m_x, m_v, m_work, m_heat);
     return StepResult::Done;
   }
 

@@ -57,16 +57,16 @@ public:
   StepResult step(System& system, MotionState& state, double, double end, StepReport& report) override
   {
     ++report.steps;
-    const double before = system.elasticEnergy(state.x) + system.forces().gravityEnergy(state.x.data());
+    const double before = system.storedEnergy(state.x);
     m_x = state.x; // same size: no allocation
     m_v = m_rest;
     system.place(end, m_x, m_v);
     findLoads(system, end);
-    const double moved = system.elasticEnergy(m_x) + system.forces().gravityEnergy(m_x.data());
+    const double moved = system.storedEnergy(m_x);
     const double potential = loadEnergy(system, m_x);
     if (const StepResult result = minimize(system, report); result != StepResult::Done) return result;
     if (!allFinite(m_x, m_rest)) return StepResult::NonFinite;
-    const double after = system.elasticEnergy(m_x) + system.forces().gravityEnergy(m_x.data());
+    const double after = system.storedEnergy(m_x);
     const double loads = potential - loadEnergy(system, m_x);
     const double work = (moved - before) + loads;
     state.work += work;
@@ -101,7 +101,7 @@ private:
 
   double energy(const System& system, const NodeArray& x) const noexcept
   {
-    return system.elasticEnergy(x) + system.forces().gravityEnergy(x.data()) + loadEnergy(system, x);
+    return system.storedEnergy(x) + loadEnergy(system, x);
   }
 
   /// Forces on the free nodes at rest at x into m_force. @return their norm [N].

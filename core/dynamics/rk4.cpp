@@ -70,11 +70,7 @@ public:
     system.place(end, m_sumX, m_sumV);
     ++report.steps;
     if (!allFinite(m_sumX, m_sumV)) return StepResult::NonFinite;
-    std::swap(state.x, m_sumX);
-    std::swap(state.v, m_sumV);
-    state.work += h * sum.work;
-    state.heat += h * sum.heat;
-    state.time = end;
+    state.advanceTo(end, m_sumX, m_sumV, h * sum.work, h * sum.heat);
     return StepResult::Done;
   }
 

@@ -3,6 +3,7 @@
 #include "core/dynamics/system.h"
 
 #include "core/base/assert.h"
+#include "core/forces/spring_pass.h"
 
 namespace esm {
 
@@ -80,6 +81,20 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
   return rates;
 }
 
+namespace {
+
+ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, Lanes* values) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) values[i] *= factor[i];
+}
+
+} // namespace
+
+void System::toAccelerations(NodeArray& force) const noexcept
+{
+  scaleNodes(force.size(), m_inverseMass.data(), force.data());
+}
+
 double System::loadPower(double t, const NodeArray& v) const noexcept
 {
   double power = m_schedule.power(t, v.data());
@@ -119,6 +134,11 @@ double System::toolEnergy(const NodeArray& x) const noexcept
 double System::elasticEnergy(const NodeArray& x) const noexcept
 {
   return m_forces.elasticEnergy(x.data()) + toolEnergy(x);
+}
+
+double System::storedEnergy(const NodeArray& x) const noexcept
+{
+  return elasticEnergy(x) + m_forces.gravityEnergy(x.data());
 }
 
 Eigen::Vector3d System::toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept

@@ -17,6 +17,16 @@ struct MotionState {
   double time = 0.0;
   double work = 0.0; ///< done by nodal forces, motions and tools since t = 0 [J]
   double heat = 0.0; ///< [J]
+
+  /// The end of a step: positions and velocities change places with these, which are left to be overwritten.
+  void advanceTo(double end, NodeArray& nextX, NodeArray& nextV, double workDone, double heatMade) noexcept
+  {
+    x.swap(nextX);
+    v.swap(nextV);
+    work += workDone;
+    heat += heatMade;
+    time = end;
+  }
 };
 
 /// Powers at one instant [W].
@@ -55,6 +65,8 @@ public:
   /// Does not allocate.
   /// @param damper  forces().damperSize() entries that receive the springs' damping at x, or null.
   Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper = nullptr) noexcept;
+  /// Forces to accelerations; 0 where a support holds.
+  void toAccelerations(NodeArray& force) const noexcept;
   /// The power of nodal forces and tools at other velocities [W].
   double loadPower(double t, const NodeArray& v) const noexcept;
   /// Adds the viscous forces at velocities v to `force`, but for - c v of forces().nodeViscosity(); the
@@ -65,6 +77,7 @@ public:
 
   double kineticEnergy(const NodeArray& v) const noexcept;
   double elasticEnergy(const NodeArray& x) const noexcept; ///< springs, anchors, tools [J]
+  double storedEnergy(const NodeArray& x) const noexcept;  ///< elastic and of weight [J]
   Eigen::Vector3d toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept;
 
   std::int64_t springsEvaluated = 0; ///< since the caller set it to 0

@@ -51,8 +51,7 @@ public:
   int order() const noexcept override { return 2; }
   double stepCost(const System& system) override
   {
-    return 1.0 * system.forces().passCost() +
-           1.6 * static_cast<double>(system.nodeCount()); // sweeps, measured
+    return system.forces().passCost() + 1.6 * static_cast<double>(system.nodeCount()); // sweeps, measured
   }
 
   double stableStep(const FastestMode& mode) const noexcept override
@@ -73,13 +72,10 @@ public:
     correct(h, count, inverseMass.data(), m_force.data(), m_nextV.data());
     ++report.steps;
     if (!allFinite(m_nextX, m_nextV)) return StepResult::NonFinite;
-    std::swap(state.x, m_nextX);
-    std::swap(state.v, m_nextV);
     std::swap(m_p, m_nextP);
     std::swap(m_a, m_force);
-    state.work += 0.5 * h * (m_rates.work + rates.work);
-    state.heat += 0.5 * h * (m_rates.heat + rates.heat);
-    state.time = end;
+    state.advanceTo(end, m_nextX, m_nextV, 0.5 * h * (m_rates.work + rates.work),
+                    0.5 * h * (m_rates.heat + rates.heat));
     m_rates = rates;
     return StepResult::Done;
   }
@@ -89,7 +85,7 @@ private:
   {
     m_rates = system.evaluate(state.time, state.x, state.v, m_a);
     m_p = state.v; // same size: no allocation
-    for (std::size_t i = 0; i < m_a.size(); ++i) m_a[i] *= system.inverseMass()[i];
+    system.toAccelerations(m_a);
     m_started = true;
   }
 
