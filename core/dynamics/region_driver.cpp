@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/region_driver.h"
 
+#include "core/dynamics/frame.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace esm {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0;
 /// Share of a frame after which to glance at nodes that seem to rest: no simple fraction.
 constexpr double kGlance = 0.381966011250105;
 

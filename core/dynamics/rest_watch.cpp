@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/rest_watch.h"
 
+#include "core/dynamics/frame.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace esm {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0;
 constexpr double kSomeFrames = 4.0;       ///< a slow node does not get far in them
 constexpr double kHorizon = 8.0 * kFrame; ///< over which an acceleration is followed [s]
 constexpr double kLongestSeries = 600.0;  ///< what does not die out goes on for so many looks, ten seconds

@@ -12,10 +12,9 @@
 namespace esm {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0;
-/// Implicit steps per frame to begin with; measured from then on.
 /// Explicit steps per frame beyond which it pays to lay out the other ways and weigh them.
 constexpr double kManySteps = 500.0;
+/// Implicit steps per frame to begin with; measured from then on.
 constexpr double kImplicitGuess = 4.0;
 
 std::string microseconds(double seconds)
@@ -58,13 +57,10 @@ StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings)
 
 void StepDriver::begin(System& system, const MotionState& state)
 {
-  m_part = NetPart{{}, {}, state.x.size(), 0.0};
-  m_rest = state.x;
+  m_names.clear();
   m_start = state;
   m_coarse = state.x;
-  m_extent = extentOf(system, state.x);
-  m_displacement = m_squareOverTime = 0.0;
-  m_speed = m_topSpeed = m_recentHeat = m_recentKinetic = m_recentPath = m_calm = 0.0;
+  m_gauge.begin(state.x, extentOf(system, state.x));
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
 }
@@ -115,8 +111,8 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
 
 void StepDriver::partChanged(System& system, const MotionState& state, NetPart part)
 {
-  m_rest.swap(part.rest);
-  m_part = std::move(part);
+  m_gauge.setPart(part.rest, part.wholeCount, part.squareElsewhere);
+  m_names = std::move(part.nodes);
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system);
@@ -148,22 +144,9 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
   explain(system);
 }
 
-ErrorScale StepDriver::errorScale() const noexcept
-{
-  return {m_displacement, m_squareOverTime, m_speed, m_topSpeed};
-}
-
-void StepDriver::setErrorScale(const ErrorScale& scale) noexcept
-{
-  m_displacement = scale.displacement;
-  m_squareOverTime = scale.squareOverTime;
-  m_speed = scale.speed;
-  m_topSpeed = scale.topSpeed;
-}
-
 Index StepDriver::nameOf(Index node) const noexcept
 {
-  return m_part.nodes.empty() ? node : m_part.nodes[static_cast<std::size_t>(node)];
+  return m_names.empty() ? node : m_names[static_cast<std::size_t>(node)];
 }
 
 void StepDriver::prepare(Method method, const System& system)

@@ -9,12 +9,7 @@
 namespace esm {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0; ///< longest stretch [s]
-constexpr double kErrorHorizon = 2.0; ///< motion over which errors add up at least, if nothing damps them [s]
-constexpr double kShortestHorizon = 0.1; ///< [s]
-constexpr double kMemory = 0.2;          ///< over which the net's damping is averaged [s]
-constexpr double kSolveShare = 0.1;      ///< of the budget, for what implicit solvers leave
-constexpr double kSafety = 0.8;          ///< share of the tolerance that is spent on purpose
+constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solvers leave
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0;
 constexpr int kMostAttempts = 24; ///< of one stretch
@@ -30,29 +25,6 @@ constexpr int kLongestDescent = 64;        ///< stretches before something else 
 /// explicit ones, which stir up the fastest modes a little at their limit.
 constexpr double kGrowth = 0.02, kCoarseGrowth = 0.05;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
-{
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Lanes d = a[i] - b[i];
-    sum += d * d;
-  }
-  return sumLanes(sum);
-}
-
-/// RMS over `count` nodes, of which those outside the array have the value 0.
-double rms(const NodeArray& a, const NodeArray& b, std::size_t count) noexcept
-{
-  return std::sqrt(sumOfSquares(a, b) / static_cast<double>(std::max<std::size_t>(count, 1)));
-}
-
-double rms(const NodeArray& a, std::size_t count) noexcept
-{
-  Lanes sum = {0, 0, 0, 0};
-  for (const Lanes& value : a) sum += value * value;
-  return std::sqrt(sumLanes(sum) / static_cast<double>(std::max<std::size_t>(count, 1)));
-}
 
 } // namespace
 
@@ -83,15 +55,13 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     if (system.enter(state, false)) {
       for (Candidate& candidate : m_candidates)
         if (candidate.prepared) candidate.integrator->constraintsChanged(system);
-      m_untilCheck = 0;
       m_checkGap = 1;
-      m_calm = 0.0;
       m_stepsSinceBound = std::numeric_limits<std::int64_t>::max() / 2;
     } else {
       current().restart();
-      m_untilCheck = 0;
-      m_calm = 0.0;
     }
+    m_untilCheck = 0;
+    m_gauge.markEvent();
   }
   report.simulatedTime = state.time - begin;
   report.springsEvaluated = system.springsEvaluated;
@@ -118,7 +88,7 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
 {
-  current().setSolveTolerance(1e-12 * m_extent, false);
+  current().setSolveTolerance(1e-12 * m_gauge.extent(), false);
   const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
   const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
   if (result != Run::Done) giveUp(result, report);
@@ -140,10 +110,10 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   m_start = state;
   m_growth = m_grown;
   if (!m_auto && current().isUncontrolled()) {
-    current().setSolveTolerance(1e-9 * m_extent, false);
+    current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
     const Run result = run(system, state, end, 1, report);
     if (result != Run::Done) return giveUp(result, report), false;
-    measure(system, state, length);
+    keep(system, state);
     return true;
   }
   if (m_auto) {
@@ -162,18 +132,18 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (!(count < 1e12)) return giveUp(Run::NotConverged, report), false;
     const auto steps = static_cast<std::int64_t>(count);
     // An implicit solver measures over the nodes that it has.
-    const auto whole = static_cast<double>(m_part.wholeCount), here = static_cast<double>(state.x.size());
-    const double budget = budgetFor(m_start, length) * std::sqrt(whole / std::max(here, 1.0));
+    const double budget =
+      m_gauge.budget(m_settings.tolerance, m_start, length) * m_gauge.shareOfWhole(state.x.size());
     // What nobody checks needs no digits beyond what the eye can see.
     const bool unchecked = m_toleranceGivenUp && m_method == m_implicit;
-    current().setSolveTolerance(std::max(kSolveShare * budget / count, (unchecked ? 1e-4 : 1e-13) * m_extent),
-                                unchecked);
+    current().setSolveTolerance(
+      std::max(kSolveShare * budget / count, (unchecked ? 1e-4 : 1e-13) * m_gauge.extent()), unchecked);
     Run result = run(system, state, end, steps, report);
     if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
       report.rejectedSteps += steps;
       state = m_start;
       current().restart();
-      current().setSolveTolerance(std::max(kSolveShare * budget / count, 1e-6 * m_extent), false);
+      current().setSolveTolerance(std::max(kSolveShare * budget / count, 1e-6 * m_gauge.extent()), false);
       result = run(system, state, end, steps, report);
       if (result == Run::Done && energyAppeared(system, state, kGrowth)) break;
     }
@@ -185,13 +155,13 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
         energyAppeared(system, state, kCoarseGrowth))
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
-      const bool isDue = !unchecked && checkDue(system, state, rms(state.v, m_part.wholeCount));
+      const bool isDue = !unchecked && checkDue(m_gauge.speedOf(state.v));
       const bool isUnaffordable =
         isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system));
       if (!isDue || isUnaffordable) { // a step that nobody could afford to check is better than none
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
-        measure(system, state, length);
+        keep(system, state);
         if (unchecked) reconsider(system);
         return true;
       }
@@ -208,11 +178,11 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       continue;
     }
     const double ratio = std::ldexp(1.0, current().order()); // of the errors at h and h/2
-    const double coarseError = distance(state, length) * ratio / (ratio - 1.0);
+    const double coarseError = m_gauge.distance(m_coarse, m_coarseV, state, length) * ratio / (ratio - 1.0);
     // Kept is the finer run; at the floor step it is kept as it is.
-    const double allowed = budgetFor(state, length);
+    const double allowed = m_gauge.budget(m_settings.tolerance, state, length);
     // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
-    const double rough = 0.1 * std::max(rmsDisplacement(m_start.x), 1e-6 * m_extent);
+    const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
     const bool atFloor = length / count <= floorStep() && coarseError <= rough;
     const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
     // Where another attempt could not be paid for, this one must do.
@@ -223,7 +193,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       m_roughAtCheck = coarseError / ratio > allowed;
       report.rough = report.rough || m_roughAtCheck;
       if (m_roughAtCheck) sayToleranceGivenUp(system);
-      measure(system, state, length);
+      keep(system, state);
       reconsider(system);
       return true;
     }
@@ -278,7 +248,7 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   report.rough = true;
   m_untilCheck = 0;
   m_checkGap = 1;
-  measure(system, state, length);
+  keep(system, state);
   if (--m_descents <= 0) reconsider(system);
   return true;
 }
@@ -295,8 +265,9 @@ bool StepDriver::energyAppeared(const System& system, const MotionState& state, 
     system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
   // Of sums with rounding errors; and what nobody can see.
   double mass = 0.0;
+  const double extent = m_gauge.extent();
   for (const double m : system.mass()) mass += m;
-  const double least = 1e-12 * (std::abs(high) + mass * m_extent * m_extent);
+  const double least = 1e-12 * (std::abs(high) + mass * extent * extent);
   const double scale = kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen);
   const double sum = std::max(m_grown, 0.0) + gained; // what came slowly is no better
   if (!(sum <= share * scale + least)) return true;
@@ -338,9 +309,10 @@ bool StepDriver::retreat(System& system, MotionState& state, Run failure, int at
   return true;
 }
 
-bool StepDriver::checkDue(const System&, const MotionState&, double speed) const noexcept
+bool StepDriver::checkDue(double speed) const noexcept
 {
-  return m_untilCheck <= 0 || !(speed <= 2.0 * m_topSpeed); // twice as fast as ever: look closer
+  return m_untilCheck <= 0 ||
+         !(speed <= 2.0 * m_gauge.scale().topSpeed); // twice as fast as ever: look closer
 }
 
 /// From the error of steps of size `step` to the step that would just spend the budget. A step whose error is
@@ -357,7 +329,7 @@ void StepDriver::learn(double error, double budget, double step)
   if (!(share <= 1.2)) {
     m_checkGap = std::max(1, m_checkGap / 4);
   } else {
-    m_checkGap = std::min(2 * m_checkGap, m_calm < kSettlingTime ? 2 : kLongestCheckGap);
+    m_checkGap = std::min(2 * m_checkGap, m_gauge.scale().calm < kSettlingTime ? 2 : kLongestCheckGap);
   }
   m_untilCheck = m_checkGap;
   if (isImplicit) return;
@@ -374,62 +346,11 @@ void StepDriver::learn(double error, double budget, double step)
   here.isMeasured = true;
 }
 
-/// Error that a stretch may add [m], RMS over nodes.
-double StepDriver::budgetFor(const MotionState& state, double length) const noexcept
+/// The stretch is done.
+void StepDriver::keep(const System& system, const MotionState& state) noexcept
 {
-  double scale = std::max(m_displacement, rmsDisplacement(state.x));
-  if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_squareOverTime / state.time));
-  // In the first moments the displacement is not yet what the motion will make of it.
-  if (state.time < 6.0 * kFrame)
-    scale = std::max(scale, std::max(m_speed, rms(state.v, m_part.wholeCount)) * 6.0 * kFrame);
-  return kSafety * m_settings.tolerance * std::max(scale, 1e-6 * m_extent) *
-         std::min(1.0, length / errorHorizon(state.time));
-}
-
-double StepDriver::rmsDisplacement(const NodeArray& x) const noexcept
-{
-  const double sum = sumOfSquares(x, m_rest) + m_part.squareElsewhere;
-  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(m_part.wholeCount, 1)));
-}
-
-/// How far apart the two runs of a stretch are [m]. In a stretch that is short against a slow oscillation an
-/// error shows in the velocity first: its amplitude will be the velocity's error times the motion's own time.
-/// Where the velocities part faster than that, fast waves do it, which show in the positions at once.
-double StepDriver::distance(const MotionState& state, double length) const noexcept
-{
-  constexpr double kSlowest = 0.08; ///< [s]
-  const double x = rms(m_coarse, state.x, m_part.wholeCount);
-  const double v = rms(m_coarseV, state.v, m_part.wholeCount);
-  if (!(x > 0.0) || !(m_recentPath > 0.0)) return x;
-  const double time = std::min(m_displacement * std::sqrt(kMemory / m_recentPath), kSlowest);
-  const double slow = 2.0 / (length * v / x); // 1 where a constant acceleration parts the runs
-  return x * std::max(1.0, time * (v / x) * std::min(1.0, slow * slow));
-}
-
-/// How long an error lives [s]. It fades as the motion itself does. Amplitudes of what oscillates fade by the
-/// rate heat / (4 kinetic energy); slow modes, where errors gather, by a quarter of that. What creeps fades
-/// in the time that it takes to its goal, displacement over speed. Both are averaged over the last fifth of a
-/// second. Without damping errors add up from the start on.
-double StepDriver::errorHorizon(double time) const noexcept
-{
-  const double longest = std::max(kErrorHorizon, time);
-  if (!(m_recentHeat > 0.0) || !(m_recentPath > 0.0)) return longest;
-  const double creeping = 2.0 * m_displacement * std::sqrt(kMemory / m_recentPath);
-  return std::clamp(std::max(16.0 * m_recentKinetic / m_recentHeat, creeping), kShortestHorizon, longest);
-}
-
-void StepDriver::measure(const System& system, const MotionState& state, double length) noexcept
-{
-  m_calm += length;
+  m_gauge.setScale(m_gauge.scaleAfter(system, m_start, state));
   m_grown = m_growth;
-  const double fade = std::exp(-length / kMemory);
-  m_recentHeat = fade * m_recentHeat + std::max(state.heat - m_start.heat, 0.0);
-  m_recentKinetic = fade * m_recentKinetic + system.kineticEnergy(state.v) * length;
-  m_displacement = rmsDisplacement(state.x);
-  m_squareOverTime += m_displacement * m_displacement * length;
-  m_speed = rms(state.v, m_part.wholeCount);
-  m_topSpeed = std::max(m_topSpeed, m_speed);
-  m_recentPath = fade * m_recentPath + m_speed * m_speed * length;
 }
 
 void StepDriver::setBound(const System& system, const MotionState& state)

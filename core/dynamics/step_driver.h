@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/error_gauge.h"
+#include "core/dynamics/frame.h"
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/simulation.h"
 
@@ -17,22 +19,14 @@ struct NetPart {
   double squareElsewhere = 0.0; ///< sum of squared displacements of the nodes outside [m^2]
 };
 
-/// What the error is measured against, RMS over the nodes of the whole net.
-struct ErrorScale {
-  double displacement = 0.0;          ///< now [m]
-  double squareOverTime = 0.0;        ///< integral of its square [m^2 s]
-  double speed = 0.0, topSpeed = 0.0; ///< now and so far [m/s]
-};
-
 /// Chooses method and step, and takes the steps.
 ///
 /// Time is cut at the loads' events, and between them into stretches of at most a frame (1/60 s) with equal
 /// steps. The step is the smaller of what is stable (StepBound) and what is accurate. Accuracy is measured,
 /// not estimated from single steps: now and then a stretch is done twice, the second time with half the step,
 /// and the distance of the two ends tells the error. Single steps say much about fast modes whose error dies
-/// out before the next frame; whole stretches say what a frame shows. The second result is kept. The share of
-/// the error that a stretch may spend is its share of one second of motion, so errors that add up reach the
-/// tolerance after about two seconds at worst.
+/// out before the next frame; whole stretches say what a frame shows. The second result is kept. How much
+/// error a stretch may add is told by ErrorGauge.
 ///
 /// `auto` compares costs: explicit steps at their limit against implicit ones at the accurate step. If even
 /// explicit steps would be too many, it goes implicit with a smallest step and says that the tolerance may
@@ -55,8 +49,8 @@ public:
   /// Another accuracy from the next stretch on. The motion, what was learned and what was prepared stay.
   void setAccuracy(const System& system, double tolerance, double effort);
   /// For a caller that takes an advance() back.
-  ErrorScale errorScale() const noexcept;
-  void setErrorScale(const ErrorScale& scale) noexcept;
+  const ErrorScale& errorScale() const noexcept { return m_gauge.scale(); }
+  void setErrorScale(const ErrorScale& scale) noexcept { m_gauge.setScale(scale); }
 
   StepReport advance(System& system, MotionState& state, double interval, std::int64_t maxSteps);
 
@@ -108,18 +102,14 @@ private:
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
-  bool checkDue(const System& system, const MotionState& state, double speed) const noexcept;
+  bool checkDue(double speed) const noexcept;
   void learn(double error, double budget, double step);
   double controlledStep(double length) noexcept;
   void giveToleranceUp(const System& system, bool yes);
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
   void sayDescent(const System& system);
-  double budgetFor(const MotionState& state, double length) const noexcept;
-  double distance(const MotionState& state, double length) const noexcept;
-  double errorHorizon(double time) const noexcept;
-  void measure(const System& system, const MotionState& state, double length) noexcept;
-  double rmsDisplacement(const NodeArray& x) const noexcept;
+  void keep(const System& system, const MotionState& state) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(Run failure, StepReport& report);
   void explain(const System& system);
@@ -148,20 +138,10 @@ private:
   int m_checkGap = 1;
   std::int64_t m_maxSteps = 0;
 
-  NetPart m_part; ///< without `rest`, which is below
-
-  // What the error is measured against
-  NodeArray m_rest;                       ///< positions at t = 0 [m]
-  double m_extent = 1.0;                  ///< of the net [m]
-  double m_displacement = 0.0;            ///< RMS over nodes, now [m]
-  double m_squareOverTime = 0.0;          ///< integral of its square [m^2 s]
-  double m_calm = 0.0;                    ///< since the start or the last event [s]
-  double m_recentHeat = 0.0;              ///< [J]
-  double m_recentKinetic = 0.0;           ///< integral [J s]
-  double m_recentPath = 0.0;              ///< integral of the squared speed [m^2/s]
-  double m_speed = 0.0, m_topSpeed = 0.0; ///< RMS over nodes, now and so far [m/s]
-  MotionState m_start;                    ///< of the present stretch
-  NodeArray m_coarse, m_coarseV;          ///< end of the first of two runs
+  std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
+  ErrorGauge m_gauge;
+  MotionState m_start;           ///< of the present stretch
+  NodeArray m_coarse, m_coarseV; ///< end of the first of two runs
 };
 
 } // namespace esm

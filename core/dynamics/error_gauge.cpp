@@ -1,0 +1,127 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/error_gauge.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+namespace {
+
+constexpr double kErrorHorizon = 2.0; ///< motion over which errors add up at least, if nothing damps them [s]
+constexpr double kShortestHorizon = 0.1; ///< [s]
+constexpr double kMemory = 0.2;          ///< over which the net's damping is averaged [s]
+constexpr double kSafety = 0.8;          ///< share of the tolerance that is spent on purpose
+constexpr double kUnfolding = 0.1;       ///< in which a displacement becomes what the motion makes of it [s]
+
+double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
+{
+  Lanes sum = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < a.size(); ++i) {
+    const Lanes d = a[i] - b[i];
+    sum += d * d;
+  }
+  return sumLanes(sum);
+}
+
+double sumOfSquares(const NodeArray& a) noexcept
+{
+  Lanes sum = {0, 0, 0, 0};
+  for (const Lanes& value : a) sum += value * value;
+  return sumLanes(sum);
+}
+
+/// Over `count` nodes, of which those that were not summed have the value 0.
+double rms(double sum, std::size_t count) noexcept
+{
+  return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+} // namespace
+
+void ErrorGauge::begin(const NodeArray& x, double extent)
+{
+  m_rest = x;
+  m_count = x.size();
+  m_squareElsewhere = 0.0;
+  m_extent = extent;
+  m_scale = ErrorScale{};
+}
+
+void ErrorGauge::setPart(NodeArray& rest, std::size_t wholeCount, double squareElsewhere) noexcept
+{
+  m_rest.swap(rest);
+  m_count = wholeCount;
+  m_squareElsewhere = squareElsewhere;
+}
+
+double ErrorGauge::displacementOf(const NodeArray& x) const noexcept
+{
+  return rms(sumOfSquares(x, m_rest) + m_squareElsewhere, m_count);
+}
+
+double ErrorGauge::speedOf(const NodeArray& v) const noexcept
+{
+  return rms(sumOfSquares(v), m_count);
+}
+
+double ErrorGauge::shareOfWhole(std::size_t nodes) const noexcept
+{
+  return std::sqrt(static_cast<double>(m_count) / std::max(static_cast<double>(nodes), 1.0));
+}
+
+ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start,
+                                  const MotionState& end) const noexcept
+{
+  const double length = end.time - start.time, fade = std::exp(-length / kMemory);
+  ErrorScale next = m_scale;
+  next.calm += length;
+  next.displacement = displacementOf(end.x);
+  next.squareOverTime += next.displacement * next.displacement * length;
+  next.speed = speedOf(end.v);
+  next.topSpeed = std::max(next.topSpeed, next.speed);
+  next.recentHeat = fade * next.recentHeat + std::max(end.heat - start.heat, 0.0);
+  next.recentKinetic = fade * next.recentKinetic + system.kineticEnergy(end.v) * length;
+  next.recentPath = fade * next.recentPath + next.speed * next.speed * length;
+  return next;
+}
+
+double ErrorGauge::budget(double tolerance, const MotionState& state, double length) const noexcept
+{
+  double scale = std::max(m_scale.displacement, displacementOf(state.x));
+  if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_scale.squareOverTime / state.time));
+  // In the first moments the displacement is not yet what the motion will make of it.
+  if (state.time < kUnfolding)
+    scale = std::max(scale, std::max(m_scale.speed, speedOf(state.v)) * kUnfolding);
+  return kSafety * tolerance * std::max(scale, floor()) * std::min(1.0, length / horizon(state.time));
+}
+
+/// In a stretch that is short against a slow oscillation an error shows in the velocity first: its amplitude
+/// will be the velocity's error times the motion's own time. Where the velocities part faster than that, fast
+/// waves do it, which show in the positions at once.
+double ErrorGauge::distance(const NodeArray& otherX, const NodeArray& otherV, const MotionState& state,
+                            double length) const noexcept
+{
+  constexpr double kSlowest = 0.08; ///< [s]
+  const double x = rms(sumOfSquares(otherX, state.x), m_count);
+  const double v = rms(sumOfSquares(otherV, state.v), m_count);
+  if (!(x > 0.0) || !(m_scale.recentPath > 0.0)) return x;
+  const double time = std::min(m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath), kSlowest);
+  const double slow = 2.0 / (length * v / x); // 1 where a constant acceleration parts the runs
+  return x * std::max(1.0, time * (v / x) * std::min(1.0, slow * slow));
+}
+
+/// How long an error lives [s]. It fades as the motion itself does. Amplitudes of what oscillates fade by the
+/// rate heat / (4 kinetic energy); slow modes, where errors gather, by a quarter of that. What creeps fades
+/// in the time that it takes to its goal, displacement over speed. Both are averaged over the last fifth of a
+/// second. Without damping errors add up from the start on.
+double ErrorGauge::horizon(double time) const noexcept
+{
+  const double longest = std::max(kErrorHorizon, time);
+  if (!(m_scale.recentHeat > 0.0) || !(m_scale.recentPath > 0.0)) return longest;
+  const double creeping = 2.0 * m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath);
+  const double fading = 16.0 * m_scale.recentKinetic / m_scale.recentHeat;
+  return std::clamp(std::max(fading, creeping), kShortestHorizon, longest);
+}
+
+} // namespace esm

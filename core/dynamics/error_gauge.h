@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/system.h"
+
+namespace esm {
+
+/// What the motion so far was like; RMS over the nodes of the whole net.
+struct ErrorScale {
+  double displacement = 0.0;          ///< now [m]
+  double squareOverTime = 0.0;        ///< integral of its square [m^2 s]
+  double speed = 0.0, topSpeed = 0.0; ///< now and so far [m/s]
+  double calm = 0.0;                  ///< since the start or the last event [s]
+  // Of the last fifth of a second:
+  double recentHeat = 0.0;    ///< [J]
+  double recentKinetic = 0.0; ///< integral [J s]
+  double recentPath = 0.0;    ///< integral of the squared speed [m^2/s]
+};
+
+/// Measures errors of stretches of motion, and knows how much of it a stretch may add, so that the error of
+/// docs/FILE_FORMAT.md stays below the tolerance.
+///
+/// An error lives as long as the motion's damping lets it (horizon()); a stretch may add its share of that
+/// time. Distances are RMS over the nodes of the whole net, of which a System may be a part.
+class ErrorGauge {
+public:
+  void begin(const NodeArray& x, double extent);
+  /// From now on positions are those of a part, whose positions at t = 0 are `rest`.
+  /// @param squareElsewhere  sum of squared displacements of the other nodes [m^2]
+  void setPart(NodeArray& rest, std::size_t wholeCount, double squareElsewhere) noexcept;
+
+  const ErrorScale& scale() const noexcept { return m_scale; }
+  void setScale(const ErrorScale& scale) noexcept { m_scale = scale; }
+  /// The scale with one more stretch.
+  ErrorScale scaleAfter(const System& system, const MotionState& start,
+                        const MotionState& end) const noexcept;
+  /// Loads have jumped or bent.
+  void markEvent() noexcept { m_scale.calm = 0.0; }
+
+  double extent() const noexcept { return m_extent; }       ///< a length that positions are small against [m]
+  double floor() const noexcept { return 1e-6 * m_extent; } ///< displacements below it do not matter [m]
+  double displacementOf(const NodeArray& x) const noexcept; ///< [m]
+  double speedOf(const NodeArray& v) const noexcept;        ///< [m/s]
+  /// Error that a stretch of this length may add before `state` or after it [m].
+  double budget(double tolerance, const MotionState& state, double length) const noexcept;
+  /// How far apart two ends of a stretch are [m].
+  double distance(const NodeArray& x, const NodeArray& v, const MotionState& state,
+                  double length) const noexcept;
+  /// From the whole net's RMS to that over `nodes` nodes, outside of which nothing errs.
+  double shareOfWhole(std::size_t nodes) const noexcept;
+
+private:
+  double horizon(double time) const noexcept;
+
+  NodeArray m_rest; ///< positions at t = 0 [m]
+  std::size_t m_count = 0;
+  double m_squareElsewhere = 0.0;
+  double m_extent = 1.0;
+  ErrorScale m_scale;
+};
+
+} // namespace esm
