@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <thread>
 #include <utility>
 
 namespace esm {
@@ -33,11 +34,18 @@ Status checkSettings(const SolverSettings& settings)
   return {};
 }
 
+/// More than there are processors only wait for each other.
+int usefulThreads(const SolverSettings& settings) noexcept
+{
+  const auto processors = static_cast<int>(std::thread::hardware_concurrency()); // 0 = unknown
+  return processors > 0 ? std::min(settings.threads, processors) : settings.threads;
+}
+
 } // namespace
 
 struct Simulation::Impl {
   Impl(SpringNet net, Loads loads, SolverSettings settings)
-    : body{std::move(net), std::move(loads), {}, {}}, driver(std::move(settings), body)
+    : body{std::move(net), std::move(loads), {}, {}}, driver(settings, body), threads(usefulThreads(settings))
   {
     reset();
   }
@@ -46,6 +54,7 @@ struct Simulation::Impl {
   {
     const SpringNet& net = body.net;
     body.system = System(net, body.loads);
+    engageWorkers();
     const auto count = static_cast<std::size_t>(net.nodeCount());
     MotionState& motion = body.motion;
     motion = MotionState{};
@@ -61,6 +70,14 @@ struct Simulation::Impl {
     force.resize(count);
     driver.begin();
     publish();
+  }
+
+  /// Where the net is large enough.
+  void engageWorkers()
+  {
+    const bool pays = threads > 1 && body.system.forces().isDivided();
+    if (pays && !workers) workers = std::make_unique<WorkerPool>(threads);
+    body.system.setWorkers(pays ? workers.get() : nullptr);
   }
 
   /// What has moved to `state`.
@@ -94,6 +111,8 @@ struct Simulation::Impl {
 
   Body body;
   RegionDriver driver;
+  int threads;                         ///< that may be used
+  std::unique_ptr<WorkerPool> workers; ///< null until a net asks for them
   NetState state;
   std::vector<ToolSpring> formerTools;
   NodeArray force; ///< at the state, when asked for
@@ -136,6 +155,7 @@ Status Simulation::setParameters(const SpringNet& net)
   if (Status status = checkNet(net); !status) return status.error();
   const SpringNet before = std::exchange(impl.body.net, net);
   impl.body.system.setParameters(net, impl.body.loads.gravity);
+  impl.engageWorkers();
   for (std::size_t i = 0; i < impl.body.motion.v.size(); ++i)
     if (net.fixed[i]) impl.body.motion.v[i] = Lanes{0, 0, 0, 0};
   impl.driver.parametersChanged(before);

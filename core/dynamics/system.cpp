@@ -60,7 +60,7 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
 {
   place(t, x, v);
   Rates rates;
-  const SpringSums sums = m_forces.computeForces(x.data(), v.data(), force.data(), damper);
+  const SpringSums sums = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers);
   springsEvaluated += m_forces.activeSprings();
   rates.heat = sums.heat;
   rates.work = m_schedule.addForces(t, v.data(), force.data());
@@ -92,7 +92,9 @@ ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, Lanes* v
 
 void System::toAccelerations(NodeArray& force) const noexcept
 {
-  scaleNodes(force.size(), m_inverseMass.data(), force.data());
+  sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+    scaleNodes(count, m_inverseMass.data() + first, force.data() + first);
+  });
 }
 
 double System::loadPower(double t, const NodeArray& v) const noexcept
@@ -107,7 +109,7 @@ double System::loadPower(double t, const NodeArray& v) const noexcept
 
 void System::addDamping(const Lanes* damper, const NodeArray& v, NodeArray& force) noexcept
 {
-  m_forces.addDamping(damper, v.data(), force.data());
+  m_forces.addDamping(damper, v.data(), force.data(), m_workers);
   springsEvaluated += m_forces.activeSprings();
   for (const ToolSpring& tool : m_tools) {
     const auto node = static_cast<std::size_t>(tool.node);

@@ -44,6 +44,18 @@ public:
   System(const SpringNet& net, const Loads& loads);
   /// New parameters for the same nodes; loads, tools and constraints stay.
   void setParameters(const SpringNet& net, const Eigen::Vector3d& gravity);
+  /// Threads that share the passes over a large net, with the same bits as one; null: none. Not owned.
+  void setWorkers(WorkerPool* workers) noexcept { m_workers = workers; }
+  WorkerPool* workers() const noexcept { return m_workers; }
+  /// Calls sweep(first, count) for ranges of nodes that cover all; by the workers, if the net is divided.
+  /// Sweeps must not throw, and a node's result must depend on no other node's.
+  template <class Sweep>
+  void sweepNodes(const Sweep& sweep) const noexcept
+  {
+    const NodeRanges& ranges = m_forces.nodeRanges();
+    forEachPart(m_workers, ranges.count(),
+                [&](std::size_t i) noexcept { sweep(ranges.first(i), ranges.size(i)); });
+  }
   /// @return the energy that the exchange adds to the tool springs at positions x [J].
   double setTools(std::span<const ToolSpring> tools, const NodeArray& x);
 
@@ -91,6 +103,7 @@ private:
   bool updateConstraints() noexcept; ///< whether anything changed
 
   ForceModel m_forces;
+  WorkerPool* m_workers = nullptr;
   LoadSchedule m_schedule;
   std::vector<ToolSpring> m_tools;
   std::vector<double> m_mass, m_inverseMass;

@@ -37,11 +37,13 @@ double lawCost(SpringLaw law) noexcept
   return 1.0;
 }
 
-/// Springs by the lower of their ends: neighbours in memory are touched together.
-std::vector<Index> byLowerEnd(const SpringNet& net)
+/// Springs that do anything, by the lower of their ends: neighbours in memory are touched together.
+std::vector<Index> activeByLowerEnd(const SpringNet& net)
 {
-  std::vector<Index> order(static_cast<std::size_t>(net.springCount()));
-  std::iota(order.begin(), order.end(), Index{0});
+  std::vector<Index> order;
+  order.reserve(static_cast<std::size_t>(net.springCount()));
+  for (Index s = 0; s < net.springCount(); ++s)
+    if (net.stiffness[s] != 0.0 || net.viscosity[s] != 0.0) order.push_back(s);
   const auto lower = [&](Index s) { return std::min(net.ends(0, s), net.ends(1, s)); };
   std::stable_sort(order.begin(), order.end(), [&](Index s, Index t) { return lower(s) < lower(t); });
   return order;
@@ -52,9 +54,36 @@ std::vector<Index> byLowerEnd(const SpringNet& net)
 ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
   : m_springCount(static_cast<std::size_t>(net.springCount()))
 {
+  const NetDivision division(net, activeByLowerEnd(net));
+  m_firstPart = division.firstPart;
+  for (std::size_t p = 0; p < division.partCount(); ++p) {
+    const std::size_t firstBatch = m_batches.size(), damper = m_damperSize;
+    addBatches(net, std::span(division.springs.begin() + static_cast<std::ptrdiff_t>(division.first[p]),
+                              division.first[p + 1] - division.first[p]));
+    m_parts.push_back({firstBatch, m_batches.size(), damper});
+  }
+  for (Index i = 0; i < net.anchors.count(); ++i) {
+    const double k = net.anchors.stiffness[i], c = net.anchors.viscosity[i];
+    if (k > 0.0 || c > 0.0)
+      m_anchors.push_back(
+        {net.anchors.node[static_cast<std::size_t>(i)], toLanes(net.anchors.point.col(i)), k, c});
+  }
+  if (division.ranges.count() > 1)
+    std::stable_sort(m_anchors.begin(), m_anchors.end(),
+                     [](const Anchor& a, const Anchor& b) { return a.node < b.node; });
+  if (net.massDamping.size() > 0 && net.massDamping.maxCoeff() > 0.0) {
+    const Eigen::ArrayXd drag = net.massDamping * net.mass;
+    m_massDrag.assign(drag.begin(), drag.end());
+  }
+  m_passCost += 0.1 * static_cast<double>(net.nodeCount());
+  m_nodeForces = NodeForces(net, gravity, m_anchors, m_massDrag, division.ranges);
+}
+
+/// The springs of one part, by kind.
+void ForceModel::addBatches(const SpringNet& net, std::span<const Index> springs)
+{
   std::array<std::vector<Index>, 16> bins; // law x tension-only x damped
-  for (const Index s : byLowerEnd(net)) {
-    if (net.stiffness[s] == 0.0 && net.viscosity[s] == 0.0) continue;
+  for (const Index s : springs) {
     const auto place = static_cast<std::size_t>(s);
     const SpringLaw law = effectiveLaw(net.law[place], net.lawParameter[s]);
     bins[static_cast<std::size_t>(law) * 4 + (net.tensionOnly[place] != 0 ? 2u : 0u) +
@@ -77,32 +106,51 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
     m_passCost += static_cast<double>(batch.count) * (lawCost(batch.law) - (batch.damped ? 0.0 : 0.35));
     m_batches.push_back(std::move(batch));
   }
-  for (Index i = 0; i < net.anchors.count(); ++i) {
-    const double k = net.anchors.stiffness[i], c = net.anchors.viscosity[i];
-    if (k > 0.0 || c > 0.0)
-      m_anchors.push_back(
-        {net.anchors.node[static_cast<std::size_t>(i)], toLanes(net.anchors.point.col(i)), k, c});
-  }
-  if (net.massDamping.size() > 0 && net.massDamping.maxCoeff() > 0.0) {
-    const Eigen::ArrayXd drag = net.massDamping * net.mass;
-    m_massDrag.assign(drag.begin(), drag.end());
-  }
-  m_passCost += 0.1 * static_cast<double>(net.nodeCount());
-  m_nodeForces = NodeForces(net, gravity, m_anchors, m_massDrag);
 }
 
-SpringSums ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force,
-                                     Lanes* damper) const noexcept
+/// work(p) for all parts, phase by phase.
+template <class Work>
+void ForceModel::forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept
 {
-  SpringSums sums;
-  sums.heat = m_nodeForces.set(x, v, force);
-  for (const SpringBatch& batch : m_batches) {
-    const SpringSums part = springLawKernel(batch.law).addForces(batch, x, v, force, damper);
-    if (damper != nullptr) damper += esm::damperSize(batch);
-    sums.heat += part.heat;
-    sums.degenerate += part.degenerate;
+  for (std::size_t phase = 0; phase + 1 < m_firstPart.size(); ++phase) {
+    const std::size_t first = m_firstPart[phase];
+    forEachPart(workers, m_firstPart[phase + 1] - first, [&](std::size_t i) noexcept { work(first + i); });
   }
-  return sums;
+}
+
+SpringSums ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                                     WorkerPool* workers) const noexcept
+{
+  double heat[NetDivision::kMostParts];
+  std::int64_t degenerate[NetDivision::kMostParts];
+  forEachSpringPart(workers, [&](std::size_t p) noexcept {
+    const Part& part = m_parts[p];
+    Lanes* kept = damper != nullptr ? damper + part.damper : nullptr;
+    heat[p] = p < nodeRanges().count() ? m_nodeForces.set(p, x, v, force) : 0.0;
+    degenerate[p] = 0;
+    for (std::size_t b = part.firstBatch; b < part.endBatch; ++b) {
+      const SpringBatch& batch = m_batches[b];
+      const SpringSums sums = springLawKernel(batch.law).addForces(batch, x, v, force, kept);
+      if (kept != nullptr) kept += esm::damperSize(batch);
+      heat[p] += sums.heat;
+      degenerate[p] += sums.degenerate;
+    }
+  });
+  return {std::accumulate(heat, heat + m_parts.size(), 0.0),
+          std::accumulate(degenerate, degenerate + m_parts.size(), std::int64_t{0})};
+}
+
+void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force,
+                            WorkerPool* workers) const noexcept
+{
+  forEachSpringPart(workers, [&](std::size_t p) noexcept {
+    const Lanes* kept = damper + m_parts[p].damper;
+    for (std::size_t b = m_parts[p].firstBatch; b < m_parts[p].endBatch; ++b) {
+      esm::addDamping(m_batches[b], kept, v, force);
+      kept += esm::damperSize(m_batches[b]);
+    }
+    if (p < nodeRanges().count()) m_nodeForces.addFewDampers(p, v, force);
+  });
 }
 
 /// visit(batch, i, d, l) for every active spring, d from a to b [m], l = |d|.
@@ -114,15 +162,6 @@ void ForceModel::forEachSpring(const Lanes* x, const Visit& visit) const
       const Lanes d = x[batch.b[i]] - x[batch.a[i]];
       visit(batch, i, d, std::sqrt(dot(d, d)));
     }
-}
-
-void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force) const noexcept
-{
-  for (const SpringBatch& batch : m_batches) {
-    esm::addDamping(batch, damper, v, force);
-    damper += esm::damperSize(batch);
-  }
-  m_nodeForces.addFewDampers(v, force);
 }
 
 double ForceModel::elasticEnergy(const Lanes* x) const noexcept

@@ -2,8 +2,12 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/worker_pool.h"
 #include "core/forces/node_forces.h"
 #include "core/forces/spring_law.h"
+
+#include <array>
+#include <span>
 
 namespace esm {
 
@@ -26,6 +30,10 @@ struct SpringTangent {
 /// for speed. Springs are sorted by law (see SpringBatch); what is absent costs nothing: a law without
 /// springs, springs with neither stiffness nor viscosity, viscosity that is zero, gravity, mass damping.
 /// Holds no state; any thread may call the const functions at the same time.
+///
+/// Large nets are divided (SpringParts, NodeRanges), and where a function takes workers they do the parts:
+/// with the same bits as one thread, since the parts depend on the net alone and their sums are added in
+/// order.
 class ForceModel {
 public:
   ForceModel() = default;
@@ -39,13 +47,19 @@ public:
   double passCost() const noexcept { return m_passCost; }
 
   /// Sets `force` (N entries) to the weight plus all other forces of the net. Does not allocate.
-  /// @param damper  damperSize() entries that receive the springs' damping at x, or null.
-  SpringSums computeForces(const Lanes* x, const Lanes* v, Lanes* force,
-                           Lanes* damper = nullptr) const noexcept;
+  /// @param damper   damperSize() entries that receive the springs' damping at x, or null.
+  /// @param workers  null: this thread alone.
+  SpringSums computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper = nullptr,
+                           WorkerPool* workers = nullptr) const noexcept;
   /// Adds viscous forces at velocities v to `force`: the springs' as computeForces() kept them, and those of
   /// single anchors. Where nodeViscosity() has entries, - c v of it is the caller's, who sweeps over the
   /// nodes anyway; together they are - D v.
-  void addDamping(const Lanes* damper, const Lanes* v, Lanes* force) const noexcept;
+  void addDamping(const Lanes* damper, const Lanes* v, Lanes* force,
+                  WorkerPool* workers = nullptr) const noexcept;
+  /// Whether workers find more than one part to do.
+  bool isDivided() const noexcept { return nodeRanges().count() > 1; }
+  /// For sweeps over the nodes that are divided as the passes are.
+  const NodeRanges& nodeRanges() const noexcept { return m_nodeForces.ranges(); }
   std::size_t damperSize() const noexcept { return m_damperSize; }
   const std::vector<double>& nodeViscosity() const noexcept { return m_nodeForces.viscosity(); }
 
@@ -73,10 +87,20 @@ public:
   const std::vector<double>& massDrag() const noexcept { return m_massDrag; }
 
 private:
+  struct Part {
+    std::size_t firstBatch, endBatch;
+    std::size_t damper; ///< where its damping begins
+  };
+
+  void addBatches(const SpringNet& net, std::span<const Index> springs);
+  template <class Work>
+  void forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept;
   template <class Visit>
   void forEachSpring(const Lanes* x, const Visit& visit) const;
 
-  std::vector<SpringBatch> m_batches;
+  std::vector<SpringBatch> m_batches;          ///< part by part
+  std::vector<Part> m_parts;                   ///< the first ones belong to the ranges of nodes
+  std::array<std::size_t, 4> m_firstPart = {}; ///< of each phase, see NetDivision
   std::vector<Ends> m_ends;
   std::int64_t m_activeSprings = 0;
   std::size_t m_damperSize = 0;

@@ -25,12 +25,22 @@ ESM_CPU_CLONES double setBedded(std::size_t count, const Lanes* weight, const La
 } // namespace
 
 NodeForces::NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity,
-                       const std::vector<Anchor>& anchors, const std::vector<double>& massDrag)
+                       const std::vector<Anchor>& anchors, const std::vector<double>& massDrag,
+                       const NodeRanges& ranges)
+  : m_ranges(ranges), m_firstFew(ranges.count() + 1, 0)
 {
   const auto count = static_cast<std::size_t>(net.nodeCount());
   for (Index node = 0; node < net.nodeCount(); ++node) m_weight.push_back(toLanes(net.mass[node] * gravity));
   if (4 * anchors.size() < count && massDrag.empty()) { // a list entry costs as much as four nodes
     m_few = anchors;
+    m_firstFew.back() = m_few.size();
+    for (std::size_t range = 1; range < ranges.count(); ++range) {
+      const auto isBelow = [](const Anchor& anchor, std::size_t node) {
+        return static_cast<std::size_t>(anchor.node) < node;
+      };
+      const auto found = std::lower_bound(m_few.begin(), m_few.end(), ranges.first(range), isBelow);
+      m_firstFew[range] = static_cast<std::size_t>(found - m_few.begin());
+    }
     return;
   }
   m_viscosity = massDrag;
@@ -49,14 +59,15 @@ NodeForces::NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity,
   }
 }
 
-double NodeForces::set(const Lanes* x, const Lanes* v, Lanes* force) const noexcept
+double NodeForces::set(std::size_t range, const Lanes* x, const Lanes* v, Lanes* force) const noexcept
 {
+  const std::size_t first = m_ranges.first(range), count = m_ranges.size(range);
   if (!m_stiffness.empty())
-    return setBedded(m_weight.size(), m_weight.data(), m_point.data(), m_stiffness.data(), m_viscosity.data(),
-                     x, v, force);
-  std::copy(m_weight.begin(), m_weight.end(), force);
+    return setBedded(count, m_weight.data() + first, m_point.data() + first, m_stiffness.data() + first,
+                     m_viscosity.data() + first, x + first, v + first, force + first);
+  std::copy_n(m_weight.data() + first, count, force + first);
   Lanes heat = {0, 0, 0, 0};
-  for (const Anchor& anchor : m_few) {
+  for (const Anchor& anchor : few(range)) {
     const Lanes drag = v[anchor.node] * anchor.viscosity;
     force[anchor.node] += (anchor.point - x[anchor.node]) * anchor.stiffness - drag;
     heat += drag * v[anchor.node];
@@ -64,9 +75,9 @@ double NodeForces::set(const Lanes* x, const Lanes* v, Lanes* force) const noexc
   return sumLanes(heat);
 }
 
-void NodeForces::addFewDampers(const Lanes* v, Lanes* force) const noexcept
+void NodeForces::addFewDampers(std::size_t range, const Lanes* v, Lanes* force) const noexcept
 {
-  for (const Anchor& anchor : m_few) force[anchor.node] -= v[anchor.node] * anchor.viscosity;
+  for (const Anchor& anchor : few(range)) force[anchor.node] -= v[anchor.node] * anchor.viscosity;
 }
 
 } // namespace esm

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/forces/net_division.h"
 #include "core/forces/node_array.h"
 #include "core/net/spring_net.h"
 
+#include <span>
 #include <vector>
 
 namespace esm {
@@ -22,23 +24,34 @@ struct Anchor {
 class NodeForces {
 public:
   NodeForces() = default;
-  /// @param anchors   those that pull at all.
+  /// @param anchors   those that pull at all; by rising nodes if there are several ranges.
   /// @param massDrag  N, alpha m [kg/s]; empty without mass damping.
+  /// @param ranges    of the nodes, for set() and addFewDampers().
   NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity, const std::vector<Anchor>& anchors,
-             const std::vector<double>& massDrag);
+             const std::vector<double>& massDrag, const NodeRanges& ranges);
 
-  /// Sets force (N entries) at x, v. @return the power that the dampers turn into heat [W].
-  double set(const Lanes* x, const Lanes* v, Lanes* force) const noexcept;
-  /// Adds the viscous part at velocities v of what viscosity() does not hold.
-  void addFewDampers(const Lanes* v, Lanes* force) const noexcept;
+  const NodeRanges& ranges() const noexcept { return m_ranges; }
+  /// Sets the forces of the nodes of a range at x, v; the arrays are those of all nodes.
+  /// @return the power that the dampers turn into heat [W].
+  double set(std::size_t range, const Lanes* x, const Lanes* v, Lanes* force) const noexcept;
+  /// Adds the viscous part at velocities v of what viscosity() does not hold, for the nodes of a range.
+  void addFewDampers(std::size_t range, const Lanes* v, Lanes* force) const noexcept;
   /// c of every node, anchors and mass damping together [N s/m]; N entries, or empty where few or none have
   /// any.
   const std::vector<double>& viscosity() const noexcept { return m_viscosity; }
   const NodeArray& weight() const noexcept { return m_weight; } ///< m g [N]
 
 private:
+  /// Anchors of a range in m_few.
+  std::span<const Anchor> few(std::size_t range) const noexcept
+  {
+    return {m_few.data() + m_firstFew[range], m_few.data() + m_firstFew[range + 1]};
+  }
+
+  NodeRanges m_ranges;
   NodeArray m_weight;
   std::vector<Anchor> m_few; ///< empty if bedded throughout
+  std::vector<std::size_t> m_firstFew = {0, 0};
   // N entries each if bedded throughout, or else empty. Several anchors of a node act as one.
   NodeArray m_point;
   std::vector<double> m_stiffness, m_viscosity; ///< mass damping included

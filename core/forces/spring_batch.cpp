@@ -21,8 +21,8 @@ void SpringBatch::finish()
 {
   count = a.size();
   while (a.size() % 4 != 0) {
-    a.push_back(0);
-    b.push_back(0);
+    a.push_back(a.front());
+    b.push_back(a.front());
     restLength.push_back(1.0);
     stiffness.push_back(0.0);
     viscosity.push_back(0.0);

@@ -15,8 +15,8 @@ namespace esm {
 inline constexpr double kMinSpringLength = 1e-12;
 
 /// The springs of one law, with or without dampers, tension-only or not: one call serves them all. One array
-/// per property, padded to whole groups of four by springs from node 0 to itself, which are too short to
-/// pull.
+/// per property, padded to whole groups of four by springs from the first one's end to itself, which are too
+/// short to pull.
 struct SpringBatch {
   SpringLaw law = SpringLaw::Linear;
   bool damped = false;

@@ -1,0 +1,276 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// Threads change nothing but the time. The nets here have somewhat more springs than the least that is
+// divided.
+#include "core/base/hash.h"
+#include "core/base/worker_pool.h"
+#include "core/forces/force_model.h"
+#include "tests/support/allocation_counter.h"
+#include "tests/support/nets.h"
+#include "tests/support/physics.h"
+
+#include <cstring>
+#include <numeric>
+#include <random>
+
+namespace esm::testing {
+namespace {
+
+constexpr Index kSide = 84; ///< nodes along a sheet with some 21,000 springs
+constexpr int kThreads[] = {1, 2, 3, 5};
+
+/// A sheet with all laws, damped and undamped springs, some tension-only, and held nodes.
+/// @param anchorEvery  one node in so many is anchored.
+SpringNet makeMixedSheet(Index anchorEvery)
+{
+  SpringNet net = sheet(kSide, 0.01, 100.0);
+  std::mt19937 random(11);
+  net.tables = {{{-0.5, 0.0, 0.1, 0.4}, {-0.3, 0.0, 0.1, 1.2}}};
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const auto place = static_cast<std::size_t>(s);
+    net.law[place] = static_cast<SpringLaw>(random() % 4);
+    net.lawParameter[s] = net.law[place] == SpringLaw::Table ? 0.0 : 2.0;
+    net.tensionOnly[place] = random() % 5 == 0 ? 1 : 0;
+    net.viscosity[s] = random() % 3 == 0 ? 0.0 : 0.02;
+    net.restLength[s] *= 0.9 + 0.01 * static_cast<double>(random() % 10);
+  }
+  net.mass.setConstant(1e-3);
+  for (Index node = 0; node < net.nodeCount(); node += anchorEvery)
+    addAnchor(net, node, net.restPosition.col(node) + Eigen::Vector3d(0, 0, 1e-3), 5.0, 0.01);
+  for (Index node = 0; node < kSide; ++node) net.fixed[static_cast<std::size_t>(node)] = 1;
+  return net;
+}
+
+const SpringNet& mixedSheet(Index anchorEvery)
+{
+  static const SpringNet many = makeMixedSheet(2), few = makeMixedSheet(10);
+  return anchorEvery == 2 ? many : few;
+}
+
+/// The same net with its nodes in a random order.
+SpringNet shuffled(const SpringNet& net)
+{
+  std::vector<Index> place(static_cast<std::size_t>(net.nodeCount()));
+  std::iota(place.begin(), place.end(), Index{0});
+  std::mt19937 random(3);
+  for (std::size_t i = place.size() - 1; i > 0; --i) std::swap(place[i], place[random() % (i + 1)]);
+  SpringNet result = net;
+  for (Index& end : result.ends.reshaped()) end = place[static_cast<std::size_t>(end)];
+  for (Index& node : result.anchors.node) node = place[static_cast<std::size_t>(node)];
+  for (std::size_t i = 0; i < place.size(); ++i) {
+    result.restPosition.col(place[i]) = net.restPosition.col(static_cast<Index>(i));
+    result.fixed[static_cast<std::size_t>(place[i])] = net.fixed[i];
+  }
+  return result;
+}
+
+NodeArray randomNodes(std::size_t count, double size)
+{
+  std::mt19937 random(7);
+  const auto number = [&] { return size * (static_cast<double>(random()) / 2147483648.0 - 1.0); };
+  NodeArray nodes(count, Lanes{0, 0, 0, 0});
+  for (Lanes& node : nodes)
+    for (int lane = 0; lane < 3; ++lane) node[lane] = number();
+  return nodes;
+}
+
+bool areSameBits(const NodeArray& a, const NodeArray& b)
+{
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Lanes)) == 0;
+}
+
+std::uint64_t hashOf(const Simulation& simulation)
+{
+  const NetState& state = simulation.state();
+  const double sums[] = {simulation.externalWork(), simulation.dissipatedEnergy()};
+  const auto bytes = [](const Eigen::Matrix3Xd& x) {
+    return sizeof(double) * static_cast<std::size_t>(x.size());
+  };
+  return hashBytes(sums, sizeof sums,
+                   hashBytes(state.velocity.data(), bytes(state.velocity),
+                             hashBytes(state.position.data(), bytes(state.position))));
+}
+
+/// Three frames with gravity, a push, a pulled edge, a tool, and a change of parameters. @return hash of the
+/// end.
+std::uint64_t move(const SpringNet& net, SolverSettings settings, int threads)
+{
+  settings.threads = threads;
+  Loads loads;
+  loads.gravity = {0, 0, -9.81};
+  const auto constant = [](const Eigen::Vector3d& value) { return VectorCurve{{0.0}, value}; };
+  loads.forces.push_back({{kSide * 20 + 5, kSide * 60 + 40}, constant({0.1, 0, 0.2})});
+  VectorCurve pull;
+  pull.time = {0.0, 0.1};
+  pull.value = Eigen::Matrix3Xd::Zero(3, 2);
+  pull.value(0, 1) = 0.01;
+  loads.motions.push_back({{kSide * (kSide - 1), kSide * (kSide - 1) + 1}, pull, 0.03});
+  Simulation simulation = simulate(net, loads, settings);
+  const ToolSpring tool{kSide * 40 + 40, {0.4, 0.4, 0.01}, {0, 0, 0.1}, 20.0, 0.1};
+  SpringNet stiffer = net;
+  stiffer.stiffness *= 1.1;
+  for (int frame = 0; frame < 3; ++frame) {
+    if (frame == 1) simulation.setTools({&tool, 1});
+    if (frame == 2) {
+      EXPECT_TRUE(simulation.setParameters(stiffer));
+    }
+    EXPECT_TRUE(simulation.advance(1.0 / 60.0).good()) << simulation.why();
+  }
+  return hashOf(simulation);
+}
+
+} // namespace
+
+// Whatever the number of parts and threads, each part is done once, and the caller sees what was written; at
+// once after the last piece and after the workers have gone to sleep.
+TEST(WorkerPool, DoesEachPartOnce)
+{
+  for (const int threads : kThreads) {
+    WorkerPool pool(threads);
+    EXPECT_EQ(pool.threads(), threads);
+    std::vector<int> done(300, 0);
+    for (const std::size_t count : {0u, 1u, 2u, 7u, 64u, 300u})
+      for (int repeat = 0; repeat < 50; ++repeat) {
+        if (repeat == 25) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        std::fill(done.begin(), done.end(), 0);
+        pool.forEach(count, [&](std::size_t i) noexcept { ++done[i]; });
+        const auto end = done.begin() + static_cast<std::ptrdiff_t>(count);
+        ASSERT_EQ(std::count(done.begin(), end, 1), end - done.begin());
+        ASSERT_EQ(std::count(end, done.end(), 0), done.end() - end);
+      }
+  }
+}
+
+// The promise that keeps threads apart: parts of a phase share no node; and no spring is lost. In a random
+// order nearly all springs are between ranges.
+TEST(Threads, PartsOfAPhaseShareNoNode)
+{
+  const SpringNet& ordered = mixedSheet(10);
+  for (const bool isRandom : {false, true}) {
+    const SpringNet net = isRandom ? shuffled(ordered) : ordered;
+    std::vector<Index> all(static_cast<std::size_t>(net.springCount()));
+    std::iota(all.begin(), all.end(), Index{0});
+    const NetDivision division(net, all);
+    ASSERT_EQ(division.firstPart[3], division.partCount());
+    std::vector<std::size_t> sizes;
+    for (std::size_t phase = 0; phase < 3; ++phase) {
+      std::vector<std::size_t> owner(static_cast<std::size_t>(net.nodeCount()), division.partCount());
+      for (std::size_t p = division.firstPart[phase]; p < division.firstPart[phase + 1]; ++p)
+        for (std::size_t i = division.first[p]; i < division.first[p + 1]; ++i)
+          for (const int end : {0, 1}) {
+            const Index node = net.ends(end, division.springs[i]);
+            std::size_t& now = owner[static_cast<std::size_t>(node)];
+            EXPECT_TRUE(now == p || now == division.partCount()) << "node " << node;
+            now = p;
+            if (phase == 0) {
+              EXPECT_EQ(division.ranges.of(node), p);
+            }
+          }
+      sizes.push_back(division.first[division.firstPart[phase + 1]] -
+                      division.first[division.firstPart[phase]]);
+    }
+    EXPECT_EQ(sizes[0] > sizes[1] + sizes[2], !isRandom);
+    // There is work for several threads where most of it is.
+    const std::size_t busy = isRandom ? 1 : 0;
+    EXPECT_GE(division.firstPart[busy + 1] - division.firstPart[busy], 4u);
+    std::vector<Index> springs = division.springs;
+    std::sort(springs.begin(), springs.end());
+    EXPECT_EQ(springs, all);
+  }
+  EXPECT_FALSE(ForceModel(sheet(20, 0.01, 100.0), {0, 0, 0}).isDivided()); // one part: the plain pass
+}
+
+// Forces, kept damping and heat have the same bits on one thread and on five, with few anchors (a list) and
+// with many (arrays).
+TEST(Threads, ForcePassesHaveTheSameBits)
+{
+  for (const Index anchorEvery : {2, 10})
+    for (const bool isRandom : {false, true}) {
+      const SpringNet& ordered = mixedSheet(anchorEvery);
+      const SpringNet net = isRandom ? shuffled(ordered) : ordered;
+      const ForceModel model(net, {0, 0, -9.81});
+      ASSERT_TRUE(model.isDivided());
+      const NodeArray x = randomNodes(model.nodeCount(), 0.1), v = randomNodes(model.nodeCount(), 1.0);
+      NodeArray force(x.size()), damper(model.damperSize(), Lanes{0, 0, 0, 0});
+      const SpringSums sums = model.computeForces(x.data(), v.data(), force.data(), damper.data());
+      NodeArray damped = force;
+      model.addDamping(damper.data(), v.data(), damped.data());
+      EXPECT_FALSE(areSameBits(force, damped));
+      for (const int threads : kThreads) {
+        WorkerPool pool(threads);
+        for (int repeat = 0; repeat < 2; ++repeat) { // which thread does what differs each time
+          NodeArray again(x.size()), kept(damper.size(), Lanes{0, 0, 0, 0});
+          const SpringSums found = model.computeForces(x.data(), v.data(), again.data(), kept.data(), &pool);
+          EXPECT_TRUE(areSameBits(again, force)) << threads;
+          EXPECT_TRUE(areSameBits(kept, damper)) << threads;
+          EXPECT_EQ(found.heat, sums.heat) << threads;
+          EXPECT_EQ(found.degenerate, sums.degenerate);
+          model.addDamping(kept.data(), v.data(), again.data(), &pool);
+          EXPECT_TRUE(areSameBits(again, damped)) << threads;
+        }
+      }
+    }
+}
+
+// A division changes the order of sums and nothing else: forces agree with those of the same springs one by
+// one to rounding, 1e-12 of the largest force here.
+TEST(Threads, DividedForcesAreTheForces)
+{
+  const SpringNet net = shuffled(mixedSheet(10));
+  const ForceModel model(net, {0, 0, -9.81});
+  const NodeArray x = randomNodes(model.nodeCount(), 0.1), still(x.size(), Lanes{0, 0, 0, 0});
+  NodeArray force(x.size());
+  model.computeForces(x.data(), still.data(), force.data());
+  Eigen::ArrayXd tension(net.springCount());
+  model.springTensions(x.data(), still.data(), tension.data());
+  Eigen::Matrix3Xd expected = Eigen::Vector3d(0, 0, -9.81) * net.mass.matrix().transpose();
+  const auto at = [&](Index node) { return toVector(x[static_cast<std::size_t>(node)]); };
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index a = net.ends(0, s), b = net.ends(1, s);
+    const Eigen::Vector3d pull = tension[s] * (at(b) - at(a)).normalized();
+    expected.col(a) += pull;
+    expected.col(b) -= pull;
+  }
+  for (std::size_t i = 0; i < net.anchors.node.size(); ++i) {
+    const Index node = net.anchors.node[i], place = static_cast<Index>(i);
+    expected.col(node) += net.anchors.stiffness[place] * (net.anchors.point.col(place) - at(node));
+  }
+  const double largest = expected.cwiseAbs().maxCoeff();
+  for (Index node = 0; node < net.nodeCount(); ++node)
+    EXPECT_NEAR((toVector(force[static_cast<std::size_t>(node)]) - expected.col(node)).norm() / largest, 0,
+                1e-12);
+}
+
+// Whole runs, with loads, tools and new parameters on the way: the same bits with one thread, two, as many as
+// there are, and twice in a row.
+TEST(Threads, RunsHaveTheSameBits)
+{
+  const SpringNet& net = mixedSheet(10);
+  for (const SolverInfo& solver : solverNames()) {
+    const bool isExplicit = solver.name == "leapfrog" || solver.name == "chebyshev" ||
+                            solver.name == "verlet" || solver.name == "rk4" || solver.name == "dopri5";
+    if (!isExplicit) continue;
+    const SolverSettings settings = fixedSteps(solver.name, 1e-3);
+    const std::uint64_t one = move(net, settings, 1);
+    EXPECT_EQ(move(net, settings, 2), one) << solver.name;
+    EXPECT_EQ(move(net, settings, 1000), one) << solver.name;
+  }
+  SolverSettings automatic;
+  automatic.tolerance = 1e-1;
+  EXPECT_EQ(move(net, automatic, 2), move(net, automatic, 1));
+}
+
+// A frame on several threads allocates nothing.
+TEST(Threads, FramesDoNotAllocate)
+{
+  SolverSettings settings = fixedSteps("leapfrog", 1e-3);
+  settings.threads = 2;
+  Simulation simulation = simulate(mixedSheet(10), {}, settings);
+  simulation.advance(1.0 / 60.0);
+  const std::uint64_t before = allocationsOfThisThread();
+  for (int frame = 0; frame < 3; ++frame) simulation.advance(1.0 / 60.0);
+  EXPECT_EQ(allocationsOfThisThread() - before, 0u);
+}
+
+} // namespace esm::testing
