@@ -1,0 +1,409 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/fuzzy/fis/evaluator.h"
+
+#include "core/fuzzy/fis/compiled.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm::fis {
+
+namespace {
+
+std::size_t at(int index)
+{
+  return static_cast<std::size_t>(index);
+}
+
+/// One evaluation of one compiled system.
+class Run {
+public:
+  Run(const Compiled& c, Scratch& s)
+    : m_c(c),
+      m_s(s),
+      m_least(c.options.area == Options::Area::Exact ? Evaluator::kLeastDegree
+                                                     : Evaluator::kLeastSampledDegree)
+  {}
+
+  void rules()
+  {
+    std::fill(m_s.activatedCount.begin(), m_s.activatedCount.end(), 0);
+    std::fill(m_s.firings.begin(), m_s.firings.end(), 0.0);
+    for (std::size_t i = 0; i < m_c.inputFacts.size(); ++i) m_s.slots[i] = degreeOf(m_c.inputFacts[i]);
+    m_s.order.clear();
+    for (std::size_t b = 0; b < m_c.blocks.size(); ++b)
+      if (m_c.blocks[b].enabled) activate(m_c.blocks[b], m_s.blockSum[b]);
+  }
+
+  void outputs()
+  {
+    for (std::size_t o = 0; o < m_c.outputs.size(); ++o) {
+      const OutputResult result = defuzzify(static_cast<int>(o));
+      m_s.outputs[o] = result;
+      m_s.variables[m_c.system.inputs.size() + o] = result.value;
+      if (std::isfinite(result.value)) m_s.previous[o] = result.value;
+    }
+  }
+
+private:
+  double degreeOf(const InputFact& fact) const
+  {
+    const InputVariable& variable = m_c.system.inputs[at(fact.input)];
+    if (!variable.enabled) return 0.0;
+    double degree = 1.0; // of 'any'
+    if (fact.term >= 0) {
+      const Input& input = m_s.inputs[at(fact.input)];
+      const Curve curve = m_c.curve(fact.term, m_s.variables);
+      degree = !input.set && !(input.low < input.high)
+                 ? membership(curve, m_s.variables[at(fact.input)])
+                 : fuzzyDegree(curve, input, variable.minimum, variable.maximum);
+    }
+    return applyHedges(m_c.hedgesOf(fact.hedges), degree);
+  }
+
+  /// What rules before gave to an output's term.
+  double degreeOf(const OutputFact& fact, int& seen) const
+  {
+    const FlatOutput& output = m_c.outputs[at(fact.output)];
+    seen = m_s.activatedCount[at(fact.output)];
+    if (!output.enabled) return 0.0;
+    if (fact.term < 0) return applyHedges(m_c.hedgesOf(fact.hedges), 1.0);
+    double degree = 0.0;
+    for (int k = 0; k < seen; ++k) {
+      const Activated& activated = m_s.activated[at(output.activated.first + k)];
+      if (activated.term != fact.term) continue;
+      degree = output.aggregates ? apply(output.aggregation, degree, activated.degree, m_c.width)
+                                 : degree + activated.degree;
+    }
+    return applyHedges(m_c.hedgesOf(fact.hedges), degree);
+  }
+
+  double degreeOf(const FlatBlock& block, const FlatRule& rule) const
+  {
+    for (int f = rule.outputFacts.first; f < rule.outputFacts.end(); ++f) {
+      const OutputFact& fact = m_c.outputFacts[at(f)];
+      m_s.slots[at(fact.slot)] = degreeOf(fact, m_s.seen[at(f)]);
+    }
+    double* slots = m_s.slots.data();
+    for (int n = rule.nodes.first; n < rule.nodes.end(); ++n) {
+      const Node& node = m_c.nodes[at(n)];
+      const int* child = m_c.children.data() + node.children.first;
+      double degree = slots[child[0]];
+      if (node.kind == Antecedent::Kind::Not) {
+        degree = 1.0 - degree;
+      } else if (node.kind == Antecedent::Kind::And) {
+        for (int k = 1; k < node.children.count; ++k)
+          degree = apply(block.conjunction, degree, slots[child[k]], m_c.width);
+      } else {
+        for (int k = 1; k < node.children.count; ++k)
+          degree = apply(block.disjunction, degree, slots[child[k]], m_c.width);
+      }
+      slots[node.slot] = degree;
+    }
+    return rule.weight * slots[rule.root];
+  }
+
+  double computeDegree(const FlatBlock& block, int rule)
+  {
+    return m_s.degrees[at(rule)] = degreeOf(block, m_c.rules[at(rule)]);
+  }
+
+  bool fires(double degree) const { return degree >= m_least; } // not for NaN
+
+  /// Puts the rule's conclusions to their outputs.
+  void trigger(const FlatBlock& block, int ruleIndex, double degree)
+  {
+    const FlatRule& rule = m_c.rules[at(ruleIndex)];
+    if (!rule.enabled || !fires(degree)) return;
+    m_s.firings[at(ruleIndex)] = degree;
+    m_s.order.push_back(ruleIndex);
+    for (int k = rule.conclusions.first; k < rule.conclusions.end(); ++k) {
+      const Conclusion& conclusion = m_c.conclusions[at(k)];
+      const FlatOutput& output = m_c.outputs[at(conclusion.output)];
+      if (!output.enabled) continue;
+      if (!block.hedgesOnSet) degree = applyHedges(m_c.hedgesOf(conclusion.hedges), degree);
+      int& count = m_s.activatedCount[at(conclusion.output)];
+      m_s.activated[at(output.activated.first + count)] = {
+        ruleIndex,         k,
+        conclusion.term,   degree,
+        block.implication, block.hedgesOnSet ? conclusion.hedges : Range{}};
+      ++count;
+    }
+  }
+
+  bool compares(const Activation& activation, double degree) const
+  {
+    const bool equal = near(degree, activation.threshold, m_c.width);
+    switch (activation.comparison) {
+    case Comparison::Less:
+      return !equal && degree < activation.threshold;
+    case Comparison::LessEqual:
+      return equal || degree < activation.threshold;
+    case Comparison::Equal:
+      return equal;
+    case Comparison::NotEqual:
+      return !equal;
+    case Comparison::GreaterEqual:
+      return equal || degree > activation.threshold;
+    case Comparison::Greater:
+      return !equal && degree > activation.threshold;
+    }
+    return false;
+  }
+
+  void activate(const FlatBlock& block, double& sum)
+  {
+    const int first = block.rules.first, end = block.rules.end();
+    switch (block.activation.kind) {
+    case ActivationKind::General:
+      for (int r = first; r < end; ++r) trigger(block, r, computeDegree(block, r));
+      break;
+    case ActivationKind::First:
+    case ActivationKind::Last:
+      activateSome(block);
+      break;
+    case ActivationKind::Highest:
+    case ActivationKind::Lowest:
+      activateBest(block);
+      break;
+    case ActivationKind::Proportional:
+      sum = 0.0;
+      for (int r = first; r < end; ++r) sum += computeDegree(block, r);
+      for (int r = first; r < end; ++r) trigger(block, r, m_s.degrees[at(r)] / sum);
+      break;
+    case ActivationKind::Threshold:
+      for (int r = first; r < end; ++r)
+        if (const double degree = computeDegree(block, r); compares(block.activation, degree))
+          trigger(block, r, degree);
+      break;
+    }
+  }
+
+  void activateSome(const FlatBlock& block)
+  {
+    const bool forward = block.activation.kind == ActivationKind::First;
+    int left = block.activation.count;
+    for (int k = 0; k < block.rules.count; ++k) {
+      const int r = forward ? block.rules.first + k : block.rules.end() - 1 - k;
+      const double degree = computeDegree(block, r);
+      const bool enough =
+        degree > block.activation.threshold || near(degree, block.activation.threshold, m_c.width);
+      if (left <= 0 || !fires(degree) || !enough) continue;
+      trigger(block, r, degree);
+      --left;
+    }
+  }
+
+  /// A heap as std::priority_queue keeps it, so that equal degrees come in the order of fuzzylite.
+  void activateBest(const FlatBlock& block)
+  {
+    const bool highest = block.activation.kind == ActivationKind::Highest;
+    const auto later = [&](int a, int b) {
+      return highest ? m_s.degrees[at(a)] < m_s.degrees[at(b)] : m_s.degrees[at(a)] > m_s.degrees[at(b)];
+    };
+    m_s.queue.clear();
+    for (int r = block.rules.first; r < block.rules.end(); ++r) {
+      if (!fires(computeDegree(block, r))) continue;
+      m_s.queue.push_back(r);
+      std::push_heap(m_s.queue.begin(), m_s.queue.end(), later);
+    }
+    for (int left = block.activation.count; left > 0 && !m_s.queue.empty(); --left) {
+      trigger(block, m_s.queue.front(), m_s.degrees[at(m_s.queue.front())]);
+      std::pop_heap(m_s.queue.begin(), m_s.queue.end(), later);
+      m_s.queue.pop_back();
+    }
+  }
+
+  double valueOf(const FlatOutput& output, int index)
+  {
+    if (isWeighted(output.defuzzifier)) return defuzzifyWeighted(m_c, output, index, m_s);
+    collectSets(m_c, output, index, m_s);
+    return output.resolution > 0 ? defuzzifySampled(m_c, output, m_s) : defuzzifyExact(output, m_s);
+  }
+
+  OutputResult defuzzify(int index)
+  {
+    const FlatOutput& output = m_c.outputs[at(index)];
+    if (!output.enabled) return {kNoValue, Origin::Disabled};
+    OutputResult result{output.defaultValue, Origin::Default};
+    if (m_s.activatedCount[at(index)] > 0) {
+      const double value = valueOf(output, index);
+      result = std::isnan(value) ? OutputResult{output.defaultValue, Origin::NoArea}
+                                 : OutputResult{value, Origin::Rules};
+    } else if (output.lockPrevious && !std::isnan(m_s.previous[at(index)])) {
+      result = {m_s.previous[at(index)], Origin::Previous};
+    }
+    if (output.lockRange && !std::isnan(result.value))
+      result.value = std::clamp(result.value, output.minimum, output.maximum);
+    return result;
+  }
+
+  const Compiled& m_c;
+  Scratch& m_s;
+  double m_least;
+};
+
+double locked(const InputVariable& variable, double x)
+{
+  return variable.lockRange && !std::isnan(x) ? std::clamp(x, variable.minimum, variable.maximum) : x;
+}
+
+} // namespace
+
+double applyHedges(std::span<const Hedge> hedges, double degree) noexcept
+{
+  for (const Hedge hedge : hedges) degree = apply(hedge, degree);
+  return degree;
+}
+
+double hedgeSlope(std::span<const Hedge> hedges, double degree) noexcept
+{
+  Dual<1> value = Dual<1>::variable(degree, 0);
+  for (const Hedge hedge : hedges) value = apply(hedge, value);
+  return value.d[0];
+}
+
+Workspace::Workspace(std::unique_ptr<Scratch> scratch) : m_scratch(std::move(scratch)) {}
+Workspace::Workspace(Workspace&&) noexcept = default;
+Workspace& Workspace::operator=(Workspace&&) noexcept = default;
+Workspace::~Workspace() = default;
+
+std::span<const OutputResult> Workspace::outputs() const noexcept
+{
+  return m_scratch->outputs;
+}
+std::span<const double> Workspace::firings() const noexcept
+{
+  return m_scratch->firings;
+}
+std::span<const double> Workspace::degrees() const noexcept
+{
+  return m_scratch->degrees;
+}
+void Workspace::restart() noexcept
+{
+  std::fill(m_scratch->previous.begin(), m_scratch->previous.end(), kNoValue);
+}
+
+Result<Evaluator> Evaluator::create(System system, Options options)
+{
+  if (Status status = checkSystem(system); !status) return status.error();
+  if (options.resolution < 0 || options.resolution > 1000000)
+    return Error{ErrorCode::InvalidValue, "the resolution is outside 0 to 1000000"};
+  auto compiled = std::make_shared<Compiled>();
+  compiled->system = std::move(system);
+  compiled->options = options;
+  compiled->compile();
+  return Evaluator(std::move(compiled));
+}
+
+const System& Evaluator::system() const noexcept
+{
+  return m_compiled->system;
+}
+const Options& Evaluator::options() const noexcept
+{
+  return m_compiled->options;
+}
+std::size_t Evaluator::ruleCount() const noexcept
+{
+  return m_compiled->rules.size();
+}
+std::span<const ParameterPlace> Evaluator::parameters() const noexcept
+{
+  return m_compiled->places;
+}
+
+Workspace Evaluator::makeWorkspace() const
+{
+  const Compiled& c = *m_compiled;
+  auto s = std::make_unique<Scratch>();
+  std::size_t mostActivated = 0, mostMarks = 0, mostSamples = 0, activated = 0;
+  for (const FlatOutput& output : c.outputs) {
+    mostActivated = std::max(mostActivated, at(output.activated.count));
+    activated += at(output.activated.count);
+    if (output.resolution > 0) mostSamples = std::max(mostSamples, at(output.resolution));
+    if (isArea(output.defuzzifier) && output.resolution == 0)
+      mostMarks = std::max(mostMarks, at(output.markBound));
+  }
+  const std::size_t inputs = c.system.inputs.size(), outputs = c.outputs.size(), rules = c.rules.size();
+  s->variables.assign(inputs + outputs, kNoValue);
+  s->inputs.assign(inputs, {});
+  s->slots.assign(at(c.slotCount), 0.0);
+  s->slotAdjoint.assign(at(c.slotCount), 0.0);
+  s->prefix.assign(std::max({at(c.mostChildren), activated, mostActivated}) + 1, 0.0);
+  s->degrees.assign(rules, 0.0);
+  s->firings.assign(rules, 0.0);
+  s->ruleAdjoint.assign(rules, 0.0);
+  s->queue.reserve(rules);
+  s->order.reserve(rules);
+  s->blockSum.assign(c.blocks.size(), 0.0);
+  s->activated.assign(activated, {});
+  s->activatedAdjoint.assign(activated, 0.0);
+  s->activatedCount.assign(outputs, 0);
+  s->seen.assign(c.outputFacts.size(), 0);
+  s->outputs.assign(outputs, {});
+  s->outputAdjoint.assign(outputs, 0.0);
+  s->previous.assign(outputs, kNoValue);
+  s->samples.assign(mostSamples, 0.0);
+  s->sets.reserve(mostActivated);
+  s->setOfTerm.assign(c.terms.size(), -1);
+  s->marks.reserve(mostMarks);
+  s->segments.reserve(mostMarks);
+  s->starts.assign(mostActivated, 0.0);
+  s->ends.assign(mostActivated, 0.0);
+  s->heights.assign(mostActivated, 0.0);
+  s->byDegree.assign(mostActivated, 0.0);
+  s->variableSlopes.assign(1 + inputs + outputs, 0.0);
+  const std::size_t derivatives = mostActivated + c.numbers.size() + s->variableSlopes.size();
+  for (auto* list : {&s->partial, &s->partialGauss, &s->partialScale}) list->assign(derivatives, 0.0);
+  return Workspace(std::move(s));
+}
+
+void Evaluator::evaluate(std::span<const double> inputs, Workspace& workspace) const noexcept
+{
+  Scratch& s = *workspace.m_scratch;
+  const auto& variables = m_compiled->system.inputs;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    const double x = locked(variables[i], i < inputs.size() ? inputs[i] : kNoValue);
+    s.variables[i] = x;
+    s.inputs[i] = Input::number(x);
+  }
+  Run run(*m_compiled, s);
+  run.rules();
+  run.outputs();
+}
+
+void Evaluator::evaluate(std::span<const Input> inputs, Workspace& workspace) const noexcept
+{
+  Scratch& s = *workspace.m_scratch;
+  const auto& variables = m_compiled->system.inputs;
+  for (std::size_t i = 0; i < variables.size(); ++i) {
+    Input input = i < inputs.size() ? inputs[i] : Input{};
+    if (!input.set)
+      input.low = locked(variables[i], input.low), input.high = locked(variables[i], input.high);
+    s.inputs[i] = input;
+    s.variables[i] = standIn(input, variables[i].minimum, variables[i].maximum);
+  }
+  Run run(*m_compiled, s);
+  run.rules();
+  run.outputs();
+}
+
+double Evaluator::aggregatedAt(int outputIndex, double x, const Workspace& workspace) const noexcept
+{
+  const Scratch& s = *workspace.m_scratch;
+  const FlatOutput& output = m_compiled->outputs[at(outputIndex)];
+  double height = 0.0;
+  for (int k = 0; k < s.activatedCount[at(outputIndex)]; ++k) {
+    const Activated& activated = s.activated[at(output.activated.first + k)];
+    const double set = applyHedges(m_compiled->hedgesOf(activated.setHedges),
+                                   membership(m_compiled->curve(activated.term, s.variables), x));
+    height = apply(output.aggregation, height,
+                   apply(activated.implication, set, activated.degree, m_compiled->width), m_compiled->width);
+  }
+  return height;
+}
+
+} // namespace esm::fis

@@ -1,0 +1,129 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Part of shape.h: where curves bend.
+#include "core/fuzzy/fis/shape.h"
+
+#include <cmath>
+
+namespace esm::fis {
+
+template <class Visit>
+void forEachCorner(const Curve& curve, const Visit& visit)
+{
+  const auto& p = curve.parameters;
+  const auto at = [&](int i) {
+    if (std::isfinite(p[static_cast<std::size_t>(i)]))
+      visit(Corner{p[static_cast<std::size_t>(i)], {{i, -1}}, {{1.0, 0.0}}});
+  };
+  const auto middle = [&](int i, int j) {
+    visit(Corner{
+      0.5 * (p[static_cast<std::size_t>(i)] + p[static_cast<std::size_t>(j)]), {{i, j}}, {{0.5, 0.5}}});
+  };
+  switch (curve.shape) {
+  case Shape::Triangle:
+    for (const int i : {0, 1, 2}) at(i);
+    break;
+  case Shape::Trapezoid:
+    for (const int i : {0, 1, 2, 3}) at(i);
+    break;
+  case Shape::Ramp:
+  case Shape::Rectangle:
+    at(0);
+    at(1);
+    break;
+  case Shape::SShape:
+  case Shape::ZShape:
+    at(0);
+    at(1);
+    middle(0, 1);
+    break;
+  case Shape::PiShape:
+    for (const int i : {0, 1, 2, 3}) at(i);
+    middle(0, 1);
+    middle(2, 3);
+    break;
+  case Shape::Cosine:
+    at(0);
+    visit(Corner{p[0] - 0.5 * p[1], {{0, 1}}, {{1.0, -0.5}}});
+    visit(Corner{p[0] + 0.5 * p[1], {{0, 1}}, {{1.0, 0.5}}});
+    break;
+  case Shape::Discrete:
+    for (std::size_t i = 0; i + 1 < p.size(); i += 2) at(static_cast<int>(i));
+    break;
+  case Shape::GaussianProduct:
+    at(0);
+    at(2);
+    break;
+  case Shape::Concave:
+    at(1);
+    break;
+  case Shape::Bell:
+  case Shape::Binary:
+  case Shape::Gaussian:
+  case Shape::Spike:
+    at(0);
+    break;
+  case Shape::SigmoidDifference: { // where both sigmoids meet the difference changes its sign
+    const double slope = p[1] - p[2];
+    if (slope != 0.0) visit(Corner{(p[1] * p[0] - p[2] * p[3]) / slope, {{-1, -1}}, {}});
+    break;
+  }
+  case Shape::Constant:
+  case Shape::Function:
+  case Shape::Linear:
+  case Shape::Sigmoid:
+  case Shape::SigmoidProduct:
+    break;
+  }
+}
+
+template <class Visit>
+void forEachGuide(const Curve& curve, const Visit& visit)
+{
+  const auto& p = curve.parameters;
+  const auto around = [&](double center, double width) {
+    for (const double k : {1.0, 2.5, 5.0, 8.0}) {
+      visit(center - k * width);
+      visit(center + k * width);
+    }
+  };
+  const auto sigmoid = [&](double inflection, double slope) {
+    visit(inflection);
+    if (slope == 0.0) return;
+    around(inflection, 1.5 / std::abs(slope));
+    visit(inflection - 30.0 / std::abs(slope));
+    visit(inflection + 30.0 / std::abs(slope));
+  };
+  switch (curve.shape) {
+  case Shape::Gaussian:
+    around(p[0], std::abs(p[1]));
+    break;
+  case Shape::GaussianProduct:
+    around(p[0], std::abs(p[1]));
+    around(p[2], std::abs(p[3]));
+    break;
+  case Shape::Bell:
+    around(p[0], std::abs(p[1]));
+    break;
+  case Shape::Spike:
+    around(p[0], 0.3 * std::abs(p[1]));
+    break;
+  case Shape::Sigmoid:
+    sigmoid(p[0], p[1]);
+    break;
+  case Shape::SigmoidDifference:
+  case Shape::SigmoidProduct:
+    sigmoid(p[0], p[1]);
+    sigmoid(p[3], p[2]);
+    break;
+  case Shape::Concave:
+    around(p[1], std::abs(p[1] - p[0]));
+    break;
+  default:
+    break;
+  }
+}
+
+} // namespace esm::fis

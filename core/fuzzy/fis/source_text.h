@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// Internal to the readers of core/fuzzy/fis.
+#include "core/fuzzy/fis/system.h"
+
+#include <string>
+#include <string_view>
+
+namespace esm::fis {
+
+/// Thrown within a reader, never out of it: what is wrong, and at which byte of the source.
+struct Fault {
+  const char* at;
+  std::string message;
+};
+
+/// A source text of which all words are views, so that each knows its line and column.
+class SourceText {
+public:
+  SourceText(std::string_view text, std::string_view fileName);
+
+  /// The next line without its end, or nothing. CR LF, CR and LF end a line; a byte order mark is passed
+  /// over.
+  bool nextLine(std::string_view& line);
+  /// "file:line:column: message", the column in characters from 1.
+  Error error(const Fault& fault) const;
+  std::string_view text() const { return m_text; }
+
+private:
+  std::string_view m_text, m_fileName;
+  std::size_t m_next = 0;
+};
+
+std::string_view trimmed(std::string_view text);
+/// Cuts the first word (up to a blank) off the text.
+std::string_view takeWord(std::string_view& text);
+bool equalIgnoringCase(std::string_view a, std::string_view b);
+/// A name in a message, not too long.
+std::string shown(std::string_view text);
+
+double readNumber(std::string_view word); ///< throws Fault
+int readCount(std::string_view word);     ///< a whole number from 0 on, maybe written 1.000
+/// A number or an expression without variables: "-pi/4".
+double readExpression(std::string_view text);
+
+/// Runs a reader: what it returns is checked, a Fault becomes the error with its place.
+template <class Read>
+Result<System> runReader(const SourceText& source, const Read& read)
+{
+  try {
+    System system = read();
+    if (Status status = checkSystem(system); !status)
+      return source.error({source.text().data() + source.text().size(), status.error().detail});
+    return system;
+  } catch (const Fault& fault) {
+    return source.error(fault);
+  }
+}
+
+/// Reads "if ... then ... with 0.5" over the variables of a system, which must be complete.
+///
+///     any         := all (or all)*
+///     all         := one (and one)*
+///     one         := not one | '(' any ')' | proposition
+///     proposition := variable is hedge* term
+///
+/// "not" before a variable is the hedge before its term. @param ignoreCase of keywords and hedges (FCL).
+Rule readRule(std::string_view text, const System& system, bool ignoreCase);
+
+} // namespace esm::fis
