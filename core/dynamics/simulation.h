@@ -26,7 +26,7 @@ struct SolverSettings {
   double tolerance = 1e-3;     ///< wanted error, metric of docs/FILE_FORMAT.md (relative, RMS), > 0
   double fixedStep = 0.0; ///< [s]; > 0 takes this substep without error control (for convergence studies)
   /// Threads that may share the work, the caller's included; more than there are processors do not help, and
-  /// nets of less than 20,000 springs are left to one. The motion is the same bit for bit on any number.
+  /// nets of less than 30,000 springs are left to one. The motion is the same bit for bit on any number.
   int threads = 1;
   /// Spring evaluations (about 8 ns each) that `auto` may spend on a sixtieth of a second of motion. Where
   /// the tolerance asks for more, it is given up, the net stays bounded by implicit steps of up to 1/60 s,

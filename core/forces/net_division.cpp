@@ -7,11 +7,15 @@
 namespace esm {
 namespace {
 
-constexpr std::size_t kLeastSprings = 20'000;
-constexpr std::size_t kSpringsPerRange =
-  8'000;                                ///< with their nodes half a megabyte: in a processor's own cache
-constexpr std::size_t kLeastRanges = 8; ///< so that a few threads share them evenly
-constexpr std::size_t kSpringsPerLayeredPart = 750; ///< some microseconds
+/// With fewer springs two threads halve a pass nearly as well, but a step hardly: what they gain goes into
+/// handing nodes from one processor's cache to the other's.
+constexpr std::size_t kLeastSprings = 30'000;
+/// With their nodes half a megabyte: in a processor's own cache.
+constexpr std::size_t kSpringsPerRange = 8'000;
+/// So that a few threads share them evenly.
+constexpr std::size_t kLeastRanges = 8;
+/// Some microseconds.
+constexpr std::size_t kSpringsPerLayeredPart = 750;
 
 std::size_t place(Index i) noexcept
 {

@@ -18,7 +18,7 @@
 namespace esm::testing {
 namespace {
 
-constexpr Index kSide = 84; ///< nodes along a sheet with some 21,000 springs
+constexpr Index kSide = 101; ///< nodes along a sheet with 30,200 springs
 constexpr int kThreads[] = {1, 2, 3, 5};
 
 /// A sheet with all laws, damped and undamped springs, some tension-only, and held nodes.
