@@ -150,10 +150,9 @@ Scene sheetOf(Index side, const SceneOptions& options)
   }
   net.viscosity.setConstant(0.02);
   net.mass.setConstant(3e-5);
-  for (Index i = 0; i < side; ++i) net.fixed[static_cast<std::size_t>(i)] = 1;
-  for (Index j = 0; j < side; ++j) // a frame: side edges held too, or the sheet would fold chaotically
-    net.fixed[static_cast<std::size_t>(j * side)] = net.fixed[static_cast<std::size_t>(j * side + side - 1)] =
-      1;
+  for (Index i = 0; i < side; ++i) // a frame: a free edge would recoil, and the sheet fold chaotically
+    for (const Index node : {i, (side - 1) * side + i, i * side, i * side + side - 1})
+      net.fixed[static_cast<std::size_t>(node)] = 1;
   // Tight enough that gravity presses no spring, and blown at the more softly the wider: a sheet that buckles
   // is chaotic.
   net.restLength *= side > 25 ? 0.9 : 0.95;
