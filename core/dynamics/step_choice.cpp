@@ -70,6 +70,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_untilCheck = 0;
   m_checkGap = 1;
+  m_checkedError = m_checkedPower = 0.0;
   m_settled = m_descents = m_descentTerm = 0;
   m_grown = 0.0;
   m_toleranceGivenUp = m_roughAtCheck = false;
@@ -163,6 +164,7 @@ void StepDriver::prepare(Method method, const System& system)
 void StepDriver::use(Method method, const System& system)
 {
   m_method = method;
+  m_candidates[method].isMeasured = false; // a guess that fails says nothing about the others
   prepare(method, system);
   m_untilCheck = 0;
   m_checkGap = 1;

@@ -12,7 +12,13 @@ namespace {
 constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solvers leave
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0;
-constexpr int kMostAttempts = 24; ///< of one stretch
+constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
+/// A step whose error is this share of the budget stays as it is.
+constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
+/// Of the budget: an error that, grown with the power of the dampers since the last check, asks for the next.
+constexpr double kSuspicious = 1.5;
+constexpr double kMostTransfer = 1.5; ///< of what one method learned to others of lower order
+constexpr int kMostAttempts = 24;     ///< of one stretch
 /// Of a stretch that is done twice, if that is many steps [s].
 constexpr double kCheckLength = kFrame / 2.0;
 constexpr double kSettlingTime = 0.15;     ///< after the start or an event, in which motion unfolds [s]
@@ -138,6 +144,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const bool unchecked = m_toleranceGivenUp && m_method == m_implicit;
     current().setSolveTolerance(
       std::max(kSolveShare * budget / count, (unchecked ? 1e-4 : 1e-13) * m_gauge.extent()), unchecked);
+    const auto finer = static_cast<std::int64_t>(std::ceil(kFiner * count));
     Run result = run(system, state, end, steps, report);
     if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
       report.rejectedSteps += steps;
@@ -155,7 +162,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
         energyAppeared(system, state, kCoarseGrowth))
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
-      const bool isDue = !unchecked && checkDue(m_gauge.speedOf(state.v));
+      const bool isDue = !unchecked && checkDue(state);
       const bool isUnaffordable =
         isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system));
       if (!isDue || isUnaffordable) { // a step that nobody could afford to check is better than none
@@ -169,7 +176,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       m_coarseV = state.v;
       state = m_start;
       current().restart();
-      result = run(system, state, end, 2 * steps, report);
+      result = run(system, state, end, finer, report);
       if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     }
     if (result != Run::Done) {
@@ -177,7 +184,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       if (!retreat(system, state, result, attempt, report)) return false;
       continue;
     }
-    const double ratio = std::ldexp(1.0, current().order()); // of the errors at h and h/2
+    const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
     const double coarseError = m_gauge.distance(m_coarse, m_coarseV, state, length) * ratio / (ratio - 1.0);
     // Kept is the finer run; at the floor step it is kept as it is.
     const double allowed = m_gauge.budget(m_settings.tolerance, state, length);
@@ -188,7 +195,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     // Where another attempt could not be paid for, this one must do.
     const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system));
     const bool accepted = sane && (coarseError / ratio <= allowed || atFloor || isLast);
-    learn(coarseError, allowed, length / count);
+    learn(state, coarseError, allowed, length / count);
     if (accepted) {
       m_roughAtCheck = coarseError / ratio > allowed;
       report.rough = report.rough || m_roughAtCheck;
@@ -197,7 +204,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       reconsider(system);
       return true;
     }
-    report.rejectedSteps += 3 * steps;
+    report.rejectedSteps += steps + finer;
     state = m_start;
     m_settled = 0;
     reconsider(system);
@@ -309,40 +316,51 @@ bool StepDriver::retreat(System& system, MotionState& state, Run failure, int at
   return true;
 }
 
-bool StepDriver::checkDue(double speed) const noexcept
+/// In due time; or where the motion is twice as fast as ever, or has waves that err more than may be: errors
+/// come from the fast waves that feed the dampers.
+bool StepDriver::checkDue(const MotionState& state) const noexcept
 {
-  return m_untilCheck <= 0 ||
-         !(speed <= 2.0 * m_gauge.scale().topSpeed); // twice as fast as ever: look closer
+  if (m_untilCheck <= 0 || !(m_gauge.speedOf(state.v) <= 2.0 * m_gauge.scale().topSpeed)) return true;
+  const double length = state.time - m_start.time, power = (state.heat - m_start.heat) / length;
+  const double grown = m_checkedPower > 0.0 ? std::sqrt(std::max(power, 0.0) / m_checkedPower) : 1.0;
+  return m_checkedError * length * grown > kSuspicious * m_gauge.budget(m_settings.tolerance, state, length);
 }
 
 /// From the error of steps of size `step` to the step that would just spend the budget. A step whose error is
 /// near the budget stays: to follow every wave of the error would mean to check for ever.
-void StepDriver::learn(double error, double budget, double step)
+void StepDriver::learn(const MotionState& state, double error, double budget, double step)
 {
   const double order = current().order(), share = error / budget;
   const bool isImplicit = !isExplicit(m_candidates[m_method]);
   const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
   double& accurate = m_candidates[m_method].accurateStep;
   accurate = step;
-  if (!(share <= 1.2) || share < 0.3)
+  if (!(share <= kMostShareKept) || share < kLeastShareKept)
     accurate *= std::clamp(0.9 * gain, isImplicit ? 0.1 : 1e-4, kMostGrowth);
-  if (!(share <= 1.2)) {
+  const double length = state.time - m_start.time;
+  m_checkedError = std::min(error, budget) / length; // the next step will not err more
+  m_checkedPower = (state.heat - m_start.heat) / length;
+  if (!(share <= kMostShareKept)) {
     m_checkGap = std::max(1, m_checkGap / 4);
-  } else {
-    m_checkGap = std::min(2 * m_checkGap, m_gauge.scale().calm < kSettlingTime ? 2 : kLongestCheckGap);
+  } else { // a step that has grown is looked at soon; so is motion that unfolds, where no damper tells of it
+    const bool grows = 0.8 * std::min(accurate, 0.95 * current().stableStep(m_mode)) > step;
+    const bool unfolds = m_gauge.scale().calm < kSettlingTime && !(m_checkedPower > 0.0);
+    m_checkGap = std::min(2 * m_checkGap, grows || unfolds ? 2 : kLongestCheckGap);
   }
   m_untilCheck = m_checkGap;
+  if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
   if (isImplicit) return;
   // Motion that is easier or harder for this method is so for the others. Methods of low order err in slower
-  // motion, which changes less: they gain no more than this one.
+  // motion, which changes less: they gain little more than this one, although their order promises it.
   Candidate& here = m_candidates[m_method];
   const double estimate = step * std::min(0.9 * gain, 1e3);
   const double change = here.estimate > 0.0 ? estimate / here.estimate : 1.0;
   here.estimate = estimate;
   for (Candidate& other : m_candidates)
     if (&other != &here && isExplicit(other) && (here.isMeasured || !other.isMeasured))
-      other.accurateStep *=
-        std::clamp(std::pow(change, std::min(1.0, order / other.integrator->order())), 0.2, 5.0);
+      other.accurateStep *= std::clamp(
+        std::pow(change, std::min(change > 1.0 ? kMostTransfer : 1.0, order / other.integrator->order())),
+        0.2, 5.0);
   here.isMeasured = true;
 }
 

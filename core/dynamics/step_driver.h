@@ -23,10 +23,10 @@ struct NetPart {
 ///
 /// Time is cut at the loads' events, and between them into stretches of at most a frame (1/60 s) with equal
 /// steps. The step is the smaller of what is stable (StepBound) and what is accurate. Accuracy is measured,
-/// not estimated from single steps: now and then a stretch is done twice, the second time with half the step,
-/// and the distance of the two ends tells the error. Single steps say much about fast modes whose error dies
-/// out before the next frame; whole stretches say what a frame shows. The second result is kept. How much
-/// error a stretch may add is told by ErrorGauge.
+/// not estimated from single steps: now and then a stretch is done twice, the second time with two thirds of
+/// the step, and the distance of the two ends tells the error. Single steps say much about fast modes whose
+/// error dies out before the next frame; whole stretches say what a frame shows. The second result is kept.
+/// How much error a stretch may add is told by ErrorGauge.
 ///
 /// `auto` compares costs: explicit steps at their limit against implicit ones at the accurate step. If even
 /// explicit steps would be too many, it goes implicit with a smallest step and says that the tolerance may
@@ -69,7 +69,7 @@ private:
     double typicalError = 0.0; ///< see IntegratorEntry
     double accurateStep = 0.0; ///< by the last check, or a guess [s]
     double estimate = 0.0;     ///< the same without the hysteresis [s]
-    bool isMeasured = false;
+    bool isMeasured = false;   ///< since it was chosen
     bool prepared = false;
   };
 
@@ -102,8 +102,8 @@ private:
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
-  bool checkDue(double speed) const noexcept;
-  void learn(double error, double budget, double step);
+  bool checkDue(const MotionState& state) const noexcept;
+  void learn(const MotionState& state, double error, double budget, double step);
   double controlledStep(double length) noexcept;
   void giveToleranceUp(const System& system, bool yes);
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
@@ -136,6 +136,8 @@ private:
   int m_descentTerm = 0;                ///< how many there were after the last failure
   int m_untilCheck = 0;                 ///< stretches until the next one that is done twice
   int m_checkGap = 1;
+  double m_checkedError = 0.0; ///< that the present steps add, by the last check [m/s]
+  double m_checkedPower = 0.0; ///< of the dampers then [W]
   std::int64_t m_maxSteps = 0;
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
