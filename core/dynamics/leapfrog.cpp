@@ -219,25 +219,39 @@ private:
   /// Velocities s further with the forces at t, then positions `drift` further.
   Rates kick(System& system, double t, double s, double drift, const ChebyshevDamping& damping) noexcept
   {
-    const std::size_t count = m_x.size();
     const double* inverseMass = system.inverseMass().data();
     const bool plain = damping.stages() == 1;
     const Rates rates = system.evaluate(t, m_x, m_v, m_force, plain ? nullptr : m_damper.data());
     if (plain) {
-      kickAndDrift(count, s, drift, m_force.data(), inverseMass, m_v.data(), m_x.data());
+      system.sweepNodes([&](std::size_t first, std::size_t nodes) noexcept {
+        kickAndDrift(nodes, s, drift, m_force.data() + first, inverseMass + first, m_v.data() + first,
+                     m_x.data() + first);
+      });
       return rates;
     }
     const auto& viscosity = system.forces().nodeViscosity();
-    const Sweep sweep{count,          s,         inverseMass, viscosity.empty() ? nullptr : viscosity.data(),
-                      m_force.data(), m_a.data()};
-    firstStage(sweep, damping.first(), m_d.data());
+    const auto part = [&](std::size_t f, std::size_t n) noexcept {
+      return Sweep{n,
+                   s,
+                   inverseMass + f,
+                   viscosity.empty() ? nullptr : viscosity.data() + f,
+                   m_force.data() + f,
+                   m_a.data() + f};
+    };
+    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
+      firstStage(part(f, n), damping.first(), m_d.data() + f);
+    });
     for (int j = 2; j <= damping.stages(); ++j) {
       system.addDamping(m_damper.data(), m_d, m_force);
       if (j == damping.stages()) {
-        lastStage(sweep, damping.stage(j), j == 2, drift, m_d.data(), m_before.data(), m_v.data(),
-                  m_x.data());
+        system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
+          lastStage(part(f, n), damping.stage(j), j == 2, drift, m_d.data() + f, m_before.data() + f,
+                    m_v.data() + f, m_x.data() + f);
+        });
       } else {
-        middleStage(sweep, damping.stage(j), j == 2, m_d.data(), m_before.data());
+        system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
+          middleStage(part(f, n), damping.stage(j), j == 2, m_d.data() + f, m_before.data() + f);
+        });
         std::swap(m_d, m_before);
       }
     }

@@ -176,6 +176,7 @@ void RegionDriver::enterPart()
     if (const auto i = static_cast<std::size_t>(layer.node); layer.nearFresh) m_still[i] = m_body.motion.x[i];
   m_part = m_cutter.cut(m_body.net, m_body.loads, m_region);
   m_partSystem = System(m_part.net, m_part.loads);
+  m_partSystem.setWorkers(m_body.system.workers());
   gather();
   m_partSystem.enter(m_partMotion, true);
   NetPart part{m_part.nodes, NodeArray(m_part.nodes.size()), m_body.motion.x.size(),

@@ -55,11 +55,11 @@ struct Row {
 };
 
 template <int terms>
-ESM_INLINE void combineTerms(std::size_t count, const Row& row, const Lanes* x, const Lanes* v, Lanes* toX,
-                             Lanes* toV) noexcept
+ESM_INLINE void combineTerms(std::size_t first, std::size_t count, const Row& row, const Lanes* x,
+                             const Lanes* v, Lanes* toX, Lanes* toV) noexcept
 {
   const double h = row.h, square = h * h;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = first; i < first + count; ++i) {
     Lanes sumX = row.force[0][i] * row.position[0], sumV = row.force[0][i] * row.velocity[0];
     for (std::size_t j = 1; j < terms; ++j) {
       sumX += row.force[j][i] * row.position[j];
@@ -70,22 +70,22 @@ ESM_INLINE void combineTerms(std::size_t count, const Row& row, const Lanes* x, 
   }
 }
 
-ESM_CPU_CLONES void combine(int terms, std::size_t count, const Row& row, const Lanes* x, const Lanes* v,
-                            Lanes* toX, Lanes* toV) noexcept
+ESM_CPU_CLONES void combine(int terms, std::size_t first, std::size_t count, const Row& row, const Lanes* x,
+                            const Lanes* v, Lanes* toX, Lanes* toV) noexcept
 {
   switch (terms) {
   case 1:
-    return combineTerms<1>(count, row, x, v, toX, toV);
+    return combineTerms<1>(first, count, row, x, v, toX, toV);
   case 2:
-    return combineTerms<2>(count, row, x, v, toX, toV);
+    return combineTerms<2>(first, count, row, x, v, toX, toV);
   case 3:
-    return combineTerms<3>(count, row, x, v, toX, toV);
+    return combineTerms<3>(first, count, row, x, v, toX, toV);
   case 4:
-    return combineTerms<4>(count, row, x, v, toX, toV);
+    return combineTerms<4>(first, count, row, x, v, toX, toV);
   case 5:
-    return combineTerms<5>(count, row, x, v, toX, toV);
+    return combineTerms<5>(first, count, row, x, v, toX, toV);
   default:
-    return combineTerms<6>(count, row, x, v, toX, toV);
+    return combineTerms<6>(first, count, row, x, v, toX, toV);
   }
 }
 
@@ -158,8 +158,10 @@ private:
             {},
             system.inverseMass().data()};
     for (std::size_t j = 0; j <= i; ++j) row.force[j] = m_force[j].data();
-    combine(static_cast<int>(i) + 1, state.x.size(), row, state.x.data(), state.v.data(), m_x.data(),
-            m_v.data());
+    system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+      combine(static_cast<int>(i) + 1, first, count, row, state.x.data(), state.v.data(), m_x.data(),
+              m_v.data());
+    });
   }
 
   /// The stable region holds the half disc |h s| < 2.7 left of the imaginary axis; a mode's roots s obey

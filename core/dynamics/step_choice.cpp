@@ -119,7 +119,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_bound.prepare(system);
   setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
-  prepare(m_method, system);
+  layOut(m_method, system); // nothing is, after another cut
   explain(system);
 }
 
@@ -150,13 +150,11 @@ Index StepDriver::nameOf(Index node) const noexcept
   return m_names.empty() ? node : m_names[static_cast<std::size_t>(node)];
 }
 
-void StepDriver::prepare(Method method, const System& system)
+/// Unless that is done.
+void StepDriver::layOut(Method method, const System& system)
 {
   Candidate& candidate = m_candidates[method];
-  if (candidate.prepared) {
-    candidate.integrator->restart();
-    return;
-  }
+  if (candidate.prepared) return;
   candidate.integrator->prepare(system);
   candidate.prepared = true;
 }
@@ -165,7 +163,8 @@ void StepDriver::use(Method method, const System& system)
 {
   m_method = method;
   m_candidates[method].isMeasured = false; // a guess that fails says nothing about the others
-  prepare(method, system);
+  layOut(method, system);
+  current().restart();
   m_untilCheck = 0;
   m_checkGap = 1;
 }
@@ -173,7 +172,7 @@ void StepDriver::use(Method method, const System& system)
 /// Spring evaluations per frame at the step that the method can take now, as far as known.
 double StepDriver::cost(Method method, const System& system)
 {
-  if (method == m_implicit) prepare(method, system);
+  if (method == m_implicit) layOut(method, system);
   Candidate& candidate = m_candidates[method];
   const double step =
     std::min({0.95 * candidate.integrator->stableStep(m_mode), candidate.accurateStep, kFrame});
@@ -196,7 +195,7 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system)
     Candidate& candidate = m_candidates[method];
     if (!isExplicit(candidate) || (candidate.role == MethodRole::Local && !isHeldUp)) continue;
     if (candidate.role == MethodRole::Local && !candidate.prepared) {
-      prepare(method, system); // its classes tell its step
+      layOut(method, system); // its classes tell its step
       if (!candidate.isMeasured) guessStep(candidate);
     }
     const double needed = cost(method, system) * (method == m_method ? 0.8 : 1.0); // a change must pay
@@ -214,7 +213,7 @@ void StepDriver::weighLeastCost(const System& system)
   const double steps = std::ceil(kFrame / explicitLimit());
   m_leastCost = steps * m_candidates[m_leapfrog].integrator->stepCost(system);
   if (!m_auto || !(steps > kManySteps)) return;
-  prepare(m_implicit, system);
+  layOut(m_implicit, system);
   m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system));
 }
 

@@ -114,6 +114,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   const double length = end - state.time;
   refreshBound(system, state);
   m_start = state;
+  m_startEnergies.time = -1.0;
   m_growth = m_grown;
   if (!m_auto && current().isUncontrolled()) {
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
@@ -243,7 +244,7 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   const double length = end - state.time;
   system.workLimit = kInfinity;
   const Method other = m_method;
-  prepare(m_descent, system);
+  layOut(m_descent, system);
   m_method = m_descent;
   const double affordable = 0.5 * m_settings.effort * length / kFrame / current().stepCost(system);
   const auto steps = static_cast<std::int64_t>(std::clamp(affordable, 1.0, kMostDescentSteps));
@@ -264,17 +265,16 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
 /// than this share of what was there, has been worked and has fallen.
 bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share)
 {
-  const double kinetic = system.kineticEnergy(m_start.v), elastic = system.elasticEnergy(m_start.x);
-  const double high = system.forces().gravityEnergy(m_start.x.data());
+  if (m_startEnergies.time != m_start.time)
+    m_startEnergies = {m_start.time, system.kineticEnergy(m_start.v), system.elasticEnergy(m_start.x),
+                       system.forces().gravityEnergy(m_start.x.data())};
+  const auto& [time, kinetic, elastic, high] = m_startEnergies;
   const double fallen = high - system.forces().gravityEnergy(state.x.data());
   const double work = state.work - m_start.work;
   const double gained =
     system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
   // Of sums with rounding errors; and what nobody can see.
-  double mass = 0.0;
-  const double extent = m_gauge.extent();
-  for (const double m : system.mass()) mass += m;
-  const double least = 1e-12 * (std::abs(high) + mass * extent * extent);
+  const double least = 1e-12 * (std::abs(high) + system.totalMass() * m_gauge.extent() * m_gauge.extent());
   const double scale = kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen);
   const double sum = std::max(m_grown, 0.0) + gained; // what came slowly is no better
   if (!(sum <= share * scale + least)) return true;

@@ -79,7 +79,7 @@ private:
   }
   Integrator& current() noexcept { return *m_candidates[m_method].integrator; }
   void use(Method method, const System& system);
-  void prepare(Method method, const System& system);
+  void layOut(Method method, const System& system);
   void guessSteps();
   void guessStep(Candidate& candidate) const noexcept;
   void choose(System& system, const MotionState& state);
@@ -142,7 +142,11 @@ private:
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
   ErrorGauge m_gauge;
-  MotionState m_start;           ///< of the present stretch
+  MotionState m_start; ///< of the present stretch
+  struct Energies {
+    double time = -1.0;                                ///< of m_start, else they are not known [s]
+    double kinetic = 0.0, elastic = 0.0, height = 0.0; ///< [J]
+  } m_startEnergies;
   NodeArray m_coarse, m_coarseV; ///< end of the first of two runs
 };
 

@@ -16,6 +16,7 @@ void System::setParameters(const SpringNet& net, const Eigen::Vector3d& gravity)
 {
   m_forces = ForceModel(net, gravity);
   m_mass.assign(net.mass.begin(), net.mass.end());
+  m_totalMass = net.mass.sum();
   m_fixed = net.fixed;
   m_inverseMass.resize(m_mass.size());
   for (std::size_t i = 0; i < m_mass.size(); ++i) m_inverseMass[i] = m_fixed[i] ? 0.0 : 1.0 / m_mass[i];

@@ -63,6 +63,7 @@ public:
   const ForceModel& forces() const noexcept { return m_forces; }
   const std::vector<ToolSpring>& tools() const noexcept { return m_tools; }
   const std::vector<double>& mass() const noexcept { return m_mass; }
+  double totalMass() const noexcept { return m_totalMass; }                         ///< [kg]
   const std::vector<double>& inverseMass() const noexcept { return m_inverseMass; } ///< [1/kg]
   bool isFree(std::size_t node) const noexcept { return m_inverseMass[node] > 0.0; }
   const LoadSchedule& schedule() const noexcept { return m_schedule; }
@@ -107,6 +108,7 @@ private:
   LoadSchedule m_schedule;
   std::vector<ToolSpring> m_tools;
   std::vector<double> m_mass, m_inverseMass;
+  double m_totalMass = 0.0;
   std::vector<std::uint8_t> m_fixed;
 };
 

@@ -10,11 +10,11 @@ namespace esm {
 namespace {
 
 /// half = v + h/2 a, x' = x + h half, p' = (v + 2 p)/3 + h a
-ESM_CPU_CLONES void predict(double h, std::size_t count, const Lanes* x, const Lanes* v, const Lanes* a,
-                            const Lanes* p, Lanes* nextX, Lanes* half, Lanes* nextP) noexcept
+ESM_CPU_CLONES void predict(double h, std::size_t first, std::size_t count, const Lanes* x, const Lanes* v,
+                            const Lanes* a, const Lanes* p, Lanes* nextX, Lanes* half, Lanes* nextP) noexcept
 {
   const Lanes third = Lanes{0, 0, 0, 0} + 1.0 / 3.0;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = first; i < first + count; ++i) {
     half[i] = v[i] + a[i] * (0.5 * h);
     nextX[i] = x[i] + half[i] * h;
     nextP[i] = (v[i] + p[i] + p[i]) * third + a[i] * h;
@@ -22,10 +22,10 @@ ESM_CPU_CLONES void predict(double h, std::size_t count, const Lanes* x, const L
 }
 
 /// a = F/m, v' = half + h/2 a
-ESM_CPU_CLONES void correct(double h, std::size_t count, const double* inverseMass, Lanes* force,
-                            Lanes* half) noexcept
+ESM_CPU_CLONES void correct(double h, std::size_t first, std::size_t count, const double* inverseMass,
+                            Lanes* force, Lanes* half) noexcept
 {
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = first; i < first + count; ++i) {
     force[i] *= inverseMass[i];
     half[i] += force[i] * (0.5 * h);
   }
@@ -64,12 +64,15 @@ public:
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {
     const std::vector<double>& inverseMass = system.inverseMass();
-    const std::size_t count = state.x.size();
     if (!m_started) start(system, state);
-    predict(h, count, state.x.data(), state.v.data(), m_a.data(), m_p.data(), m_nextX.data(), m_nextV.data(),
-            m_nextP.data());
+    system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+      predict(h, first, count, state.x.data(), state.v.data(), m_a.data(), m_p.data(), m_nextX.data(),
+              m_nextV.data(), m_nextP.data());
+    });
     const Rates rates = system.evaluate(end, m_nextX, m_nextP, m_force);
-    correct(h, count, inverseMass.data(), m_force.data(), m_nextV.data());
+    system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+      correct(h, first, count, inverseMass.data(), m_force.data(), m_nextV.data());
+    });
     ++report.steps;
     if (!allFinite(m_nextX, m_nextV)) return StepResult::NonFinite;
     std::swap(m_p, m_nextP);

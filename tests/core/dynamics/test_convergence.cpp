@@ -92,7 +92,8 @@ TEST_P(Convergence, LoadsWithCornersAndARelease)
   EXPECT_NEAR(observedOrder(net, loads, GetParam(), 0.25), GetParam().order, 0.4);
 }
 
-// Energy bookkeeping is of second order too, at least: the balance's drift shrinks by 4 per halving.
+// Energy bookkeeping is of second order too, at least: the balance's drift shrinks by 4 per halving. Where
+// stages repeat the viscous forces, heat is summed from the first of them, to first order.
 TEST_P(Convergence, EnergyBalance)
 {
   SpringNet net = movingNet(SpringLaw::Exponential);
@@ -108,8 +109,8 @@ TEST_P(Convergence, EnergyBalance)
     advanceWell(simulation, 0.25);
     return std::abs(balance(simulation) - before);
   };
-  if (std::string(GetParam().solver) == "chebyshev") GTEST_SKIP() << "heat is of first order there";
-  EXPECT_GT(std::log2(drift(GetParam().step / 2) / drift(GetParam().step / 8)) / 2.0, 1.6);
+  const double order = std::string(GetParam().solver) == "chebyshev" ? 1.0 : 2.0;
+  EXPECT_GT(std::log2(drift(GetParam().step / 2) / drift(GetParam().step / 8)) / 2.0, order - 0.4);
 }
 
 } // namespace esm::testing
