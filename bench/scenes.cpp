@@ -48,6 +48,13 @@ NodalForce poke(const SpringNet& net, double height, double force, double ramp)
   return press;
 }
 
+/// Every spring a stiffness of its own [N/m].
+void drawStiffness(SpringNet& net, unsigned seed, double low, double high)
+{
+  std::mt19937 random(seed);
+  for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] = uniform(random, low, high);
+}
+
 } // namespace
 
 long Scene::frames() const noexcept
@@ -60,8 +67,7 @@ Scene tube(const SceneOptions& options)
   const Index rings = evenCount(20 * options.size);
   Scene scene{"tube", tubeNet(rings), {}, durationOr(options, 2.0)};
   SpringNet& net = scene.net;
-  std::mt19937 random(seedOr(options, 1));
-  for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] = uniform(random, 23.0, 75.0);
+  drawStiffness(net, seedOr(options, 1), 23.0, 75.0);
   net.viscosity = 5e-4 * net.stiffness;
   net.restLength *= 0.97; // a little pre-stretch keeps the wall from buckling
   net.mass.setConstant(1.25e-5);
@@ -103,9 +109,8 @@ Scene uterus(const SceneOptions& options)
   place(std::numbers::pi, 0.0);
   Scene scene{"uterus", netOf(positions, edges), {}, durationOr(options, 1.0)};
   SpringNet& net = scene.net;
-  std::mt19937 random(seedOr(options, 2));
+  drawStiffness(net, seedOr(options, 2), 150.0, 250.0);
   for (Index s = 0; s < net.springCount(); ++s) {
-    net.stiffness[s] = uniform(random, 150.0, 250.0);
     net.law[static_cast<std::size_t>(s)] = SpringLaw::Exponential;
     net.lawParameter[s] = 3.0;
   }
@@ -144,10 +149,7 @@ Scene sheetOf(Index side, const SceneOptions& options)
   Scene scene{"sheet", netOf(positions, edges), {}, durationOr(options, 1.0)};
   SpringNet& net = scene.net;
   net.stiffness.setConstant(200.0);
-  if (options.seed) {
-    std::mt19937 random(options.seed);
-    for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] = uniform(random, 150.0, 250.0);
-  }
+  if (options.seed) drawStiffness(net, options.seed, 150.0, 250.0);
   net.viscosity.setConstant(0.02);
   net.mass.setConstant(3e-5);
   for (Index i = 0; i < side; ++i) // a frame: a free edge would recoil, and the sheet fold chaotically
@@ -219,10 +221,7 @@ Scene organ100k(const SceneOptions& options)
   Scene scene{"organ100k", netOf(positions, edges), {}, durationOr(options, 0.2)};
   SpringNet& net = scene.net;
   net.stiffness.setConstant(100.0);
-  if (options.seed) {
-    std::mt19937 random(options.seed);
-    for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] = uniform(random, 75.0, 125.0);
-  }
+  if (options.seed) drawStiffness(net, options.seed, 75.0, 125.0);
   net.viscosity.setConstant(0.01);
   net.mass.setConstant(3e-6);
   std::fill(net.law.begin(), net.law.end(), SpringLaw::Cubic);

@@ -19,6 +19,12 @@ import matplotlib.pyplot as plt  # noqa: E402
 ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 
+def save(figure, target):
+    figure.tight_layout()
+    figure.savefig(target, dpi=90)
+    plt.close(figure)
+
+
 def read(folder, name):
     path = folder / name
     if not path.exists():
@@ -66,9 +72,7 @@ def plot_work(rows, target, title):
         axis.grid(True, which="major", alpha=0.3)
         axis.legend(fontsize=6)
     figure.suptitle(title)
-    figure.tight_layout()
-    figure.savefig(target, dpi=90)
-    plt.close(figure)
+    save(figure, target)
     return True
 
 
@@ -96,9 +100,7 @@ def plot_stability(rows, target):
         axis.set_xticks([0, 3, 6, 9])
     figure.supxlabel("stiffness, decades above the tube's")
     figure.supylabel("below: decades of mass spread; above: viscosity", fontsize=9)
-    figure.tight_layout()
-    figure.savefig(target, dpi=90)
-    plt.close(figure)
+    save(figure, target)
     return True
 
 
@@ -115,9 +117,7 @@ def plot_growth(rows, target):
     axis.set_ylabel("processor time [s]")
     axis.grid(True, alpha=0.3)
     axis.legend()
-    figure.tight_layout()
-    figure.savefig(target, dpi=90)
-    plt.close(figure)
+    save(figure, target)
     return True
 
 
