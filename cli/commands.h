@@ -25,6 +25,7 @@ void addValidate(CLI::App& program, Work& work);
 void addApply(CLI::App& program, Work& work);
 void addSimulate(CLI::App& program, Work& work);
 void addExport(CLI::App& program, Work& work);
+void addFuzzy(CLI::App& program, Work& work);
 void addSolvers(CLI::App& program, Work& work);
 
 } // namespace esm::cli

@@ -47,4 +47,11 @@ void JsonLine::add(std::string_view key, const std::vector<std::string>& values)
   member(key, "[" + list + "]");
 }
 
+void JsonLine::add(std::string_view key, const std::vector<JsonLine>& objects)
+{
+  std::string list;
+  for (const JsonLine& object : objects) list += (list.empty() ? "" : ", ") + object.text();
+  member(key, "[" + list + "]");
+}
+
 } // namespace esm::cli

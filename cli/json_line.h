@@ -22,6 +22,7 @@ public:
   void add(std::string_view key, const char* value) { member(key, quoted(value)); }
   void add(std::string_view key, const Eigen::Vector3d& value);
   void add(std::string_view key, const std::vector<std::string>& values);
+  void add(std::string_view key, const std::vector<JsonLine>& objects);
   void add(std::string_view key, const JsonLine& object) { member(key, object.text()); }
 
   std::string text() const { return "{" + m_members + "}"; }

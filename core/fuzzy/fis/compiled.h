@@ -184,7 +184,7 @@ struct Scratch {
   std::vector<double> heights;      ///< of the sets at one place
   std::vector<double> byDegree;     ///< derivatives, per set
   std::vector<double> variableSlopes;
-  std::vector<double> partial, partialGauss,
+  std::vector<double> partial, partialCoarse,
     partialScale; ///< derivatives of integrals: sets, numbers, variables
 };
 

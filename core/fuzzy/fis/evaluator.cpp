@@ -357,7 +357,7 @@ Workspace Evaluator::makeWorkspace() const
   s->byDegree.assign(mostActivated, 0.0);
   s->variableSlopes.assign(1 + inputs + outputs, 0.0);
   const std::size_t derivatives = mostActivated + c.numbers.size() + s->variableSlopes.size();
-  for (auto* list : {&s->partial, &s->partialGauss, &s->partialScale}) list->assign(derivatives, 0.0);
+  for (auto* list : {&s->partial, &s->partialCoarse, &s->partialScale}) list->assign(derivatives, 0.0);
   return Workspace(std::move(s));
 }
 

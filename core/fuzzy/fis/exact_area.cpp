@@ -224,12 +224,12 @@ Segment ExactArea::integrate(double u0, double u1) const noexcept
   if (m_straight) return integrateLines(u0, u1);
   halve(u0, u1, [&](double a, double b, bool last) {
     Segment part, rough;
-    kronrod::forEachNode(a, b, [&](double place, double weight, double gauss) {
+    ClenshawCurtis::forEachNode(a, b, [&](double place, double weight, double coarse) {
       const double value = height(place);
       part.area += weight * value;
       part.moment += weight * place * value;
-      rough.area += gauss * value;
-      rough.moment += gauss * place * value;
+      rough.area += coarse * value;
+      rough.moment += coarse * place * value;
     });
     const double tolerance = kTolerance * m_scale;
     const bool fine =
@@ -266,53 +266,80 @@ double ExactArea::bisector() const noexcept
   return place;
 }
 
+/// The greatest height between two marks if it is greater than at all probes: products and sums may rise
+/// there. Golden section around the best probe.
+double ExactArea::riseBetween(std::size_t mark, double known, double& place) const noexcept
+{
+  double low = m_s.marks[mark].u, high = m_s.marks[mark + 1].u, best = known, bestPlace = low;
+  if (!(high - low > 1e-12)) return known;
+  ClenshawCurtis::forEachNode(low, high, [&](double u, double, double) {
+    if (const double value = height(u); value > best) best = value, bestPlace = u;
+  });
+  if (!(best > known * (1.0 + 1e-12))) return known;
+  const double reach = 0.2 * (high - low); // two probes are never farther apart
+  low = std::max(low, bestPlace - reach), high = std::min(high, bestPlace + reach);
+  for (int step = 0; step < 80; ++step) {
+    const double a = high - 0.6180339887498949 * (high - low), b = low + 0.6180339887498949 * (high - low);
+    if (height(a) < height(b))
+      low = a;
+    else
+      high = b;
+  }
+  place = 0.5 * (low + high);
+  return std::max(best, height(place));
+}
+
+/// Where the plateau that begins (ends) at `from` really does, up to `limit`: sums saturate between marks.
+double ExactArea::plateauEdge(double from, double limit, double least) const noexcept
+{
+  const auto isHigh = [&](double u) { return height(u) >= least; };
+  // A plateau, not the round top of a bell: high a good way off, too.
+  if (m_straight || from == limit || !isHigh(from + 1e-3 * (limit - from))) return from;
+  double in = from + 1e-3 * (limit - from), out = limit;
+  for (int step = 0; step < 60; ++step) {
+    const double middle = 0.5 * (in + out);
+    (isHigh(middle) ? in : out) = middle;
+  }
+  return in;
+}
+
 ExactArea::Plateau ExactArea::highest() const noexcept
 {
   Plateau plateau;
   const auto& marks = m_s.marks;
+  const std::size_t count = marks.size();
   for (const Mark& mark : marks) plateau.height = std::max(plateau.height, heightAt(mark));
-  // Products and sums may rise between two marks: look there, where the middle promises more than both ends.
   double inside = -1.0;
   std::size_t insideMark = 0;
-  for (std::size_t i = 0; i + 1 < marks.size() && !m_straight; ++i) {
-    double low = marks[i].u, high = marks[i + 1].u;
-    if (!(high - low > 1e-12)) continue;
-    double best = 0.0, bestPlace = low;
-    kronrod::forEachNode(low, high, [&](double place, double, double) {
-      if (const double value = height(place); value > best) best = value, bestPlace = place;
-    });
-    if (!(best > plateau.height * (1.0 + 1e-12))) continue;
-    const double reach = 0.25 * (high - low);
-    low = std::max(low, bestPlace - reach), high = std::min(high, bestPlace + reach);
-    for (int step = 0; step < 80; ++step) { // golden section
-      const double a = high - 0.6180339887498949 * (high - low), b = low + 0.6180339887498949 * (high - low);
-      (height(a) < height(b) ? low : high) = height(a) < height(b) ? a : b;
-    }
-    const double value = height(0.5 * (low + high));
-    if (value > plateau.height) plateau.height = value, inside = 0.5 * (low + high), insideMark = i;
+  for (std::size_t i = 0; i + 1 < count && !m_straight; ++i) {
+    double place = -1.0;
+    const double rise = riseBetween(i, plateau.height, place);
+    if (place >= 0.0) plateau.height = rise, inside = place, insideMark = i;
   }
   const double least = plateau.height * (1.0 - 1e-11);
   const auto isHigh = [&](std::size_t mark) { return heightAt(marks[mark]) >= least; };
   const auto staysHigh = [&](std::size_t mark) {
     return height(0.5 * (marks[mark].u + marks[mark + 1].u)) >= least;
   };
-  if (inside >= 0.0 &&
-      std::none_of(marks.begin(), marks.end(), [&](const Mark& m) { return heightAt(m) >= least; })) {
-    plateau.first = plateau.firstEnd = plateau.last = inside;
-    plateau.firstMark = plateau.firstEndMark = plateau.lastMark = insideMark;
+  const bool atMark =
+    std::any_of(marks.begin(), marks.end(), [&](const Mark& m) { return heightAt(m) >= least; });
+  if (!atMark) {
+    plateau.first = plateauEdge(inside, marks[insideMark].u, least);
+    plateau.firstEnd = plateau.last = plateauEdge(inside, marks[insideMark + 1].u, least);
+    plateau.firstMark = plateau.firstEndMark = plateau.lastMark = kNoMark;
     return plateau;
   }
   std::size_t i = 0;
-  while (i + 1 < marks.size() && !isHigh(i)) ++i;
-  plateau.first = marks[i].u;
-  plateau.firstMark = i;
-  while (i + 1 < marks.size() && isHigh(i + 1) && staysHigh(i)) ++i;
-  plateau.firstEnd = marks[i].u;
-  plateau.firstEndMark = i;
-  std::size_t last = marks.size() - 1;
+  while (i + 1 < count && !isHigh(i)) ++i;
+  plateau.first = i > 0 ? plateauEdge(marks[i].u, marks[i - 1].u, least) : marks[i].u;
+  plateau.firstMark = plateau.first == marks[i].u ? i : kNoMark;
+  while (i + 1 < count && isHigh(i + 1) && staysHigh(i)) ++i;
+  plateau.firstEnd = i + 1 < count ? plateauEdge(marks[i].u, marks[i + 1].u, least) : marks[i].u;
+  plateau.firstEndMark = plateau.firstEnd == marks[i].u ? i : kNoMark;
+  std::size_t last = count - 1;
   while (last > i && !isHigh(last)) --last;
-  plateau.last = marks[last].u;
-  plateau.lastMark = last;
+  plateau.last = last + 1 < count ? plateauEdge(marks[last].u, marks[last + 1].u, least) : marks[last].u;
+  plateau.lastMark = plateau.last == marks[last].u ? last : kNoMark;
   return plateau;
 }
 

@@ -33,7 +33,8 @@ public:
 
   double centroid() const noexcept; ///< as u
   double bisector() const noexcept;
-  /// The first plateau of the greatest height, and the end of its last one.
+  /// The first plateau of the greatest height and the end of the last one, with the marks where they lie.
+  static constexpr std::size_t kNoMark = static_cast<std::size_t>(-1); ///< somewhere between marks
   struct Plateau {
     double first = 0.0, firstEnd = 0.0, last = 0.0;
     std::size_t firstMark = 0, firstEndMark = 0, lastMark = 0;
@@ -49,6 +50,8 @@ private:
   void addChanges() noexcept;
   int winner(double u) const noexcept;
   void sortMarks() noexcept;
+  double riseBetween(std::size_t mark, double known, double& place) const noexcept;
+  double plateauEdge(double from, double limit, double least) const noexcept;
   Segment integrate(double u0, double u1) const noexcept;
   Segment integrateLines(double u0, double u1) const noexcept;
 

@@ -49,7 +49,7 @@ public:
   /// The derivative of a mark's place, in the output's unit.
   void addMark(std::size_t markIndex, double least, double factor, const Slopes& slopes)
   {
-    const Mark* mark = responsible(markIndex, least);
+    const Mark* mark = markIndex == ExactArea::kNoMark ? nullptr : responsible(markIndex, least);
     if (!mark) return;
     const ActiveSet& set = m_s.sets[at(mark->set)];
     const std::size_t first = at(m_c.terms[at(set.term)].parameters.first);
@@ -96,20 +96,20 @@ private:
   void computePart(const Arm& arm, double u0, double u1)
   {
     std::fill_n(m_s.partial.begin(), m_size, 0.0);
-    std::fill_n(m_s.partialGauss.begin(), m_size, 0.0);
-    kronrod::forEachNode(u0, u1, [&](double u, double weight, double gauss) {
+    std::fill_n(m_s.partialCoarse.begin(), m_size, 0.0);
+    ClenshawCurtis::forEachNode(u0, u1, [&](double u, double weight, double coarse) {
       const double x = m_area.x(u), pull = arm(u);
       addHeightSlopes(m_c, m_output, m_s, x, weight * pull, byDegree(m_s.partial), slopesOf(m_s.partial));
-      if (gauss != 0.0)
-        addHeightSlopes(m_c, m_output, m_s, x, gauss * pull, byDegree(m_s.partialGauss),
-                        slopesOf(m_s.partialGauss));
+      if (coarse != 0.0)
+        addHeightSlopes(m_c, m_output, m_s, x, coarse * pull, byDegree(m_s.partialCoarse),
+                        slopesOf(m_s.partialCoarse));
     });
   }
 
   bool isFine() const
   {
     for (std::size_t i = 0; i < m_size; ++i)
-      if (std::abs(m_s.partial[i] - m_s.partialGauss[i]) > 1e-13 * m_s.partialScale[i]) return false;
+      if (std::abs(m_s.partial[i] - m_s.partialCoarse[i]) > 1e-13 * m_s.partialScale[i]) return false;
     return true;
   }
 
@@ -123,7 +123,7 @@ private:
       slopes.byVariable[i] += factor * part.byVariable[i];
   }
 
-  /// Edges of rectangles move: what they uncover counts at once.
+  /// Edges of rectangles move: what they uncover counts at once. All sets of one term move together.
   template <class Arm>
   void addJumps(const Arm& arm, double factor, const Slopes& slopes)
   {
@@ -133,23 +133,24 @@ private:
       const ActiveSet& set = m_s.sets[at(mark.set)];
       const auto& p = set.curve.parameters;
       if (set.curve.shape != Shape::Rectangle && set.curve.shape != Shape::Binary) continue;
+      const auto sameTerm = [&](const ActiveSet& other) { return other.term == set.term; };
+      if (&*std::find_if(m_s.sets.begin(), m_s.sets.end(), sameTerm) != &set) continue;
       const bool rises = set.curve.shape == Shape::Binary ? p[1] > p[0] : mark.corner.index[0] == 0;
       const double high = set.curve.height;
-      const double step = heightWith(mark.set, rises ? 0.0 : high, mark.corner.x) -
-                          heightWith(mark.set, rises ? high : 0.0, mark.corner.x);
+      const double step = heightWith(set.term, rises ? 0.0 : high, mark.corner.x) -
+                          heightWith(set.term, rises ? high : 0.0, mark.corner.x);
       slopes.byNumber[at(m_c.terms[at(set.term)].parameters.first + mark.corner.index[0])] +=
         factor * arm(mark.u) * step / length;
     }
   }
 
-  double heightWith(int setIndex, double plain, double x) const
+  /// At x, with this membership of the term in place of its own.
+  double heightWith(int term, double plain, double x) const
   {
     double height = 0.0;
-    for (std::size_t k = 0; k < m_s.sets.size(); ++k) {
-      const ActiveSet& set = m_s.sets[k];
-      const double own = static_cast<int>(k) == setIndex
-                           ? apply(set.implication, applyHedges(set.hedges, plain), set.degree)
-                           : heightOf(set, x);
+    for (const ActiveSet& set : m_s.sets) {
+      const double own = set.term == term ? apply(set.implication, applyHedges(set.hedges, plain), set.degree)
+                                          : heightOf(set, x);
       height = apply(m_output.aggregation, height, own);
     }
     return height;

@@ -295,7 +295,11 @@ private:
       output.defuzzifier = m_defuzzifier;
     }
     m_system.blocks.push_back(m_block);
-    for (const std::string_view line : m_rules) m_system.blocks.back().rules.push_back(readRuleRow(line));
+    for (const std::string_view line : m_rules) {
+      Rule rule = readRuleRow(line);
+      // A row of zeros, which exporters leave of conditions that FIS cannot hold, never fires.
+      if (!rule.antecedent.nodes.empty()) m_system.blocks.back().rules.push_back(std::move(rule));
+    }
   }
 
   /// "1 -2, 1 (0.5) : 1"
@@ -314,7 +318,6 @@ private:
     const std::string_view connection = trimmed(line.substr(colon + 1));
     const double joins = readExpression(connection);
     if (joins != 1.0 && joins != 2.0) throw Fault{connection.data(), "the connection is 1 (and) or 2 (or)"};
-    if (conditions.empty()) throw Fault{line.data(), "the rule has no condition"};
     if (rule.consequents.empty()) throw Fault{line.data(), "the rule has no conclusion"};
     if (conditions.size() > 1) {
       Antecedent::Node chain;

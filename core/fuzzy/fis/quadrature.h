@@ -5,42 +5,65 @@
 #include <array>
 #include <cmath>
 #include <cstddef>
+#include <numbers>
 
 namespace esm::fis {
 
-/// The 15-point Kronrod rule with its embedded 7-point Gauss rule. Source: QUADPACK (Piessens et al. 1983).
-namespace kronrod {
-inline constexpr std::array<double, 8> kNode = {
-  0.991455371120812639206854697526329, 0.949107912342758524526189684047851,
-  0.864864423359769072789712788640926, 0.741531185599394439863864773280788,
-  0.586087235467691130294144691693013, 0.405845151377397166906606412076961,
-  0.207784955007898467600689403773245, 0.0};
-inline constexpr std::array<double, 8> kWeight = {
-  0.022935322010529224963732008058970, 0.063092092629978553290700663189204,
-  0.104790010322250183839876322541518, 0.140653259715525918745189590510238,
-  0.169004726639267902826583426598550, 0.190350578064785409913256402421014,
-  0.204432940075298892414161999234649, 0.209482141084727828012999174891714};
-inline constexpr std::array<double, 4> kGauss = {
-  0.129484966168869693270611432679082, 0.279705391489276667901467771423780,
-  0.381830050505118944950369775488975, 0.417959183673469387755102040816327};
-
-/// Calls visit(x, weight, gaussWeight) for the 15 nodes of [x0, x1]; gaussWeight is 0 off the Gauss rule.
-template <class Visit>
-void forEachNode(double x0, double x1, const Visit& visit)
-{
-  const double centre = 0.5 * (x0 + x1), half = 0.5 * (x1 - x0);
-  visit(centre, half * kWeight[7], half * kGauss[3]);
-  for (std::size_t i = 0; i < 7; ++i) {
-    const double gauss = i % 2 == 1 ? half * kGauss[i / 2] : 0.0; // every second node is a Gauss node
-    visit(centre - half * kNode[i], half * kWeight[i], gauss);
-    visit(centre + half * kNode[i], half * kWeight[i], gauss);
+/// The Clenshaw-Curtis rule of 17 points with the embedded one of 9. Unlike Gauss rules it looks at the ends
+/// of a part, so that a kink close to an end cannot hide in its blind margin. Source: Clenshaw and Curtis
+/// 1960.
+class ClenshawCurtis {
+public:
+  /// Calls visit(x, weight, coarseWeight) for the nodes of [x0, x1]; coarseWeight is 0 off the coarse rule.
+  /// The end nodes lie a trifle inside: at the end itself the function may jump.
+  template <class Visit>
+  static void forEachNode(double x0, double x1, const Visit& visit)
+  {
+    const Table& table = tableOf();
+    const double centre = 0.5 * (x0 + x1), half = 0.5 * (x1 - x0);
+    for (std::size_t k = 0; k <= kSteps; ++k)
+      visit(centre + half * table.node[k], half * table.weight[k], half * table.coarse[k]);
   }
-}
-} // namespace kronrod
 
-/// Halves [x0, x1] until accept(x0, x1, depth) takes each part, from left to right, without recursion. Parts
-/// below 2^-50 of the whole are offered with `last` set and must be taken. Kinks need no mark: halving closes
-/// in on them.
+private:
+  static constexpr std::size_t kSteps = 16;
+  struct Table {
+    std::array<double, kSteps + 1> node{}, weight{}, coarse{};
+  };
+
+  /// The weight of node k of n + 1.
+  static double weightOf(std::size_t k, std::size_t n)
+  {
+    double sum = 1.0;
+    for (std::size_t j = 1; j <= n / 2; ++j) {
+      const double b = j == n / 2 ? 1.0 : 2.0, twice = 2.0 * static_cast<double>(j);
+      sum -= b / (twice * twice - 1.0) *
+             std::cos(twice * static_cast<double>(k) * std::numbers::pi / static_cast<double>(n));
+    }
+    return (k == 0 || k == n ? 1.0 : 2.0) / static_cast<double>(n) * sum;
+  }
+
+  static const Table& tableOf()
+  {
+    static const Table table = [] {
+      Table t;
+      for (std::size_t k = 0; k <= kSteps; ++k) {
+        t.node[k] = -std::cos(static_cast<double>(k) * std::numbers::pi / kSteps);
+        t.weight[k] = weightOf(k, kSteps);
+        if (k % 2 == 0) t.coarse[k] = weightOf(k / 2, kSteps / 2);
+      }
+      t.node[0] = -(1.0 - 1e-12);
+      t.node[kSteps / 2] = 0.0;
+      t.node[kSteps] = 1.0 - 1e-12;
+      return t;
+    }();
+    return table;
+  }
+};
+
+/// Halves [x0, x1] until accept(x0, x1, last) takes each part, from left to right, without recursion. Kinks
+/// need no mark: halving closes in on them. Parts below 2^-50 of the whole, and all parts once there are very
+/// many (what is integrated is noise: a norm divides by nearly nothing), come with `last` and must be taken.
 template <class Accept>
 void halve(double x0, double x1, const Accept& accept)
 {
@@ -48,13 +71,13 @@ void halve(double x0, double x1, const Accept& accept)
     double x0, x1;
     int depth;
   };
-  constexpr int kMaximumDepth = 50;
+  constexpr int kMaximumDepth = 50, kMaximumParts = 3000;
   std::array<Part, kMaximumDepth + 2> parts{};
   std::size_t count = 1;
   parts[0] = {x0, x1, 0};
-  while (count > 0) {
+  for (int offered = 0; count > 0; ++offered) {
     const Part part = parts[--count];
-    if (accept(part.x0, part.x1, part.depth >= kMaximumDepth)) continue;
+    if (accept(part.x0, part.x1, part.depth >= kMaximumDepth || offered >= kMaximumParts)) continue;
     const double middle = 0.5 * (part.x0 + part.x1);
     parts[count++] = {middle, part.x1, part.depth + 1};
     parts[count++] = {part.x0, middle, part.depth + 1};

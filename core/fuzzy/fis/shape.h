@@ -127,8 +127,8 @@ struct Corner {
   std::array<int, 2> index{{-1, -1}}; ///< parameters it depends on, -1: none
   std::array<double, 2> slope{};
 };
-/// Calls visit(Corner) for each, unsorted; between two neighbours the curve is smooth, and monotone but for
-/// products and differences of curves and formulas.
+/// Calls visit(Corner) for each, unsorted; between two neighbours the curve is smooth and, but for formulas,
+/// monotone. How the turns of SigmoidProduct and SigmoidDifference move is not told.
 template <class Visit>
 void forEachCorner(const Curve& curve, const Visit& visit);
 /// Calls visit(x) for places around narrow features, lest quadrature on a wide axis steps over them.

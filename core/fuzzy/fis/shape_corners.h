@@ -5,9 +5,32 @@
 // Part of shape.h: where curves bend.
 #include "core/fuzzy/fis/shape.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm::fis {
+
+/// Calls visit(x) for every top and bottom of a product or difference of sigmoids: there the slope changes
+/// its sign, which is looked for around both inflections.
+template <class Visit>
+void forEachTurn(const Curve& curve, const Visit& visit)
+{
+  const auto& p = curve.parameters;
+  const double reach = 12.0 / std::max(1e-300, std::min(std::abs(p[1]), std::abs(p[2])));
+  const double low = std::min(p[0], p[3]) - reach, high = std::max(p[0], p[3]) + reach;
+  constexpr int kSteps = 48;
+  double x0 = low, s0 = membershipSlope(curve, x0).byX;
+  for (int i = 1; i <= kSteps; ++i) {
+    const double x1 = low + (high - low) * i / kSteps, s1 = membershipSlope(curve, x1).byX;
+    if (s0 * s1 < 0.0) {
+      double a = x0, b = x1;
+      for (double middle = 0.5 * (a + b); middle > a && middle < b; middle = 0.5 * (a + b))
+        ((membershipSlope(curve, middle).byX > 0.0) == (s0 > 0.0) ? a : b) = middle;
+      visit(a);
+    }
+    x0 = x1, s0 = s1;
+  }
+}
 
 template <class Visit>
 void forEachCorner(const Curve& curve, const Visit& visit)
@@ -55,6 +78,10 @@ void forEachCorner(const Curve& curve, const Visit& visit)
   case Shape::GaussianProduct:
     at(0);
     at(2);
+    if (p[0] > p[2]) { // between the means both bells fall: the top of their product
+      const double a = 1.0 / (p[1] * p[1]), b = 1.0 / (p[3] * p[3]);
+      visit(Corner{(a * p[0] + b * p[2]) / (a + b), {{0, 2}}, {{a / (a + b), b / (a + b)}}});
+    }
     break;
   case Shape::Concave:
     at(1);
@@ -65,16 +92,16 @@ void forEachCorner(const Curve& curve, const Visit& visit)
   case Shape::Spike:
     at(0);
     break;
-  case Shape::SigmoidDifference: { // where both sigmoids meet the difference changes its sign
-    const double slope = p[1] - p[2];
-    if (slope != 0.0) visit(Corner{(p[1] * p[0] - p[2] * p[3]) / slope, {{-1, -1}}, {}});
+  case Shape::SigmoidDifference: // also where both sigmoids meet and the difference changes its sign
+    if (p[1] != p[2]) visit(Corner{(p[1] * p[0] - p[2] * p[3]) / (p[1] - p[2]), {{-1, -1}}, {}});
+    [[fallthrough]];
+  case Shape::SigmoidProduct:
+    forEachTurn(curve, [&](double x) { visit(Corner{x, {{-1, -1}}, {}}); });
     break;
-  }
   case Shape::Constant:
   case Shape::Function:
   case Shape::Linear:
   case Shape::Sigmoid:
-  case Shape::SigmoidProduct:
     break;
   }
 }
