@@ -17,6 +17,8 @@ int runStability(const std::vector<std::string>& words);
 int runGrowth(const std::vector<std::string>& words);
 /// The uterus pulled and let go: the share of the frame time used, and the largest net that keeps up.
 int runRealTime(const std::vector<std::string>& words);
+/// Evaluations per second of fuzzy rule bases, beside fuzzylite.
+int runFuzzy(const std::vector<std::string>& words);
 
 bool isQuick(const std::vector<std::string>& words);
 

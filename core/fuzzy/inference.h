@@ -32,8 +32,8 @@ struct Inference {
 
 /// Mamdani inference: AND minimum, OR maximum, implication minimum (the set is clipped at the rule's degree),
 /// aggregation maximum, defuzzification centroid. The centroid of the clipped piecewise sets is integrated
-/// exactly for triangles and trapezoids, by adaptive quadrature (relative 1e-10) where a Gaussian takes part.
-/// Compiled once; evaluate() is const and may run on many threads.
+/// exactly for triangles and trapezoids, by adaptive quadrature (relative 1e-12) where a Gaussian takes part.
+/// The general engine (core/fuzzy/fis) does the work. Compiled once; evaluate() is const, any thread.
 /// Source: Mamdani & Assilian 1975; ESM paper (1999), section 3.2.
 class Engine {
 public:

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/base/text_number.h"
-#include "core/fuzzy/fuzzy_set.h"
+#include "core/fuzzy/axis.h"
 #include "core/fuzzy/rule_base.h"
 #include "core/fuzzy/words.h"
 

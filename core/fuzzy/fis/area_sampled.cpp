@@ -99,9 +99,18 @@ public:
   double y(std::size_t i) const { return m_s.samples[i]; }
   std::size_t count() const { return m_count; }
 
+  /// The part outside of which all samples are 0.
+  std::size_t first() const { return std::min(m_first, m_end); }
+  std::size_t end() const { return m_end; }
+  const double* values() const { return m_s.samples.data(); }
+  /// The places of the samples, or null if they were not tabulated.
+  const double* grid() const { return m_output.tabulated ? m_c.tables.data() + m_output.gridFirst : nullptr; }
+
   void fill()
   {
     std::fill_n(m_s.samples.begin(), m_count, 0.0);
+    m_first = m_count;
+    m_end = 0;
     for (const ActiveSet& set : m_s.sets)
       withCut(set.implication,
               [&](auto cut) { withJoin(m_output.aggregation, [&](auto join) { add(set, cut, join); }); });
@@ -114,10 +123,17 @@ private:
     double* y = m_s.samples.data();
     const double degree = set.degree;
     if (m_output.tabulated && set.hedges.empty()) {
-      const double* table = m_c.tables.data() + m_c.terms[at(set.term)].tableFirst;
-      for (std::size_t i = 0; i < m_count; ++i) y[i] = join(y[i], cut(table[i], degree));
+      const FlatTerm& term = m_c.terms[at(set.term)];
+      const double* table = m_c.tables.data() + term.tableFirst;
+      // Where the curve is 0 nothing is added, but for sums that round up to 1 or cuts of degrees above 1.
+      const bool skips = degree <= 1.0 && m_output.aggregation != SNorm::NilpotentMaximum;
+      const std::size_t from = skips ? at(term.support.first) : 0,
+                        to = skips ? at(term.support.end()) : m_count;
+      m_first = std::min(m_first, from), m_end = std::max(m_end, to);
+      for (std::size_t i = from; i < to; ++i) y[i] = join(y[i], cut(table[i], degree));
       return;
     }
+    m_first = 0, m_end = m_count;
     for (std::size_t i = 0; i < m_count; ++i)
       y[i] = join(y[i], cut(applyHedges(set.hedges, membership(set.curve, x(i))), degree));
   }
@@ -125,7 +141,7 @@ private:
   const Compiled& m_c;
   const FlatOutput& m_output;
   Scratch& m_s;
-  std::size_t m_count;
+  std::size_t m_count, m_first = 0, m_end = 0;
   double m_step;
 };
 
@@ -133,9 +149,18 @@ double centroid(const Samples& samples)
 {
   // Four sums side by side: one alone waits for each addition before.
   double area[4] = {}, moment[4] = {};
-  for (std::size_t i = 0; i < samples.count(); ++i) {
-    area[i % 4] += samples.y(i);
-    moment[i % 4] += samples.y(i) * samples.x(i);
+  std::size_t i = samples.first();
+  if (const double* x = samples.grid()) {
+    const double* y = samples.values();
+    for (; i + 4 <= samples.end(); i += 4)
+      for (std::size_t k = 0; k < 4; ++k) {
+        area[k] += y[i + k];
+        moment[k] += y[i + k] * x[i + k];
+      }
+  }
+  for (; i < samples.end(); ++i) {
+    area[0] += samples.y(i);
+    moment[0] += samples.y(i) * samples.x(i);
   }
   return ((moment[0] + moment[1]) + (moment[2] + moment[3])) / ((area[0] + area[1]) + (area[2] + area[3]));
 }

@@ -24,6 +24,7 @@ public:
     m_c.slotCount = static_cast<int>(m_c.inputFacts.size());
     for (const RuleBlock& block : m_c.system.blocks) addBlock(block);
     placeActivated();
+    for (FlatBlock& block : m_c.blocks) addMasks(block);
     for (FlatOutput& output : m_c.outputs) tabulate(output);
   }
 
@@ -150,6 +151,42 @@ private:
     m_c.blocks.push_back(flat);
   }
 
+  /// Every T-norm of 0 is 0 (of degrees up to 1): a rule that chains facts by 'and' needs each of them.
+  void addMasks(FlatBlock& block) const
+  {
+    for (const InputVariable& input : m_c.system.inputs)
+      for (const Term& term : input.terms)
+        if (isNumber(term.shape) || !(term.height >= 0.0 && term.height <= 1.0)) return;
+    std::map<int, std::vector<int>> rulesOf;
+    for (int r = block.rules.first; r < block.rules.end(); ++r)
+      addNeeds(m_c.rules[static_cast<std::size_t>(r)].root, r, rulesOf);
+    block.maskWords = (block.rules.count + 63) / 64;
+    for (const auto& [fact, rules] : rulesOf) {
+      const std::size_t first = block.masks.size();
+      block.needs.push_back(fact);
+      block.masks.resize(first + static_cast<std::size_t>(block.maskWords), 0);
+      for (const int rule : rules) {
+        const auto bit = static_cast<std::size_t>(rule - block.rules.first);
+        block.masks[first + bit / 64] |= std::uint64_t{1} << (bit % 64);
+      }
+    }
+  }
+
+  void addNeeds(int slot, int rule, std::map<int, std::vector<int>>& rulesOf) const
+  {
+    if (slot < static_cast<int>(m_c.inputFacts.size())) {
+      rulesOf[slot].push_back(rule);
+      return;
+    }
+    const FlatRule& flat = m_c.rules[static_cast<std::size_t>(rule)];
+    for (int n = flat.nodes.first; n < flat.nodes.end(); ++n) {
+      const Node& node = m_c.nodes[static_cast<std::size_t>(n)];
+      if (node.slot != slot || node.kind != Antecedent::Kind::And) continue;
+      for (int k = node.children.first; k < node.children.end(); ++k)
+        addNeeds(m_c.children[static_cast<std::size_t>(k)], rule, rulesOf);
+    }
+  }
+
   /// Room for every conclusion on an output, and for the marks of them all.
   void placeActivated()
   {
@@ -187,6 +224,11 @@ private:
       const Curve curve = m_c.curve(t, {});
       for (std::size_t i = 0; i < n; ++i)
         m_c.tables.push_back(membership(curve, m_c.tables[static_cast<std::size_t>(output.gridFirst) + i]));
+      const double* table = m_c.tables.data() + term.tableFirst;
+      int first = 0, end = output.resolution;
+      while (first < end && table[first] == 0.0) ++first;
+      while (end > first && table[end - 1] == 0.0) --end;
+      term.support = {first, end - first};
     }
   }
 

@@ -22,6 +22,7 @@ struct FlatTerm {
   int formula = -1;   ///< into Compiled::formulas
   int variables = 0;  ///< how many of Scratch::variables the formula, or Linear, sees
   int tableFirst = 0; ///< sampled outputs: where its samples start in Compiled::tables
+  Range support;      ///< the samples that are not 0
 };
 
 /// A degree that conditions refer to: an input's term under hedges.
@@ -64,6 +65,9 @@ struct FlatBlock {
   Activation activation;
   bool hedgesOnSet = false;
   Range rules;
+  int maskWords = 0;                ///< of 64 rules each
+  std::vector<int> needs;           ///< input facts without which rules have degree 0
+  std::vector<std::uint64_t> masks; ///< per such fact: the rules that need it, maskWords each
 };
 
 struct FlatOutput {
@@ -165,9 +169,10 @@ struct Scratch {
   std::vector<double> slots, slotAdjoint;
   std::vector<double> prefix; ///< of folds
   std::vector<double> degrees, firings, ruleAdjoint;
-  std::vector<int> queue;       ///< of Highest and Lowest
-  std::vector<int> order;       ///< rules that fired, in the order they did
-  std::vector<double> blockSum; ///< of Proportional
+  std::vector<int> queue;          ///< of Highest and Lowest
+  std::vector<std::uint64_t> dead; ///< rules that lack a fact they need
+  std::vector<int> order;          ///< rules that fired, in the order they did
+  std::vector<double> blockSum;    ///< of Proportional
   std::vector<Activated> activated;
   std::vector<double> activatedAdjoint;
   std::vector<int> activatedCount; ///< per output

@@ -5,6 +5,7 @@
 #include "core/fuzzy/fis/compiled.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 
 namespace esm::fis {
@@ -152,12 +153,42 @@ private:
     return false;
   }
 
+  /// Marks the rules that lack a fact they need: most of them, where terms are narrow.
+  void findDead(const FlatBlock& block)
+  {
+    const auto words = at(block.maskWords);
+    std::fill_n(m_s.dead.begin(), words, std::uint64_t{0});
+    const std::uint64_t* mask = block.masks.data();
+    for (const int fact : block.needs) {
+      if (m_s.slots[at(fact)] == 0.0)
+        for (std::size_t w = 0; w < words; ++w) m_s.dead[w] |= mask[w];
+      mask += words;
+    }
+    std::fill_n(m_s.degrees.begin() + block.rules.first, block.rules.count, 0.0);
+  }
+
+  /// Calls visit(rule) for those rules of the block that may have a degree.
+  template <class Visit>
+  void forEachAlive(const FlatBlock& block, const Visit& visit) const
+  {
+    if (block.maskWords == 0) {
+      for (int r = block.rules.first; r < block.rules.end(); ++r) visit(r);
+      return;
+    }
+    for (int w = 0; w < block.maskWords; ++w) {
+      const int left = block.rules.count - 64 * w;
+      const std::uint64_t all = left >= 64 ? ~std::uint64_t{0} : (std::uint64_t{1} << left) - 1;
+      for (std::uint64_t alive = ~m_s.dead[at(w)] & all; alive != 0; alive &= alive - 1)
+        visit(block.rules.first + 64 * w + std::countr_zero(alive));
+    }
+  }
+
   void activate(const FlatBlock& block, double& sum)
   {
-    const int first = block.rules.first, end = block.rules.end();
+    findDead(block);
     switch (block.activation.kind) {
     case ActivationKind::General:
-      for (int r = first; r < end; ++r) trigger(block, r, computeDegree(block, r));
+      forEachAlive(block, [&](int r) { trigger(block, r, computeDegree(block, r)); });
       break;
     case ActivationKind::First:
     case ActivationKind::Last:
@@ -169,13 +200,14 @@ private:
       break;
     case ActivationKind::Proportional:
       sum = 0.0;
-      for (int r = first; r < end; ++r) sum += computeDegree(block, r);
-      for (int r = first; r < end; ++r) trigger(block, r, m_s.degrees[at(r)] / sum);
+      forEachAlive(block, [&](int r) { sum += computeDegree(block, r); });
+      forEachAlive(block, [&](int r) { trigger(block, r, m_s.degrees[at(r)] / sum); });
       break;
     case ActivationKind::Threshold:
-      for (int r = first; r < end; ++r)
+      forEachAlive(block, [&](int r) {
         if (const double degree = computeDegree(block, r); compares(block.activation, degree))
           trigger(block, r, degree);
+      });
       break;
     }
   }
@@ -203,11 +235,11 @@ private:
       return highest ? m_s.degrees[at(a)] < m_s.degrees[at(b)] : m_s.degrees[at(a)] > m_s.degrees[at(b)];
     };
     m_s.queue.clear();
-    for (int r = block.rules.first; r < block.rules.end(); ++r) {
-      if (!fires(computeDegree(block, r))) continue;
+    forEachAlive(block, [&](int r) {
+      if (!fires(computeDegree(block, r))) return;
       m_s.queue.push_back(r);
       std::push_heap(m_s.queue.begin(), m_s.queue.end(), later);
-    }
+    });
     for (int left = block.activation.count; left > 0 && !m_s.queue.empty(); --left) {
       trigger(block, m_s.queue.front(), m_s.degrees[at(m_s.queue.front())]);
       std::pop_heap(m_s.queue.begin(), m_s.queue.end(), later);
@@ -337,6 +369,7 @@ Workspace Evaluator::makeWorkspace() const
   s->firings.assign(rules, 0.0);
   s->ruleAdjoint.assign(rules, 0.0);
   s->queue.reserve(rules);
+  s->dead.assign(rules / 64 + 1, 0);
   s->order.reserve(rules);
   s->blockSum.assign(c.blocks.size(), 0.0);
   s->activated.assign(activated, {});

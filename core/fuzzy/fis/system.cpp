@@ -312,7 +312,6 @@ private:
     if (any && (proposition.term >= 0 || proposition.hedges.back() != Hedge::Any ||
                 std::count(proposition.hedges.begin(), proposition.hedges.end(), Hedge::Any) > 1))
       return invalid(place + ": 'any' stands in place of a term, at the end");
-    if (proposition.hedges.size() > 16) return invalid(place + " has more than 16 hedges at one term");
     return {};
   }
 
