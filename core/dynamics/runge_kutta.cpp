@@ -164,11 +164,10 @@ private:
     });
   }
 
-  /// The stable region holds the half disc |h s| < 2.7 left of the imaginary axis; a mode's roots s obey
-  /// |s| <= max(w, g).
+  /// The stable region holds the half disc |h s| < 2.7 left of the imaginary axis.
   static double stableStepOfFourthOrder(const FastestMode& mode) noexcept
   {
-    return 2.7 / std::max(std::sqrt(mode.stiffness), mode.damping);
+    return 2.7 / std::max(std::sqrt(mode.stiffness), mode.decay);
   }
 
   /// The stable region reaches to -3.3 on the real axis. It leaves the imaginary one at 1.0 but holds lightly
@@ -178,7 +177,7 @@ private:
     const double undamped = mode.leastDamping > 0.0 ? mode.undamped : mode.stiffness;
     const double rate =
       std::max(std::sqrt(mode.stiffness) / 2.4, std::sqrt(std::min(undamped, mode.stiffness)));
-    return 1.0 / std::max({rate, mode.damping / 3.2, 1e-300});
+    return 1.0 / std::max({rate, mode.decay / 3.2, 1e-300});
   }
 
   const Tableau& m_tableau;

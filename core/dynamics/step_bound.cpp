@@ -123,9 +123,10 @@ void StepBound::weighDamping(const System& system, FastestMode& mode)
   mode.leastDamping = std::isfinite(least) ? least : 0.0;
 }
 
-/// Largest eigenvalue of M^-1/2 K M^-1/2 or, with `damping`, of M^-1/2 D M^-1/2. Pressed and softening
-/// springs count as if they were stiff, as in the sums: they may be so in the next moment.
-double StepBound::measure(const System& system, bool damping)
+/// Largest eigenvalue of the blend of M^-1/2 D M^-1/2 and M^-1/2 K M^-1/2. Where K adds, pressed and
+/// softening springs count as if they were stiff, as in the sums: they may be so in the next moment. Where it
+/// is taken away, they count as what they are.
+double StepBound::measure(const System& system, Blend blend)
 {
   constexpr int kProducts = 24;
   constexpr double kMargin = 1.02; // Ritz values come from below
@@ -134,17 +135,15 @@ double StepBound::measure(const System& system, bool damping)
   const auto& ends = system.forces().springEnds();
   const auto multiply = [&](const NodeArray& z, NodeArray& y) {
     for (std::size_t i = 0; i < m_nodes.size(); ++i)
-      y[i] = z[i] * (damping ? m_nodes[i].damping : m_nodes[i].stiffness);
+      y[i] = z[i] * (blend.damping * m_nodes[i].damping + blend.stiffness * m_nodes[i].stiffness);
     for (std::size_t s = 0; s < ends.size(); ++s) {
       const auto a = static_cast<std::size_t>(ends[s].a), b = static_cast<std::size_t>(ends[s].b);
       const SpringTangent& tangent = m_tangents[s];
       const Lanes d = z[b] * m_rootInverseMass[b] - z[a] * m_rootInverseMass[a];
       const Lanes u = toLanes(tangent.direction);
-      Lanes pull = u * (dot(u, d) * tangent.viscous);
-      if (!damping) {
-        const double axial = std::max(tangent.axial, 0.0), lateral = std::abs(tangent.lateral);
-        pull = u * (dot(u, d) * (axial - lateral)) + d * lateral;
-      }
+      const double axial = blend.damping * tangent.viscous + blend.stiffness * std::max(tangent.axial, 0.0);
+      const double lateral = std::abs(blend.stiffness * tangent.lateral);
+      const Lanes pull = u * (dot(u, d) * (axial - lateral)) + d * lateral;
       y[a] -= pull * m_rootInverseMass[a];
       y[b] += pull * m_rootInverseMass[b];
     }
@@ -152,18 +151,37 @@ double StepBound::measure(const System& system, bool damping)
   return kMargin * m_lanczos.largestEigenvalue(m_nodes.size(), kProducts, multiply);
 }
 
+/// See the class. Nothing that oscillates is slower than sqrt(stiffness): no need to know more exactly.
+double StepBound::measureDecay(const System& system, const FastestMode& mode)
+{
+  constexpr int kMostRounds = 5;
+  constexpr double kFirmness = 0.9; ///< share of the stiffness that will stay in the next moments
+  double decay = mode.damping;
+  for (int round = 0; round < kMostRounds && decay > std::sqrt(mode.stiffness); ++round) {
+    const double next = measure(system, {1.0, -kFirmness / decay});
+    if (!(next < 0.97 * decay)) break;
+    decay = std::max(next, 0.0);
+  }
+  return decay;
+}
+
 void StepBound::sharpen(const System& system, FastestMode& mode)
 {
-  const auto follow = [&](double& bound, Sharpness& sharpness, bool damping) {
+  bool isNew = false;
+  const auto follow = [&](double& bound, Sharpness& sharpness, Blend blend) {
     if (!(bound > 0.0) || !std::isfinite(bound)) return;
     if (!(std::abs(bound - sharpness.at) <= 0.1 * sharpness.at)) {
-      const double measured = measure(system, damping);
+      const double measured = measure(system, blend);
       sharpness = {std::isfinite(measured) ? std::min(1.0, measured / bound) : 1.0, bound};
+      isNew = true;
     }
     bound *= sharpness.ratio;
   };
-  follow(mode.stiffness, m_stiffnessSharpness, false);
-  follow(mode.damping, m_dampingSharpness, true);
+  follow(mode.stiffness, m_stiffnessSharpness, {0.0, 1.0});
+  follow(mode.damping, m_dampingSharpness, {1.0, 0.0});
+  if (isNew && std::isfinite(mode.damping))
+    m_decayShare = mode.damping > 0.0 ? measureDecay(system, mode) / mode.damping : 1.0;
+  mode.decay = m_decayShare * mode.damping;
 }
 
 FastestMode StepBound::compute(const System& system, const NodeArray& x, const NodeArray& v)

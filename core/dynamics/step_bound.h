@@ -12,6 +12,9 @@ namespace esm {
 struct FastestMode {
   double stiffness = 0.0; ///< of M^-1 K [1/s^2]
   double damping = 0.0;   ///< of M^-1 D [1/s]
+  /// How fast anything can decay [1/s]: real roots s of the modes are in [-decay, 0]. <= damping, since
+  /// stiffness holds up what a damper brakes: half of it at critical damping.
+  double decay = 0.0;
   /// Part of `stiffness` that lends no damping (tension across the springs, springs without dampers) [1/s^2];
   /// to the rest every mode owes g >= leastDamping w2.
   double undamped = 0.0;
@@ -30,6 +33,10 @@ struct FastestMode {
 ///
 /// Such sums are 30 to 100 % above the true eigenvalues. So these are measured by Lanczos' iteration now and
 /// then (after prepare(), and when the sums have moved by a tenth), and in between they follow the sums.
+///
+/// For r = -s of a real root, r^2 M - r D + K is singular: r is at most the largest eigenvalue of
+/// M^-1 (D - K/q) for any q >= r. From q = `damping` on, that gives bounds that fall towards the fastest
+/// root.
 class StepBound {
 public:
   void prepare(const System& system); ///< after any change of springs; allocates
@@ -40,7 +47,12 @@ private:
   void sumSprings(const System& system);
   void weighDamping(const System& system, FastestMode& mode);
   void sharpen(const System& system, FastestMode& mode);
-  double measure(const System& system, bool damping);
+  /// What a product is taken with, D times the first plus K times the second.
+  struct Blend {
+    double damping, stiffness;
+  };
+  double measure(const System& system, Blend blend);
+  double measureDecay(const System& system, const FastestMode& mode);
 
   std::vector<std::size_t> m_first; ///< springs of node i: m_incident[m_first[i] .. m_first[i + 1])
   std::vector<std::uint32_t> m_incident;
@@ -60,6 +72,7 @@ private:
     double ratio = 1.0, at = 0.0;
   };
   Sharpness m_stiffnessSharpness, m_dampingSharpness;
+  double m_decayShare = 1.0; ///< of the damping, measured when one of them was
 };
 
 } // namespace esm

@@ -89,6 +89,7 @@ void StepDriver::guessSteps()
     candidate.accurateStep = kFrame / kImplicitGuess;
     candidate.estimate = 0.0;
     candidate.isMeasured = false;
+    candidate.untilTrial = candidate.trialGap = kFirstTrial;
     if (isExplicit(candidate)) guessStep(candidate);
   }
 }
@@ -206,6 +207,32 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system)
   return best;
 }
 
+/// An explicit method that would cost far less than the present one if its step were as large as is stable
+/// and not too far from what is known: what one method tells of another is cautious, so that only a trial can
+/// show it. Trials that fail grow rare.
+StepDriver::Method StepDriver::worthATrial(const System& system)
+{
+  constexpr double kGain = 0.6, kReach = 5.0;
+  double least = kGain * cost(m_method, system);
+  Method best = m_method;
+  for (Method method = 0; method < m_candidates.size(); ++method) {
+    Candidate& candidate = m_candidates[method];
+    if (candidate.role != MethodRole::Explicit || method == m_method || --candidate.untilTrial > 0) continue;
+    const double stable = 0.95 * candidate.integrator->stableStep(m_mode);
+    if (candidate.accurateStep >= stable || kReach * candidate.accurateStep < stable) continue;
+    const double hoped = candidate.integrator->stepCost(system) * std::ceil(kFrame / stable);
+    if (hoped >= least) continue;
+    least = hoped;
+    best = method;
+  }
+  if (best == m_method) return best;
+  Candidate& candidate = m_candidates[best];
+  candidate.accurateStep = candidate.integrator->stableStep(m_mode);
+  candidate.untilTrial = candidate.trialGap;
+  candidate.trialGap = std::min(2 * candidate.trialGap, kLongestTrialGap);
+  return best;
+}
+
 /// What a frame costs at least: plain steps at their limit or, where these are many, one implicit step. To
 /// ask for less would only lead to methods that cost more.
 void StepDriver::weighLeastCost(const System& system)
@@ -251,6 +278,7 @@ void StepDriver::reconsider(System& system)
     if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
   } else {
     m_method = cheapestExplicit(system);
+    if (m_method == before) m_method = worthATrial(system);
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
@@ -260,7 +288,7 @@ void StepDriver::reconsider(System& system)
   giveToleranceUp(system, tooDear && m_method == m_implicit);
   if (m_method == before) return;
   use(m_method, system);
-  m_settled = 4;
+  m_settled = 2;
   explain(system);
 }
 

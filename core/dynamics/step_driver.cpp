@@ -11,7 +11,7 @@ namespace {
 
 constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solvers leave
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
-constexpr double kMostGrowth = 3.0;
+constexpr double kMostGrowth = 3.0, kMostErrorGrowth = 30.0;
 constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
 /// A step whose error is this share of the budget stays as it is.
 constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
@@ -331,12 +331,13 @@ bool StepDriver::checkDue(const MotionState& state) const noexcept
 void StepDriver::learn(const MotionState& state, double error, double budget, double step)
 {
   const double order = current().order(), share = error / budget;
+  const double mostGrowth = std::min(kMostGrowth, std::pow(kMostErrorGrowth, 1.0 / order));
   const bool isImplicit = !isExplicit(m_candidates[m_method]);
   const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
   double& accurate = m_candidates[m_method].accurateStep;
   accurate = step;
   if (!(share <= kMostShareKept) || share < kLeastShareKept)
-    accurate *= std::clamp(0.9 * gain, isImplicit ? 0.1 : 1e-4, kMostGrowth);
+    accurate *= std::clamp(0.9 * gain, isImplicit ? 0.1 : 1e-4, mostGrowth);
   const double length = state.time - m_start.time;
   m_checkedError = std::min(error, budget) / length; // the next step will not err more
   m_checkedPower = (state.heat - m_start.heat) / length;
@@ -360,7 +361,7 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
     if (&other != &here && isExplicit(other) && (here.isMeasured || !other.isMeasured))
       other.accurateStep *= std::clamp(
         std::pow(change, std::min(change > 1.0 ? kMostTransfer : 1.0, order / other.integrator->order())),
-        0.2, 5.0);
+        0.2, mostGrowth);
   here.isMeasured = true;
 }
 

@@ -62,7 +62,8 @@ public:
   const std::string& why() const noexcept { return m_limitText.empty() ? m_why : m_limitText; }
 
 private:
-  using Method = std::size_t; ///< place in integratorTable()
+  using Method = std::size_t;                                  ///< place in integratorTable()
+  static constexpr int kFirstTrial = 1, kLongestTrialGap = 32; ///< checks
   struct Candidate {
     std::unique_ptr<Integrator> integrator;
     MethodRole role = MethodRole::ByName;
@@ -71,6 +72,8 @@ private:
     double estimate = 0.0;     ///< the same without the hysteresis [s]
     bool isMeasured = false;   ///< since it was chosen
     bool prepared = false;
+    int untilTrial = kFirstTrial; ///< checks until it may be tried at more than is known of it
+    int trialGap = kFirstTrial;
   };
 
   static bool isExplicit(const Candidate& candidate) noexcept
@@ -90,6 +93,7 @@ private:
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system);
+  Method worthATrial(const System& system);
   bool toleranceIsTooDear(const System& system) const noexcept;
 
   bool stretchFixed(System& system, MotionState& state, double end, StepReport& report);
