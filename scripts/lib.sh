@@ -12,8 +12,8 @@ esm_build_packages=(g++ cmake ninja-build ccache libeigen3-dev libassimp-dev zli
   qt6-base-dev libqt6opengl6-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libgl-dev
   libqcustomplot-dev libgl1-mesa-dri libgtest-dev libgmock-dev libbenchmark-dev python3)
 esm_show_packages=(xvfb xauth fonts-dejavu-core)
-esm_test_packages=(python3-jsonschema xdotool imagemagick x11-apps locales git)
-esm_bench_packages=(libsundials-dev libsuitesparse-dev libopenblas0-serial python3-matplotlib) # competitors, pictures
+esm_test_packages=(libfuzzylite-dev python3-jsonschema xdotool imagemagick x11-apps locales git)
+esm_bench_packages=(libfuzzylite-dev libsundials-dev libsuitesparse-dev libopenblas0-serial python3-matplotlib) # competitors, pictures
 esm_check_packages=(clang-format clang-tidy)
 
 # Installs those of the named packages that are missing; says what it does; quiet and quick when there is nothing to do.

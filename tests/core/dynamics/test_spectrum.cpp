@@ -91,9 +91,9 @@ TEST(Spectrum, BoundIsTheLargestEigenvalueOrALittleMore)
   }
 }
 
-// Nothing decays faster than the bound, by the dense companion matrix; and where stiffness holds up the dampers,
-// the bound is not the damping alone. It counts on nine tenths of the stiffness: at critical damping that alone
-// makes 1 + sqrt(1/10) of the truth, and five rounds of a slow iteration a little more.
+// Nothing decays faster than the bound, by the dense companion matrix; and where stiffness holds up the
+// dampers, the bound is not the damping alone. It counts on nine tenths of the stiffness: at critical damping
+// that alone makes 1 + sqrt(1/10) of the truth, and five rounds of a slow iteration a little more.
 TEST(Spectrum, DecayIsBoundedByMoreThanTheDamping)
 {
   for (std::uint32_t seed = 1; seed <= 8; ++seed)
