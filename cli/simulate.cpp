@@ -128,7 +128,8 @@ void addSimulate(CLI::App& program, Work& work)
   command->add_flag_function(
     "--skip-resting,!--no-skip", [&skip = options->skipResting](std::int64_t count) { skip = count > 0; },
     "nodes at rest sleep and cost nothing, or not (default: the project's)");
-  addInteger(*command, "--threads", options->threads, "threads that may share a large net; the result is the same bit for bit", 1, 1024);
+  addInteger(*command, "--threads", options->threads,
+             "threads that may share a large net; the result is the same bit for bit", 1, 1024);
   command->add_option("-o,--output", options->outputs.motion,
                       "the motion: .csv (t,id,x,y,z), .f64 (float64, frames x nodes x 3) or .pvd (ParaView)");
   command->add_option("--report", options->report, "what it cost and came to, as JSON");

@@ -164,9 +164,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
       const bool isDue = !unchecked && checkDue(state);
-      const bool isUnaffordable =
-        isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system));
-      if (!isDue || isUnaffordable) { // a step that nobody could afford to check is better than none
+      // A step that nobody could afford to check is better than none.
+      if (!isDue || isTooDear(system, static_cast<double>(finer) * current().stepCost(system))) {
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
         keep(system, state);
@@ -185,26 +184,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       if (!retreat(system, state, result, attempt, report)) return false;
       continue;
     }
-    const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
-    const double coarseError = m_gauge.distance(m_coarse, m_coarseV, state, length) * ratio / (ratio - 1.0);
-    // Kept is the finer run; at the floor step it is kept as it is.
-    const double allowed = m_gauge.budget(m_settings.tolerance, state, length);
-    // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
-    const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
-    const bool atFloor = length / count <= floorStep() && coarseError <= rough;
-    const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
-    // Where another attempt could not be paid for, this one must do.
-    const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system));
-    const bool accepted = sane && (coarseError / ratio <= allowed || atFloor || isLast);
-    learn(state, coarseError, allowed, length / count);
-    if (accepted) {
-      m_roughAtCheck = coarseError / ratio > allowed;
-      report.rough = report.rough || m_roughAtCheck;
-      if (m_roughAtCheck) sayToleranceGivenUp(system);
-      keep(system, state);
-      reconsider(system);
-      return true;
-    }
+    if (accept(system, state, steps, finer, report)) return true;
     report.rejectedSteps += steps + finer;
     state = m_start;
     m_settled = 0;
@@ -218,6 +198,32 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   m_descents = m_descentTerm;
   m_growth = m_grown;
   return stretchByDescent(system, state, end, report);
+}
+
+/// After a stretch has been done in `steps` and again in `finer` steps: whether the second run may be kept;
+/// if so it is. Both ways the error is learned from.
+bool StepDriver::accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
+                        StepReport& report)
+{
+  const double length = state.time - m_start.time, count = static_cast<double>(steps);
+  const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
+  const double coarseError = m_gauge.distance(m_coarse, m_coarseV, state, length) * ratio / (ratio - 1.0);
+  const double allowed = m_gauge.budget(m_settings.tolerance, state, length);
+  const bool isFine = coarseError / ratio <= allowed;
+  // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
+  const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
+  const bool atFloor = length / count <= floorStep() && coarseError <= rough;
+  const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
+  // Where another attempt could not be paid for, this one must do.
+  const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system));
+  learn(state, coarseError, allowed, length / count);
+  if (!sane || !(isFine || atFloor || isLast)) return false;
+  m_roughAtCheck = !isFine;
+  report.rough = report.rough || m_roughAtCheck;
+  if (m_roughAtCheck) sayToleranceGivenUp(system);
+  keep(system, state);
+  reconsider(system);
+  return true;
 }
 
 /// Whether this much work more is beyond what `auto` may spend on the stretch.

@@ -103,6 +103,8 @@ private:
   bool fallBackToLeapfrog(System& system, double length);
   bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
   bool energyAppeared(const System& system, const MotionState& state, double share);
+  bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
+              StepReport& report);
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
