@@ -163,10 +163,8 @@ public:
       else
         throw Fault{m_scan.word().data(), shown(m_scan.word()) + " may not stand here"};
     }
-    for (const auto& [block, text] : m_rules) {
-      const auto weight = text;
-      m_system.blocks[block].rules.push_back(readRule(weight, m_system, true));
-    }
+    for (const auto& [block, text] : m_rules)
+      m_system.blocks[block].rules.push_back(readRule(text, m_system, true));
     inferRanges();
     return std::move(m_system);
   }
@@ -287,13 +285,11 @@ private:
   void readParameters(Term& term, Shape shape)
   {
     const std::string_view list = m_scan.upTo(';');
-    const bool jFuzzy = !list.empty();
     term.shape = shape;
     if (shape == Shape::Function) {
       term.formula = std::string(list);
       return;
     }
-    (void)jFuzzy;
     std::string_view rest = list;
     while (!(rest = trimmed(rest)).empty()) {
       if (rest[0] == ',' || rest[0] == '(' || rest[0] == ')') {
@@ -393,8 +389,7 @@ private:
       block.name = std::string(m_scan.take());
     while (!m_scan.accept("END_RULEBLOCK")) {
       if (m_scan.accept("RULE")) {
-        const std::string_view number = m_scan.upTo(':');
-        (void)number;
+        m_scan.upTo(':'); // its number or name
         m_scan.expect(":");
         m_rules.emplace_back(m_system.blocks.size() - 1, m_scan.restOfStatement());
       } else {
