@@ -15,6 +15,7 @@ using namespace fuzzy;
 namespace {
 
 constexpr const char* kShapes[] = {"triangle", "trapezoid", "gaussian"};
+constexpr const char* kProfiles[] = {"smooth", "linear", "smoother"};
 constexpr const char* kHedges[] = {"not", "very", "extremely", "somewhat"};
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -206,9 +207,18 @@ Eigen::Quaterniond readRotation(const View& list)
   return rotation;
 }
 
+MirrorPlane readMirror(const View& object)
+{
+  object.expectKeys({"point", "normal"});
+  const MirrorPlane plane{object["point"].vector(), object["normal"].vector()};
+  if (object.sound() && !(plane.normal.squaredNorm() > 0.0)) object["normal"].mustBe("longer than 0");
+  return plane;
+}
+
 Region readRegion(const View& object, const RuleBase& rules)
 {
-  object.expectKeys({"name", "centre", "semi_axes", "rotation", "falloff", "enabled", "inputs"});
+  object.expectKeys({"name", "centre", "semi_axes", "rotation", "falloff", "enabled", "inputs"},
+                    {"profile", "inside_out", "mirror", "locked", "visible"});
   Region region;
   region.name = object["name"].text();
   region.ellipsoid.centre = object["centre"].vector();
@@ -219,7 +229,33 @@ Region readRegion(const View& object, const RuleBase& rules)
   region.falloff = object["falloff"].number(Range::ZeroToOne);
   region.enabled = object["enabled"].boolean();
   region.inputs = readInputs(object["inputs"], rules);
+  if (object.has("profile")) region.profile = FalloffProfile(object["profile"].choice(kProfiles));
+  if (object.has("inside_out")) region.insideOut = object["inside_out"].boolean();
+  if (object.has("mirror")) region.mirror = readMirror(object["mirror"]);
+  if (object.has("locked")) region.locked = object["locked"].boolean();
+  if (object.has("visible")) region.visible = object["visible"].boolean();
   return region;
+}
+
+/// What a region seldom has is left out, so that programs from before can read the rest.
+Json regionOf(const Region& region, const RuleBase& rules)
+{
+  const Eigen::Quaterniond& q = region.ellipsoid.rotation;
+  Json object = {{"name", validUtf8(region.name)},
+                 {"centre", listOf(region.ellipsoid.centre)},
+                 {"semi_axes", listOf(region.ellipsoid.semiAxes)},
+                 {"rotation", {q.w(), q.x(), q.y(), q.z()}},
+                 {"falloff", region.falloff},
+                 {"enabled", region.enabled},
+                 {"inputs", inputsOf(region.inputs, rules)}};
+  if (region.profile != FalloffProfile::Smooth)
+    object["profile"] = kProfiles[static_cast<std::size_t>(region.profile)];
+  if (region.insideOut) object["inside_out"] = true;
+  if (region.mirror)
+    object["mirror"] = {{"point", listOf(region.mirror->point)}, {"normal", listOf(region.mirror->normal)}};
+  if (region.locked) object["locked"] = true;
+  if (!region.visible) object["visible"] = false;
+  return object;
 }
 
 } // namespace
@@ -274,16 +310,7 @@ std::vector<InputValue> readInputs(const View& object, const RuleBase& rules)
 Json regionsOf(const TissueModel& tissue)
 {
   Json list = Json::array();
-  for (const Region& region : tissue.regions) {
-    const Eigen::Quaterniond& q = region.ellipsoid.rotation;
-    list.push_back({{"name", validUtf8(region.name)},
-                    {"centre", listOf(region.ellipsoid.centre)},
-                    {"semi_axes", listOf(region.ellipsoid.semiAxes)},
-                    {"rotation", {q.w(), q.x(), q.y(), q.z()}},
-                    {"falloff", region.falloff},
-                    {"enabled", region.enabled},
-                    {"inputs", inputsOf(region.inputs, tissue.rules)}});
-  }
+  for (const Region& region : tissue.regions) list.push_back(regionOf(region, tissue.rules));
   return list;
 }
 

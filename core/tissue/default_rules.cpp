@@ -2,15 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/tissue/tissue_model.h"
 
-#include <array>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace esm {
 
 namespace {
 
 using fuzzy::Names;
+using fuzzy::Proposition;
 using fuzzy::RuleBase;
 using fuzzy::Term;
 using fuzzy::Variable;
@@ -19,91 +20,150 @@ struct NamedTerm {
   const char *id, *english, *german;
   double peak; ///< on the variable's axis
 };
-using FiveTerms = std::array<NamedTerm, 5>;
+using NamedTerms = std::vector<NamedTerm>;
 
-/// Triangles from peak to peak with shoulders at both ends: the memberships of every place sum to 1, so
-/// that no value is without a word and two neighbouring words cross at one half.
-std::vector<Term> partition(const FiveTerms& named)
+/// Triangles from peak to peak: within the outermost peaks the memberships of every place sum to 1, so that
+/// no value is without a word and two neighbouring words cross at one half.
+/// @param shoulders true: the outermost go on for ever; false: they are as wide outward as inward, so that
+/// the
+///        centre of each lies at its peak and rules can conclude the peak itself.
+std::vector<Term> partition(const NamedTerms& named, bool shoulders)
 {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   std::vector<Term> terms;
   for (std::size_t i = 0; i < named.size(); ++i) {
-    const double before = i > 0 ? named[i - 1].peak : -kInfinity;
-    const double after = i + 1 < named.size() ? named[i + 1].peak : kInfinity;
-    terms.push_back({named[i].id,
-                     {named[i].english, named[i].german},
-                     fuzzy::Shape::Triangle,
-                     {before, named[i].peak, after}});
+    const double peak = named[i].peak;
+    const bool isFirst = i == 0, isLast = i + 1 == named.size();
+    const double inward = isFirst ? named[1].peak : named[i - 1].peak;
+    const double outer = shoulders ? (isFirst ? -kInfinity : kInfinity) : 2.0 * peak - inward;
+    const double before = isFirst ? outer : named[i - 1].peak;
+    const double after = isLast ? outer : named[i + 1].peak;
+    terms.push_back(
+      {named[i].id, {named[i].english, named[i].german}, fuzzy::Shape::Triangle, {before, peak, after}});
   }
   return terms;
+}
+
+Variable input(const char* id, Names name, const NamedTerms& terms)
+{
+  return {id, std::move(name), "", 0.0, 1.0, 0.5, false, partition(terms, true)};
 }
 
 /// What a hand can tell. The names let the usual findings be written as they are spoken: "rather hard",
 /// "a little elastic", "hardly shiftable".
 std::vector<Variable> inputs()
 {
-  const FiveTerms hardness = {{{"soft", "soft", "weich", 0.0},
-                               {"rather_soft", "rather soft", "ziemlich weich", 0.25},
-                               {"medium", "medium", "mittel", 0.5},
-                               {"rather_hard", "rather hard", "ziemlich hart", 0.75},
-                               {"hard", "hard", "hart", 1.0}}};
-  const FiveTerms elasticity = {{{"low", "inelastic", "unelastisch", 0.0},
-                                 {"a_little", "a little elastic", "wenig elastisch", 0.25},
-                                 {"medium", "medium", "mittel", 0.5},
-                                 {"elastic", "elastic", "elastisch", 0.75},
-                                 {"high", "highly elastic", "hochelastisch", 1.0}}};
-  const FiveTerms shiftability = {{{"fixed", "fixed", "fest", 0.0},
-                                   {"hardly", "hardly shiftable", "kaum verschieblich", 0.25},
-                                   {"medium", "medium", "mittel", 0.5},
-                                   {"shiftable", "shiftable", "verschieblich", 0.75},
-                                   {"free", "free", "frei", 1.0}}};
-  return {{"hardness", {"hardness", "Härte"}, "", 0.0, 1.0, 0.5, false, partition(hardness)},
-          {"elasticity", {"elasticity", "Elastizität"}, "", 0.0, 1.0, 0.5, false, partition(elasticity)},
-          {"shiftability",
-           {"shiftability", "Verschieblichkeit"},
-           "",
-           0.0,
-           1.0,
-           0.5,
-           false,
-           partition(shiftability)}};
+  return {input("hardness", {"hardness", "Härte"},
+                {{"soft", "soft", "weich", 0.0},
+                 {"doughy", "doughy", "teigig", 1.0 / 6.0},
+                 {"rather_soft", "rather soft", "ziemlich weich", 2.0 / 6.0},
+                 {"medium", "medium", "mittel", 0.5},
+                 {"firm", "firm", "derb", 4.0 / 6.0},
+                 {"rather_hard", "rather hard", "ziemlich hart", 5.0 / 6.0},
+                 {"hard", "hard", "hart", 1.0}}),
+          input("elasticity", {"elasticity", "Elastizität"},
+                {{"low", "inelastic", "unelastisch", 0.0},
+                 {"a_little", "a little elastic", "wenig elastisch", 0.25},
+                 {"medium", "medium", "mittel", 0.5},
+                 {"elastic", "elastic", "elastisch", 0.75},
+                 {"high", "highly elastic", "hochelastisch", 1.0}}),
+          input("shiftability", {"shiftability", "Verschieblichkeit"},
+                {{"fixed", "fixed", "fest", 0.0},
+                 {"hardly", "hardly shiftable", "kaum verschieblich", 0.25},
+                 {"medium", "medium", "mittel", 0.5},
+                 {"shiftable", "shiftable", "verschieblich", 0.75},
+                 {"free", "free", "frei", 1.0}}),
+          input("heaviness", {"heaviness", "Schwere"},
+                {{"fatty", "fatty", "fettig", 0.0},
+                 {"watery", "watery", "wasserreich", 0.5},
+                 {"dense", "dense", "dicht", 1.0}}),
+          input("toughness", {"toughness", "Zähigkeit"},
+                {{"fragile", "fragile", "brüchig", 0.0},
+                 {"normal", "normal", "normal", 0.5},
+                 {"tough", "tough", "zäh", 1.0}}),
+          input("stretch", {"stretch", "Dehnung"},
+                {{"none", "without stiffening", "ohne Versteifung", 0.0},
+                 {"mild", "mild stiffening", "milde Versteifung", 0.5},
+                 {"strong", "strong stiffening", "starke Versteifung", 1.0}}),
+          input("wall", {"wall", "Wand"},
+                {{"hollow", "hollow", "hohl", 0.0},
+                 {"thin", "thin", "dünnwandig", 1.0 / 3.0},
+                 {"thick", "thick", "dickwandig", 2.0 / 3.0},
+                 {"solid", "solid", "massiv", 1.0}})};
 }
 
-FiveTerms levels(const std::array<double, 5>& peaks)
+/// Terms of an output on a logarithmic axis; names from the lowest to the highest.
+Variable output(const char* id, Names name, const char* unit, double minimum, double maximum, double usual,
+                const std::vector<double>& peaks)
 {
-  return {{{"very_low", "very low", "sehr niedrig", std::log10(peaks[0])},
-           {"low", "low", "niedrig", std::log10(peaks[1])},
-           {"medium", "medium", "mittel", std::log10(peaks[2])},
-           {"high", "high", "hoch", std::log10(peaks[3])},
-           {"very_high", "very high", "sehr hoch", std::log10(peaks[4])}}};
+  static const NamedTerms kFive = {{"very_low", "very low", "sehr niedrig", 0.0},
+                                   {"low", "low", "niedrig", 0.0},
+                                   {"medium", "medium", "mittel", 0.0},
+                                   {"high", "high", "hoch", 0.0},
+                                   {"very_high", "very high", "sehr hoch", 0.0}};
+  NamedTerms terms = kFive;
+  if (peaks.size() == 3) terms = {kFive[1], kFive[2], kFive[3]};
+  if (peaks.size() == 7) {
+    terms.insert(terms.begin() + 2, {"rather_low", "rather low", "eher niedrig", 0.0});
+    terms.insert(terms.begin() + 4, {"rather_high", "rather high", "eher hoch", 0.0});
+  }
+  for (std::size_t i = 0; i < terms.size(); ++i) terms[i].peak = std::log10(peaks[i]);
+  return {id, std::move(name), unit, minimum, maximum, usual, true, partition(terms, false)};
 }
 
-/// Peaks near what is measured. Young's modulus: fat and liver 2-5 kPa, muscle 7 kPa, uterus 30-90 kPa
-/// (Kiss 2006), gallbladder 255 kPa (Karimi 2017), vessels and bile duct 0.5-0.6 MPa, skin above 1 MPa.
-/// Viscosity as retardation time: tan(delta) / omega of uterus and liver is 2-3 ms. Anchoring: an organ
-/// with a wall of 2 mm sinks by (density g thickness) / anchoring under its weight: 0.2 mm at medium,
-/// 2 cm at very low.
+/// Peaks near what is measured; docs/TISSUE.md has the table. Young's modulus: half a decade from word to
+/// word. Viscosity as retardation time: damping ratios of 0.08, 0.16, 0.3, 0.6, 1.1 at 50 Hz, see
+/// dampingRatio(). Anchoring: an organ with a wall of 2 mm sinks by (density g thickness) / anchoring under
+/// its weight: 0.2 mm at medium, 2 cm at very low.
 std::vector<Variable> outputs()
 {
-  const auto modulus = levels({1e3, 7e3, 45e3, 250e3, 1.6e6});
-  const auto viscosity = levels({0.5e-3, 1.2e-3, 3e-3, 10e-3, 40e-3});
-  const auto anchoring = levels({1e3, 1e4, 1e5, 1e6, 1e7});
-  return {{"youngs_modulus", {"stiffness", "Steifigkeit"}, "Pa", 500.0, 1e7, 43e3, true, partition(modulus)},
-          {"viscosity", {"viscosity", "Viskosität"}, "s", 0.2e-3, 0.1, 3e-3, true, partition(viscosity)},
-          {"anchoring", {"anchoring", "Verankerung"}, "Pa/m", 300.0, 3e7, 1e5, true, partition(anchoring)}};
+  const double half = std::sqrt(10.0);
+  return {
+    output("youngs_modulus", {"stiffness", "Steifigkeit"}, "Pa", 300.0, 1e7, 1e4 * half,
+           {1e3, 1e3 * half, 1e4, 1e4 * half, 1e5, 1e5 * half, 1.5e6}),
+    output("viscosity", {"viscosity", "Viskosität"}, "s", 0.2e-3, 15e-3, 1.9e-3,
+           {0.5e-3, 1e-3, 1.9e-3, 3.8e-3, 7e-3}),
+    output("anchoring", {"anchoring", "Verankerung"}, "Pa/m", 100.0, 1e8, 1e5, {1e3, 1e4, 1e5, 1e6, 1e7}),
+    output("density", {"density", "Dichte"}, "kg/m^3", 780.0, 1350.0, 1055.0, {912.0, 1055.0, 1190.0}),
+    output("rupture_strain", {"rupture strain", "Reißdehnung"}, "", 0.1, 3.3, 0.55,
+           {0.2, 0.35, 0.55, 1.5, 2.2}),
+    output("stiffening", {"stiffening", "Versteifung"}, "", 0.03, 30.0, 3.0, {0.3, 5.0, 12.0}),
+    output("volume_ratio", {"volume stiffness", "Volumensteifigkeit"}, "", 1.0, 100.0, 10.0,
+           {10.0 / 3.0, 10.0, 30.0})};
 }
 
-/// "IF input IS term THEN output IS level": one rule per term, so that each finding acts on one property.
-void addRules(RuleBase& ruleBase, const Variable& input, const Variable& output, bool rising)
+using Kind = fuzzy::Condition::Kind;
+
+Proposition is(const char* variable, const char* term)
 {
-  for (std::size_t i = 0; i < input.terms.size(); ++i) {
-    const std::size_t level = rising ? i : output.terms.size() - 1 - i;
-    fuzzy::Rule rule;
-    rule.condition.nodes.push_back(
-      {fuzzy::Condition::Kind::Proposition, {input.id, input.terms[i].id, {}}, {}});
-    rule.consequents.push_back({output.id, output.terms[level].id, {}});
-    ruleBase.rules.push_back(std::move(rule));
+  return {variable, term, {}};
+}
+
+/// "IF all of these THEN conclusion WITH weight"; `kind` Or: any of these.
+fuzzy::Rule rule(Kind kind, const std::vector<Proposition>& findings, const Proposition& conclusion,
+                 double weight = 1.0)
+{
+  fuzzy::Rule made;
+  if (findings.size() > 1) {
+    made.condition.nodes.push_back({kind, {}, {}});
+    for (std::size_t i = 1; i <= findings.size(); ++i)
+      made.condition.nodes[0].children.push_back(static_cast<int>(i));
   }
+  for (const Proposition& finding : findings)
+    made.condition.nodes.push_back({Kind::Proposition, finding, {}});
+  made.consequents.push_back(conclusion);
+  made.weight = weight;
+  return made;
+}
+
+/// One rule per term, so that each finding acts on one property. Terms from the lowest to the highest.
+void addRules(RuleBase& ruleBase, const char* inputId, const char* outputId,
+              const std::vector<const char*>& conclusions)
+{
+  const std::vector<Term>& terms = ruleBase.findInput(inputId)->terms;
+  for (std::size_t i = 0; i < terms.size(); ++i)
+    ruleBase.rules.push_back(
+      rule(Kind::And, {is(inputId, terms[i].id.c_str())}, is(outputId, conclusions[i])));
 }
 
 } // namespace
@@ -111,9 +171,25 @@ void addRules(RuleBase& ruleBase, const Variable& input, const Variable& output,
 RuleBase defaultRules()
 {
   RuleBase ruleBase{inputs(), outputs(), {}};
-  addRules(ruleBase, ruleBase.inputs[0], ruleBase.outputs[0], true);  // harder: stiffer
-  addRules(ruleBase, ruleBase.inputs[1], ruleBase.outputs[1], false); // more elastic: less sluggish
-  addRules(ruleBase, ruleBase.inputs[2], ruleBase.outputs[2], false); // more shiftable: less held
+  const std::vector<const char*> rising = {"very_low", "low", "medium", "high", "very_high"};
+  const std::vector<const char*> falling(rising.rbegin(), rising.rend());
+  addRules(ruleBase, "hardness", "youngs_modulus",
+           {"very_low", "low", "rather_low", "medium", "rather_high", "high", "very_high"});
+  addRules(ruleBase, "elasticity", "viscosity", falling);
+  addRules(ruleBase, "shiftability", "anchoring", falling);
+  addRules(ruleBase, "heaviness", "density", {"low", "medium", "high"});
+  addRules(ruleBase, "toughness", "rupture_strain", {"low", "medium", "high"});
+  addRules(ruleBase, "stretch", "stiffening", {"low", "medium", "high"});
+
+  // What is full of liquid keeps its volume; a hollow organ gives way by emptying.
+  const char* volume = "volume_ratio";
+  ruleBase.rules.push_back(rule(Kind::Or, {is("wall", "hollow"), is("wall", "thin")}, is(volume, "low")));
+  ruleBase.rules.push_back(rule(Kind::Or, {is("wall", "thick"), is("wall", "solid")}, is(volume, "medium")));
+  ruleBase.rules.push_back(
+    rule(Kind::And, {is("wall", "solid"), is("hardness", "soft")}, is(volume, "high"), 0.8));
+  // Swollen and brittle: tears before all others.
+  ruleBase.rules.push_back(rule(Kind::And, {is("toughness", "fragile"), is("heaviness", "watery")},
+                                is("rupture_strain", "very_low"), 0.7));
   return ruleBase;
 }
 

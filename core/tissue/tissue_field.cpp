@@ -9,9 +9,10 @@ namespace esm {
 
 namespace {
 
-constexpr const char* kOutputIds[] = {"youngs_modulus", "viscosity", "anchoring"};
-/// Stands for zero in logarithms: far below any tissue, and 10^x gives it back as zero.
-constexpr double kZeroLog = -400.0;
+/// Stands for zero in logarithms: far below any tissue, and exp gives it back as zero.
+constexpr double kZeroLog = -900.0;
+/// Of rule bases that do not speak of them.
+constexpr double kUsualRuptureStrain = 0.5, kUsualVolumeRatio = 10.0;
 
 Error invalid(std::string detail)
 {
@@ -25,23 +26,14 @@ bool isPositive(double x)
 
 double safeLog(double x)
 {
-  return x > 0.0 ? std::log10(x) : kZeroLog;
+  return x > 0.0 ? std::log(x) : kZeroLog;
 }
 
-TissueParameters fromLog(const Eigen::Array3d& logs)
+int placeOf(const fuzzy::RuleBase& rules, const char* id)
 {
-  const auto plain = [](double x) { return x <= kZeroLog ? 0.0 : std::pow(10.0, x); };
-  return {plain(logs[0]), plain(logs[1]), plain(logs[2])};
-}
-
-/// The tissue outputs of an inference as logarithms, in the order of TissueParameters.
-Eigen::Array3d logParameters(const fuzzy::RuleBase& rules, const fuzzy::Inference& inference)
-{
-  Eigen::Array3d logs;
-  for (int i = 0; i < 3; ++i)
-    for (std::size_t k = 0; k < rules.outputs.size(); ++k)
-      if (rules.outputs[k].id == kOutputIds[i]) logs[i] = safeLog(inference.outputs[k].value);
-  return logs;
+  for (std::size_t k = 0; k < rules.outputs.size(); ++k)
+    if (rules.outputs[k].id == id) return static_cast<int>(k);
+  return -1;
 }
 
 Status checkInputs(const TissueModel& model, const std::vector<fuzzy::InputValue>& inputs,
@@ -75,16 +67,22 @@ Status checkRegion(const TissueModel& model, const Region& region, const std::st
     return invalid(where + ": the rotation is not a unit quaternion");
   if (!(region.falloff >= 0.0 && region.falloff <= 1.0))
     return invalid(where + ": the falloff must lie in 0 to 1");
+  if (region.mirror && !(region.mirror->point.allFinite() && region.mirror->normal.allFinite() &&
+                         isPositive(region.mirror->normal.squaredNorm())))
+    return invalid(where + ": the mirror needs a finite point and a normal above 0");
   return checkInputs(model, region.inputs, where);
 }
 
 Status checkModel(const TissueModel& model)
 {
-  for (const char* id : kOutputIds) {
-    const fuzzy::Variable* output = model.rules.findOutput(id);
-    if (!output) return invalid(std::string("the rule base has no output '") + id + "'");
-    if (output->minimum < 0.0)
-      return invalid(std::string("the range of output '") + id + "' must not go below 0");
+  for (const TissueOutput& known : kTissueOutputs) {
+    const fuzzy::Variable* output = model.rules.findOutput(known.id);
+    if (!output && known.required)
+      return invalid(std::string("the rule base has no output '") + known.id + "'");
+    if (output && output->minimum < 0.0)
+      return invalid(std::string("the range of output '") + known.id + "' must not go below 0");
+    if (output && known.value == &TissueParameters::density && !(output->minimum > 0.0))
+      return invalid("the range of output 'density' must lie above 0 kg/m^3");
   }
   if (!isPositive(model.thickness)) return invalid("the wall's thickness must be above 0 m");
   if (!isPositive(model.density)) return invalid("the density must be above 0 kg/m^3");
@@ -94,14 +92,14 @@ Status checkModel(const TissueModel& model)
   return checkInputs(model, model.inputs, "the base tissue");
 }
 
-/// In [0, 1] for every point, 0 where there is none (NaN).
-double weightAt(const Ellipsoid& ellipsoid, double falloff, const Eigen::Vector3d& point)
-{
-  const double weight = falloffWeight(ellipsoid.radius(point), falloff);
-  return weight > 0.0 ? weight : 0.0;
-}
-
 } // namespace
+
+bool comesFromRules(const fuzzy::RuleBase& rules, double TissueParameters::*value) noexcept
+{
+  return std::any_of(kTissueOutputs.begin(), kTissueOutputs.end(), [&](const TissueOutput& output) {
+    return output.value == value && rules.findOutput(output.id);
+  });
+}
 
 Result<TissueField> TissueField::create(const TissueModel& model)
 {
@@ -111,33 +109,60 @@ Result<TissueField> TissueField::create(const TissueModel& model)
 
   TissueField field;
   field.m_model = model;
+  field.m_constant.density = model.density;
+  field.m_constant.stiffening = model.lawParameter;
+  field.m_constant.ruptureStrain = kUsualRuptureStrain;
+  field.m_constant.volumeRatio = kUsualVolumeRatio;
+  for (std::size_t i = 0; i < kTissueOutputs.size(); ++i)
+    field.m_output[i] = placeOf(model.rules, kTissueOutputs[i].id);
   field.m_baseInference = engine->evaluate(model.inputs);
-  field.m_baseLog = logParameters(model.rules, field.m_baseInference);
-  field.m_base = fromLog(field.m_baseLog);
+  field.m_baseLogs = field.logsOf(field.m_baseInference);
+  field.m_base = field.fromLogs(field.m_baseLogs, kAllParameters);
   for (std::size_t i = 0; i < model.regions.size(); ++i) {
     const Region& region = model.regions[i];
     const std::string where = "region " + std::to_string(i + 1) + " '" + region.name + "'";
     if (Status status = checkRegion(model, region, where); !status) return status.error();
     if (!region.enabled) continue;
     field.m_regionInferences.push_back(engine->evaluate(region.inputs));
-    field.m_regions.push_back({region.ellipsoid, region.falloff,
-                               logParameters(model.rules, field.m_regionInferences.back()),
-                               static_cast<int>(i)});
+    const LogParameters logs = field.logsOf(field.m_regionInferences.back());
+    field.m_regions.push_back(
+      {RegionShape(region), logs, field.fromLogs(logs, kAllParameters), static_cast<int>(i)});
   }
   return field;
 }
 
+LogParameters TissueField::logsOf(const fuzzy::Inference& inference) const
+{
+  LogParameters logs = LogParameters::Zero();
+  for (std::size_t i = 0; i < m_output.size(); ++i)
+    if (m_output[i] >= 0)
+      logs[static_cast<int>(i)] = safeLog(inference.outputs[static_cast<std::size_t>(m_output[i])].value);
+  return logs;
+}
+
+TissueParameters TissueField::fromLogs(const LogParameters& logs, unsigned wanted) const noexcept
+{
+  TissueParameters parameters = m_constant;
+  for (std::size_t i = 0; i < m_output.size(); ++i) {
+    const double log = logs[static_cast<int>(i)];
+    if (m_output[i] >= 0 && (wanted >> i & 1U))
+      parameters.*kTissueOutputs[i].value = log <= kZeroLog ? 0.0 : std::exp(log);
+  }
+  return parameters;
+}
+
+TissueParameters TissueField::plain(const TissueBlend& blend, unsigned wanted) const noexcept
+{
+  if (blend.pure == TissueBlend::kMixed) return fromLogs(blend.logs, wanted);
+  return blend.pure < 0 ? m_base : m_regions[static_cast<std::size_t>(blend.pure)].own;
+}
+
 TissueParameters TissueField::at(const Eigen::Vector3d& point) const noexcept
 {
-  Eigen::Array3d logs = m_baseLog;
-  bool touched = false;
-  for (const CompiledRegion& region : m_regions) {
-    const double weight = weightAt(region.ellipsoid, region.falloff, point);
-    if (weight == 0.0) continue;
-    touched = true;
-    logs += weight * (region.logParameters - logs);
-  }
-  return touched ? fromLog(logs) : m_base;
+  TissueBlend blend = baseBlend();
+  for (std::size_t i = 0; i < m_regions.size(); ++i)
+    blend.cover(static_cast<int>(i), m_regions[i].shape.weight(point), m_regions[i].logs);
+  return plain(blend);
 }
 
 Explanation TissueField::explain(const Eigen::Vector3d& point) const
@@ -147,7 +172,7 @@ Explanation TissueField::explain(const Eigen::Vector3d& point) const
   // A later region leaves 1 - weight to all that lies below it.
   std::vector<double> shares = {1.0};
   for (const CompiledRegion& region : m_regions) {
-    const double weight = weightAt(region.ellipsoid, region.falloff, point);
+    const double weight = region.shape.weight(point);
     for (double& share : shares) share *= 1.0 - weight;
     shares.push_back(weight);
   }
@@ -162,12 +187,9 @@ Explanation TissueField::explain(const Eigen::Vector3d& point) const
 bool TissueField::allOutputsFromRules() const noexcept
 {
   const auto complete = [this](const fuzzy::Inference& inference) {
-    for (std::size_t k = 0; k < m_model.rules.outputs.size(); ++k) {
-      const std::string& id = m_model.rules.outputs[k].id;
-      const bool ours = std::find(std::begin(kOutputIds), std::end(kOutputIds), id) != std::end(kOutputIds);
-      if (ours && !inference.outputs[k].fromRules) return false;
-    }
-    return true;
+    return std::all_of(m_output.begin(), m_output.end(), [&](int k) {
+      return k < 0 || inference.outputs[static_cast<std::size_t>(k)].fromRules;
+    });
   };
   return complete(m_baseInference) &&
          std::all_of(m_regionInferences.begin(), m_regionInferences.end(), complete);

@@ -5,55 +5,46 @@
 #include "core/base/result.h"
 #include "core/fuzzy/inference.h"
 #include "core/fuzzy/rule_base.h"
-#include "core/geometry/ellipsoid.h"
 #include "core/net/spring_net.h"
+#include "core/tissue/region.h"
+#include "core/tissue/tissue_parameters.h"
 
 #include <string>
 #include <vector>
 
 namespace esm {
 
-/// What tissue is, free of any mesh: so that refining a mesh does not change how soft the organ is.
-struct TissueParameters {
-  double youngsModulus = 0.0; ///< E [Pa]
-  double viscosity = 0.0;     ///< retardation time tau = c/k of every spring and anchor [s]
-  double anchoring = 0.0;     ///< stiffness of the bed that holds the organ, per area of surface [Pa/m]
-};
-
-/// A part of space with tissue of its own.
-struct Region {
-  std::string name;
-  Ellipsoid ellipsoid;
-  double falloff = 0.3; ///< [0, 1] share of the radius over which the region fades out, see falloffWeight()
-  bool enabled = true;
-  std::vector<fuzzy::InputValue> inputs; ///< one per rule base input
-};
-
 /// Words and numbers from which every spring gets its parameters (rule 3 of the house: the one path).
 struct TissueModel {
-  fuzzy::RuleBase rules;                 ///< outputs must include youngs_modulus, viscosity, anchoring
+  fuzzy::RuleBase rules;                 ///< with the required of kTissueOutputs, others as it likes
   std::vector<fuzzy::InputValue> inputs; ///< of the base tissue, one per rule base input
   std::vector<Region> regions;           ///< a later one covers an earlier one
   double thickness = 0.002;              ///< of the wall [m], > 0
-  double density = 1050.0;               ///< [kg/m^3], > 0
+  double density = 1050.0;               ///< [kg/m^3], > 0; idle if the rule base has the output density
   SpringLaw law = SpringLaw::Exponential;
-  double lawParameter = 3.0; ///< [1], see SpringLaw (Table is not offered here)
+  double lawParameter = 3.0; ///< [1], see SpringLaw (Table is not offered here); idle if there is stiffening
 };
 
-/// The rule base that a new project starts with: hardness, elasticity, shiftability in [0, 1] to
-/// youngs_modulus [Pa], viscosity [s], anchoring [Pa/m]. Names in both languages.
+/// Whether the rule base speaks of a parameter, so that the number in the model is idle.
+bool comesFromRules(const fuzzy::RuleBase& rules, double TissueParameters::*value) noexcept;
+
+/// The rule base that a new project starts with: seven inputs in [0, 1], seven outputs on log scales, 30
+/// rules. Names in both languages. Sources and the whole table: docs/TISSUE.md.
 ///
-/// Each input has five words, such that a finding can be entered as it is spoken; hedges refine them:
-///
-///     hardness       soft, rather soft, medium, rather hard, hard
-///                    weich, ziemlich weich, mittel, ziemlich hart, hart
+///     hardness       soft, doughy, rather soft, medium, firm, rather hard, hard
+///                    weich, teigig, ziemlich weich, mittel, derb, ziemlich hart, hart
 ///     elasticity     inelastic, a little elastic, medium, elastic, highly elastic
 ///                    unelastisch, wenig elastisch, mittel, elastisch, hochelastisch
 ///     shiftability   fixed, hardly shiftable, medium, shiftable, free
 ///                    fest, kaum verschieblich, mittel, verschieblich, frei
+///     heaviness      fatty, watery, dense                fettig, wasserreich, dicht
+///     toughness      fragile, normal, tough              brüchig, normal, zäh
+///     stretch        without, mild, strong stiffening    ohne, milde, starke Versteifung
+///     wall           hollow, thin, thick, solid          hohl, dünnwandig, dickwandig, massiv
 ///
-/// One rule per word: harder is stiffer, more elastic is less sluggish, more shiftable is less held. Each
-/// output rises or falls with its input without a step back, and every value of the inputs fires a rule.
+/// Harder is stiffer, more elastic is less sluggish, more shiftable is less held, heavier is denser, tougher
+/// tears later. Each output rises or falls with its input without a step back, and every value of the inputs
+/// fires a rule for every output.
 fuzzy::RuleBase defaultRules();
 /// defaultRules(), inputs at their defaults, no regions.
 TissueModel defaultTissue();
@@ -69,6 +60,23 @@ struct Explanation {
   std::vector<fuzzy::Inference> inferences; ///< one per share
 };
 
+/// Tissue of one place before it is made plain numbers.
+struct TissueBlend {
+  LogParameters logs;
+  int pure = -1; ///< -1: the base tissue alone, i >= 0: compiled region i alone, kMixed: blended
+  static constexpr int kMixed = -2;
+  /// A region of that weight over what is there. Weight 1 hides all below, exactly.
+  void cover(int region, double weight, const LogParameters& regionLogs) noexcept
+  {
+    if (weight == 0.0) return;
+    pure = weight == 1.0 ? region : kMixed;
+    if (weight == 1.0)
+      logs = regionLogs;
+    else
+      logs += weight * (regionLogs - logs);
+  }
+};
+
 /// A TissueModel compiled: one inference per region, then cheap per place. Any thread.
 class TissueField {
 public:
@@ -82,18 +90,30 @@ public:
   const TissueParameters& base() const noexcept { return m_base; }
   bool allOutputsFromRules() const noexcept; ///< false: some output took its default, see explain()
 
+  // === The same in pieces, for those who remember weights (TissueDerivation)
+  struct CompiledRegion {
+    RegionShape shape;
+    LogParameters logs;
+    TissueParameters own; ///< where its weight is 1
+    int index = -1;       ///< into TissueModel::regions
+  };
+  const TissueModel& model() const noexcept { return m_model; }
+  const std::vector<CompiledRegion>& regions() const noexcept { return m_regions; } ///< the enabled ones
+  TissueBlend baseBlend() const noexcept { return {m_baseLogs, -1}; }
+  /// @param wanted those that are not may stay at any value.
+  TissueParameters plain(const TissueBlend& blend, unsigned wanted = kAllParameters) const noexcept;
+
 private:
   TissueField() = default;
-  struct CompiledRegion {
-    Ellipsoid ellipsoid;
-    double falloff = 0.0;
-    Eigen::Array3d logParameters;
-    int index = -1;
-  };
+  LogParameters logsOf(const fuzzy::Inference& inference) const;
+  TissueParameters fromLogs(const LogParameters& logs, unsigned wanted) const noexcept;
+
   TissueModel m_model;
-  TissueParameters m_base;
+  std::array<int, kTissueOutputCount> m_output; ///< place among RuleBase::outputs, -1: not there
+  TissueParameters m_constant;                  ///< of those outputs that are not there
   fuzzy::Inference m_baseInference;
-  Eigen::Array3d m_baseLog;
+  LogParameters m_baseLogs;
+  TissueParameters m_base;
   std::vector<CompiledRegion> m_regions;
   std::vector<fuzzy::Inference> m_regionInferences;
 };
@@ -115,11 +135,14 @@ struct ApplyReport {
 ///                                     the wall
 ///     nodes    m = density h A_dual   off the surface density a L / 2 of each of its lines instead;
 ///                                     without springs the smallest mass of the others
+///     law      the exponential law has b = stiffening, the cubic one a = b^2 / 6, which is the term of
+///              third order in the exponential's series (its term of second order has no counterpart)
 ///     anchors  k = anchoring A_dual   on the surface only, at the rest position
 ///     all      c = tau k
 ///
 /// Anchors that the net had are replaced; those of zero anchoring are left out. Topology, rest shape, fixed
 /// flags, ids and tables stay. Every mass is above 0.
+/// To follow edits at the price of what they touch: TissueDerivation.
 /// Errors: those of TissueField::create, or a surface without area (detail says what to do); `net` is then as
 /// before.
 Result<ApplyReport> applyTissue(const TissueModel& model, SpringNet& net);

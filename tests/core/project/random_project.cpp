@@ -167,6 +167,12 @@ TissueModel randomTissue(Dice& dice)
     region.falloff = dice.uniform(0, 1);
     region.enabled = dice.coin();
     region.inputs = randomInputs(dice, tissue.rules);
+    region.profile = FalloffProfile(dice.below(3));
+    region.insideOut = dice.coin();
+    if (dice.coin())
+      region.mirror = MirrorPlane{dice.points(1), Eigen::Vector3d(dice.uniform(-3, 3), 1.0, -2.0)};
+    region.locked = dice.coin();
+    region.visible = dice.coin();
     tissue.regions.push_back(std::move(region));
   }
   tissue.thickness = dice.uniform(1e-4, 1e-2);

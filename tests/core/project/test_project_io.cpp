@@ -97,6 +97,11 @@ TEST_P(RandomProjects, NumbersComeBackBitForBit)
     EXPECT_EQ(a.ellipsoid.rotation.coeffs(), b.ellipsoid.rotation.coeffs());
     EXPECT_EQ(a.falloff, b.falloff);
     EXPECT_EQ(a.enabled, b.enabled);
+    EXPECT_EQ(a.profile, b.profile);
+    EXPECT_EQ(a.insideOut, b.insideOut);
+    EXPECT_EQ(a.mirror, b.mirror);
+    EXPECT_EQ(a.locked, b.locked);
+    EXPECT_EQ(a.visible, b.visible);
   }
   ASSERT_EQ(before.loads.motions.size(), after->loads.motions.size());
   for (std::size_t i = 0; i < before.loads.motions.size(); ++i) {

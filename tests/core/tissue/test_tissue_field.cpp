@@ -18,7 +18,8 @@ Region region(const Eigen::Vector3d& centre, double radius, double hardness, dou
   result.ellipsoid.centre = centre;
   result.ellipsoid.semiAxes.setConstant(radius);
   result.falloff = falloff;
-  result.inputs = {hardness, 0.5, 0.5};
+  result.inputs.assign(defaultTissue().inputs.size(), 0.5);
+  result.inputs[0] = hardness;
   return result;
 }
 
@@ -130,7 +131,7 @@ TEST(TissueField, SaysWhetherRulesGaveEveryOutput)
 {
   TissueModel model = defaultTissue();
   EXPECT_TRUE(fieldOf(model).allOutputsFromRules());
-  model.rules.rules.erase(model.rules.rules.begin(), model.rules.rules.begin() + 5); // those of stiffness
+  model.rules.rules.erase(model.rules.rules.begin(), model.rules.rules.begin() + 7); // those of stiffness
   const TissueField field = fieldOf(model);
   EXPECT_FALSE(field.allOutputsFromRules());
   EXPECT_NEAR(field.base().youngsModulus / model.rules.outputs[0].defaultValue, 1.0, 1e-12);
@@ -141,7 +142,8 @@ TEST(TissueField, AnOutputMayBeZero)
   TissueModel model = defaultTissue();
   fuzzy::Variable& anchoring = model.rules.outputs[2];
   anchoring = {"anchoring", {"anchoring", ""}, "Pa/m", 0.0, 1.0, 0.0, false, {}};
-  model.rules.rules.resize(10);
+  std::erase_if(model.rules.rules,
+                [](const fuzzy::Rule& rule) { return rule.consequents[0].variable == "anchoring"; });
   const TissueField field = fieldOf(model);
   EXPECT_EQ(field.at({0, 0, 0}).anchoring, 0.0);
 }
@@ -160,7 +162,7 @@ TEST(TissueField, RefusesImpossibleModelsAndNamesTheCulprit)
        m.rules.rules.clear();
      }},
     {"rule 1", [](TissueModel& m) { m.rules.rules[0].weight = 2.0; }},
-    {"the base tissue has 2 inputs", [](TissueModel& m) { m.inputs.pop_back(); }},
+    {"the base tissue has 6 inputs", [](TissueModel& m) { m.inputs.pop_back(); }},
     {"input 'hardness'", [nan](TissueModel& m) { m.inputs[0] = nan; }},
     {"term 'hrad'",
      [](TissueModel& m) {
@@ -174,6 +176,15 @@ TEST(TissueField, RefusesImpossibleModelsAndNamesTheCulprit)
     {"region 1 'spot': the centre", [nan](TissueModel& m) { m.regions[0].ellipsoid.centre[1] = nan; }},
     {"region 1 'spot': the rotation", [](TissueModel& m) { m.regions[0].ellipsoid.rotation.w() = 2.0; }},
     {"region 1 'spot': the falloff", [](TissueModel& m) { m.regions[0].falloff = 1.5; }},
+    {"region 1 'spot': the mirror",
+     [](TissueModel& m) {
+       m.regions[0].mirror = MirrorPlane{{0, 0, 0}, {0, 0, 0}};
+     }},
+    {"'density' must lie above 0",
+     [](TissueModel& m) {
+       m.rules.outputs[3].logarithmic = false;
+       m.rules.outputs[3].minimum = 0.0;
+     }},
     {"region 1 'spot' has 0 inputs", [](TissueModel& m) { m.regions[0].inputs.clear(); }},
   };
   for (const Fault& fault : faults) {

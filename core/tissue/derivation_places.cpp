@@ -1,0 +1,111 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/tissue/derivation_places.h"
+
+#include "core/net/net_builder.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace esm {
+
+namespace {
+
+/// Section of a line between two nodes [m^2]: the mean of their dual areas, where only one end lies on the
+/// surface that one's; off it altogether a round cord as thick as the wall.
+double lineSection(double areaA, double areaB, double thickness)
+{
+  if (areaA > 0.0 && areaB > 0.0) return 0.5 * (areaA + areaB);
+  const double area = std::max(areaA, areaB);
+  return area > 0.0 ? area : std::numbers::pi / 4.0 * thickness * thickness;
+}
+
+} // namespace
+
+DerivationPlaces::DerivationPlaces(const SpringNet& net)
+  : springs(net.springCount()),
+    nodes(net.nodeCount()),
+    point(3, springs + nodes),
+    dualArea(nodeDualAreas(net)),
+    edgeArea(edgeTriangleAreas(net)),
+    perModulus(springs),
+    section(Eigen::ArrayXd::Zero(springs))
+{
+  for (Index s = 0; s < springs; ++s)
+    point.col(s) = 0.5 * (net.restPosition.col(net.ends(0, s)) + net.restPosition.col(net.ends(1, s)));
+  point.rightCols(nodes) = net.restPosition;
+
+  for (Index node = 0; node < nodes; ++node)
+    if (!(dualArea[node] > 0.0)) loose.push_back(node);
+  if (loose.empty()) return;
+  looseOfNode.assign(static_cast<std::size_t>(nodes), kNoIndex);
+  for (std::size_t i = 0; i < loose.size(); ++i)
+    looseOfNode[static_cast<std::size_t>(loose[i])] = static_cast<Index>(i);
+  std::vector<std::vector<Index>> carried(loose.size());
+  for (Index s = 0; s < springs; ++s)
+    for (int end = 0; end < 2; ++end)
+      if (const Index i = looseOfNode[static_cast<std::size_t>(net.ends(end, s))]; i != kNoIndex)
+        carried[static_cast<std::size_t>(i)].push_back(s);
+  looseStart = {0};
+  for (const std::vector<Index>& list : carried) {
+    looseSpring.insert(looseSpring.end(), list.begin(), list.end());
+    looseStart.push_back(static_cast<Index>(looseSpring.size()));
+  }
+}
+
+void DerivationPlaces::setThickness(double thickness, const SpringNet& net)
+{
+  for (Index s = 0; s < springs; ++s) {
+    const double areaA = dualArea[net.ends(0, s)], areaB = dualArea[net.ends(1, s)];
+    const double line = lineSection(areaA, areaB, thickness), length = net.restLength[s];
+    const bool isEdge = net.kind[static_cast<std::size_t>(s)] == SpringKind::Edge;
+    perModulus[s] = !(length > 0.0) ? 0.0
+                    : isEdge        ? thickness * edgeArea[s] / (length * length)
+                                    : line / length;
+    section[s] = areaA > 0.0 && areaB > 0.0 ? 0.0 : line;
+  }
+}
+
+Reach reachOf(const RegionShape& shape, const Eigen::Matrix3Xd& points)
+{
+  Reach reach;
+  for (Index place = 0; place < static_cast<Index>(points.cols()); ++place) {
+    const double weight = shape.weight(points.col(place));
+    if (weight == 0.0) continue;
+    reach.place.push_back(place);
+    reach.weight.push_back(weight);
+  }
+  return reach;
+}
+
+void markAll(const Reach& reach, std::vector<std::uint8_t>& touched)
+{
+  for (const Index place : reach.place) touched[static_cast<std::size_t>(place)] = 1;
+}
+
+void hideUnder(const Reach& reach, std::vector<std::uint8_t>& touched)
+{
+  for (std::size_t i = 0; i < reach.place.size(); ++i)
+    if (reach.weight[i] == 1.0) touched[static_cast<std::size_t>(reach.place[i])] = 0;
+}
+
+void markMoved(const Reach& before, const Reach& after, std::vector<std::uint8_t>& touched)
+{
+  std::size_t i = 0, j = 0;
+  while (i < before.place.size() || j < after.place.size()) {
+    const bool onlyBefore =
+      j == after.place.size() || (i < before.place.size() && before.place[i] < after.place[j]);
+    const bool onlyAfter =
+      i == before.place.size() || (j < after.place.size() && after.place[j] < before.place[i]);
+    const Index place = onlyBefore ? before.place[i] : after.place[j];
+    std::uint8_t& mark = touched[static_cast<std::size_t>(place)];
+    if (onlyBefore || onlyAfter || before.weight[i] != after.weight[j])
+      mark = 1;
+    else if (after.weight[j] == 1.0)
+      mark = 0;
+    i += onlyAfter ? 0 : 1;
+    j += onlyBefore ? 0 : 1;
+  }
+}
+
+} // namespace esm
