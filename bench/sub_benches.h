@@ -19,6 +19,8 @@ int runGrowth(const std::vector<std::string>& words);
 int runRealTime(const std::vector<std::string>& words);
 /// Evaluations per second of fuzzy rule bases, beside fuzzylite.
 int runFuzzy(const std::vector<std::string>& words);
+/// Milliseconds from a moved slider to new springs, 100,000 of them, beside the full derivation.
+int runTissueEdit(const std::vector<std::string>& words);
 
 bool isQuick(const std::vector<std::string>& words);
 

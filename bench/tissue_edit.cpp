@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "bench/runs.h"
+#include "bench/scenes.h"
+#include "bench/sub_benches.h"
+#include "core/base/text_number.h"
+#include "core/tissue/tissue_derivation.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstring>
+#include <functional>
+#include <vector>
+
+namespace esm::bench {
+namespace {
+
+/// An edit as a hand makes it: `t` in [0, 1] goes to and fro like a slider or a handle.
+struct HandEdit {
+  const char* name;
+  std::function<void(TissueModel&, double t)> move;
+};
+
+Region regionAt(const Eigen::Vector3d& centre, double radius, const TissueModel& model, double hardness)
+{
+  Region region;
+  region.ellipsoid.centre = centre;
+  region.ellipsoid.semiAxes = Eigen::Vector3d(1.0, 0.8, 0.6) * radius;
+  region.inputs = model.inputs;
+  region.inputs[0] = hardness;
+  return region;
+}
+
+/// Five regions spread over the organ; the last one is turned inside out and fades over all of it, so that
+/// no place has a tissue of its own: the dearest field there is.
+TissueModel tissueOf(const SpringNet& net, bool isBlendedEverywhere)
+{
+  TissueModel model = defaultTissue();
+  const Eigen::Vector3d low = net.restPosition.rowwise().minCoeff(),
+                        high = net.restPosition.rowwise().maxCoeff();
+  const double size = (high - low).norm();
+  for (int i = 0; i < 5; ++i) {
+    const Eigen::Vector3d share(0.2 * i + 0.1, i % 2 ? 0.9 : 0.1, 0.5);
+    model.regions.push_back(
+      regionAt(low + share.cwiseProduct(high - low), 0.15 * size, model, 0.15 * i + 0.1));
+  }
+  if (isBlendedEverywhere) {
+    model.regions.push_back(regionAt(0.5 * (low + high), 2.0 * size, model, 0.8));
+    model.regions.back().falloff = 1.0;
+    model.regions.back().insideOut = true;
+  }
+  return model;
+}
+
+double median(std::vector<double> values)
+{
+  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
+                   values.end());
+  return values[values.size() / 2];
+}
+
+bool sameBits(const SpringNet& a, const SpringNet& b)
+{
+  const auto same = [](const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
+    return x.size() == y.size() &&
+           std::memcmp(x.data(), y.data(), static_cast<std::size_t>(x.size()) * sizeof(double)) == 0;
+  };
+  return same(a.stiffness, b.stiffness) && same(a.viscosity, b.viscosity) &&
+         same(a.lawParameter, b.lawParameter) && same(a.mass, b.mass) &&
+         same(a.anchors.stiffness, b.anchors.stiffness) && same(a.anchors.viscosity, b.anchors.viscosity);
+}
+
+/// @return false if the two ways do not agree to the bit.
+bool measure(const SpringNet& bare, const char* field, TissueModel model, const HandEdit& edit, int repeats)
+{
+  SpringNet net = bare, fullNet = bare;
+  auto derivation = TissueDerivation::create(model, net);
+  if (!derivation) return false;
+  std::vector<double> ours, full;
+  ApplyReport report;
+  for (int i = 0; i < repeats; ++i) {
+    edit.move(model, 0.3 + 0.4 * (i % 7) / 6.0);
+    double start = cpuSeconds();
+    report = derivation->update(model, net).value();
+    ours.push_back(cpuSeconds() - start);
+    if (i % 4 != 3) continue; // the full derivation is dearer: every fourth time, at the same places
+    start = cpuSeconds();
+    (void)applyTissue(model, fullNet).value();
+    full.push_back(cpuSeconds() - start);
+    if (!sameBits(net, fullNet)) return false;
+  }
+  const double milliseconds = 1e3 * median(ours), fullMilliseconds = 1e3 * median(full);
+  std::printf("%s,%s,%d,%d,%d,%s,%s,%s,%s\n", edit.name, field, static_cast<int>(net.springCount()),
+              static_cast<int>(report.springsChanged), static_cast<int>(report.nodesChanged),
+              formatDouble(milliseconds, 3).c_str(),
+              formatDouble(1e3 * *std::max_element(ours.begin(), ours.end()), 3).c_str(),
+              formatDouble(fullMilliseconds, 3).c_str(),
+              formatDouble(fullMilliseconds / milliseconds, 3).c_str());
+  std::fflush(stdout);
+  return true;
+}
+
+} // namespace
+
+int runTissueEdit(const std::vector<std::string>& words)
+{
+  SceneOptions options;
+  options.size = (isQuick(words) ? 3'400 : 34'000) / 100'002.0;
+  const SpringNet net = organ100k(options).net;
+  const HandEdit edits[] = {
+    {"slider of the base", [](TissueModel& m, double t) { m.inputs[0] = t; }},
+    {"slider of a region", [](TissueModel& m, double t) { m.regions[2].inputs[0] = t; }},
+    {"falloff of a region", [](TissueModel& m, double t) { m.regions[2].falloff = t; }},
+    {"region moved",
+     [](TissueModel& m, double t) {
+       const double middle = 0.5 * (m.regions[1].ellipsoid.centre[0] + m.regions[3].ellipsoid.centre[0]);
+       m.regions[2].ellipsoid.centre[0] = middle + (t - 0.5) * m.regions[2].ellipsoid.semiAxes[0];
+     }},
+    {"region put in order", [](TissueModel& m, double) { std::swap(m.regions[1], m.regions[2]); }},
+    {"wall thickness", [](TissueModel& m, double t) { m.thickness = 0.004 * t; }}};
+  std::printf("edit,field,springs,springs_derived,nodes_derived,median_ms,worst_ms,full_ms,times_full\n");
+  bool isSame = true;
+  for (const bool isBlendedEverywhere : {false, true})
+    for (const HandEdit& edit : edits)
+      isSame &= measure(net, isBlendedEverywhere ? "blended everywhere" : "five regions",
+                        tissueOf(net, isBlendedEverywhere), edit, isQuick(words) ? 8 : 40);
+  if (!isSame) std::fprintf(stderr, "an incremental derivation differs from the full one\n");
+  return isSame ? 0 : 1;
+}
+
+} // namespace esm::bench
