@@ -18,7 +18,6 @@ const Names kWeighing = {"weighing", "Wägung"};
 const Names kShear = {"modulus of shear times 3", "Schubmodul mal 3"};
 const Names kPhase = {"phase of shear waves, zeta = tan(delta)/2",
                       "Phase von Scherwellen, zeta = tan(delta)/2"};
-const Names kSlope = {"rise of stiffness with frequency", "Anstieg der Steifigkeit mit der Frequenz"};
 const Names kTrueStrain = {"tension, logarithmic strain converted",
                            "Zugversuch, logarithmische Dehnung umgerechnet"};
 const Names kGuess = {"estimate", "Schätzung"};
@@ -28,17 +27,27 @@ Measurement measured(double typical, double low, double high, const Names& metho
   return {typical, low, high, method, source, false};
 }
 
-Measurement estimate(double typical, double low, double high)
+/// A source that gives a value and no spread.
+Measurement measured(double value, const Names& method, const char* source)
 {
-  return {typical, low, high, kGuess, "", true};
+  return {value, value, value, method, source, false};
 }
 
-constexpr const char* kReview = "review of pelvic and abdominal tissue models, PMC6925591, table 1";
-
-/// Liquids and soft tissue of organs: near 1050 throughout.
-Measurement organDensity()
+Measurement estimate(double typical, double low, double high, const char* basis = "")
 {
-  return estimate(1050.0, 1030.0, 1070.0);
+  return {typical, low, high, kGuess, basis, true};
+}
+
+/// Collects values of others, at rest: liver Palmeri 2008, gallbladder Karimi 2017, bile duct Duch 2004,
+/// artery of the liver Holzapfel 2005.
+constexpr const char* kTable = "Phys. Med. Biol. 64 (2019) 225001, table 1 (PMC6925591)";
+constexpr const char* kDensities = "Kaye & Laby, medicalalgorithms.com";
+constexpr const char* kStader = "Stader et al., Sci. Rep. 2024 (PMC11196258)";
+
+/// Soft tissue of organs is near 1050 throughout.
+Measurement organDensity(double typical = 1050.0)
+{
+  return estimate(typical, 1030.0, 1070.0);
 }
 
 std::vector<TissuePreset> makePresets()
@@ -46,8 +55,8 @@ std::vector<TissuePreset> makePresets()
   return {
     {"fat",
      {"fat", "Fettgewebe"},
-     measured(2.3e3, 1.5e3, 8.8e3, kMre, "Van Houten et al. 2023 as reviewed; G = 0.75 kPa"),
-     measured(912.0, 901.0, 923.0, kWeighing, "Kaye & Laby, medicalalgorithms.com"),
+     measured(2.3e3, 2.3e3, 9.1e3, kMre, "J. Mech. Behav. Biomed. Mater. 2023, 50 Hz; high: PMC4580449"),
+     measured(912.0, 901.0, 923.0, kWeighing, kDensities),
      estimate(0.2, 0.1, 0.4),
      estimate(0.4, 0.3, 0.5),
      {"pressed with 1 N the layer under the skin measures 26 kPa (PMC9711973)",
@@ -60,12 +69,12 @@ std::vector<TissuePreset> makePresets()
       {"wall", "solid"}}},
     {"liver",
      {"liver", "Leber"},
-     measured(5.4e3, 4.2e3, 6.6e3, kShear, kReview),
-     measured(1060.0, 1050.0, 1070.0, kWeighing, kReview),
+     measured(5.4e3, 4.2e3, 6.6e3, kShear, kTable),
+     measured(1060.0, kWeighing, kTable),
      measured(0.36, 0.33, 0.40, kPhase, "Asbach et al. 2008, loss angle 0.63 rad at 35 to 60 Hz"),
-     measured(0.46, 0.35, 0.76, kTrueStrain, kReview),
-     {"in its capsule; a fibrotic liver is 2 to 4 times as stiff",
-      "mit Kapsel; eine fibrotische Leber ist 2- bis 4-mal so steif"},
+     measured(0.46, kTrueStrain, kTable),
+     {"its capsule tears at 18 to 76 %; a fibrotic liver is 2.5 times as stiff (Asbach et al. 2008)",
+      "die Kapsel reißt bei 18 bis 76 %; eine fibrotische Leber ist 2,5-mal so steif (Asbach et al. 2008)"},
      {{"hardness", "doughy"},
       {"elasticity", "medium"},
       {"heaviness", "watery"},
@@ -74,9 +83,9 @@ std::vector<TissuePreset> makePresets()
       {"wall", "solid"}}},
     {"uterus",
      {"uterus (myometrium)", "Uterus (Myometrium)"},
-     measured(6.38e3, 2.8e3, 11.3e3, kElastography, "PMC11196258"),
-     measured(1052.0, 1042.0, 1062.0, kWeighing, "Kaye & Laby, medicalalgorithms.com"),
-     measured(0.09, 0.05, 0.125, kSlope, "from Kiss et al. 2006, PMC3690800"),
+     measured(6.38e3, 2.76e3, 11.31e3, kElastography, kStader),
+     measured(1052.0, kWeighing, kDensities),
+     estimate(0.09, 0.05, 0.125, "rise of stiffness with frequency, Kiss et al. 2006 (PMC3690800)"),
      estimate(0.5, 0.3, 0.8),
      {"pressed ex vivo at 0.1 to 100 Hz 30 to 90 kPa, a fibroid 60 to 220 kPa (Kiss et al. 2006); strength "
       "0.55 "
@@ -91,8 +100,8 @@ std::vector<TissuePreset> makePresets()
       {"wall", "thick"}}},
     {"muscle",
      {"skeletal muscle, passive", "Skelettmuskel, passiv"},
-     measured(7.2e3, 6.0e3, 10.1e3, kElastography, "PMC11196258"),
-     measured(1047.0, 1038.0, 1056.0, kWeighing, "Kaye & Laby, medicalalgorithms.com"),
+     measured(7.22e3, 5.11e3, 9.39e3, kElastography, kStader),
+     measured(1047.0, 1038.0, 1056.0, kWeighing, kDensities),
      estimate(0.25, 0.15, 0.35),
      estimate(0.5, 0.4, 0.6),
      {"under a load of 5 to 30 N 62 to 440 kPa (PMC9711973)",
@@ -120,7 +129,7 @@ std::vector<TissuePreset> makePresets()
     {"endometrium",
      {"endometrium", "Endometrium"},
      measured(18e3, 5e3, 36e3, kElastography,
-              "PMC8242144; 26.2 kPa proliferative, 12.5 kPa secretory, geometric mean"),
+              "PMC8242144: 26.2 kPa proliferative, 12.5 kPa secretory; their geometric mean"),
      organDensity(),
      estimate(0.1, 0.05, 0.2),
      estimate(0.4, 0.2, 0.6),
@@ -150,10 +159,10 @@ std::vector<TissuePreset> makePresets()
       {"wall", "hollow"}}},
     {"small_bowel",
      {"small bowel (ileum)", "Dünndarm (Ileum)"},
-     measured(235e3, 163e3, 337e3, kBiaxial, "Terry et al. 2014, pig; geometric mean of both directions"),
-     estimate(1040.0, 1030.0, 1060.0),
+     measured(235e3, 163e3, 337e3, kBiaxial, "Terry et al. 2014, pig; geometric mean of along and across"),
+     organDensity(1040.0),
      estimate(0.15, 0.1, 0.3),
-     measured(1.4, 1.0, 1.8, kTension, "Egorov et al. 2002, J. Biomech. 35:1417, human, across"),
+     measured(1.4, kTension, "Egorov et al., J. Biomech. 35 (2002) 1417, human, across"),
      {"further on in the curve 1.4 to 2.2 MPa", "im weiteren Verlauf der Kurve 1,4 bis 2,2 MPa"},
      {{"hardness", "rather hard"},
       {"elasticity", "elastic"},
@@ -163,10 +172,10 @@ std::vector<TissuePreset> makePresets()
       {"wall", "hollow"}}},
     {"gallbladder",
      {"gallbladder", "Gallenblase"},
-     measured(255e3, 231e3, 279e3, kShear, "PMC6925591, after Karimi et al. 2017"),
-     measured(1060.0, 1050.0, 1070.0, kWeighing, kReview),
+     measured(255e3, 230e3, 280e3, kShear, kTable),
+     measured(1060.0, kWeighing, kTable),
      estimate(0.15, 0.1, 0.3),
-     measured(0.54, 0.14, 1.07, kTrueStrain, "PMC6925591, after Karimi et al. 2017"),
+     measured(0.54, 0.14, 1.07, kTrueStrain, kTable),
      {"stretched within milliseconds 9 MPa (pig)", "in Millisekunden gedehnt 9 MPa (Schwein)"},
      {{"hardness", "rather hard"},
       {"elasticity", "elastic"},
@@ -176,8 +185,8 @@ std::vector<TissuePreset> makePresets()
       {"wall", "hollow"}}},
     {"bile_duct",
      {"bile duct", "Gallengang"},
-     measured(500e3, 300e3, 700e3, kShear, kReview),
-     measured(1060.0, 1050.0, 1070.0, kWeighing, kReview),
+     measured(500e3, 300e3, 700e3, kShear, kTable),
+     measured(1060.0, kWeighing, kTable),
      estimate(0.15, 0.1, 0.3),
      estimate(0.5, 0.3, 0.8),
      {"its stress rises exponentially with strain (PMC493277)",
@@ -190,10 +199,10 @@ std::vector<TissuePreset> makePresets()
       {"wall", "thin"}}},
     {"vessel_wall",
      {"vessel wall (artery)", "Gefäßwand (Arterie)"},
-     measured(630e3, 490e3, 770e3, kShear, "PMC6925591, after Holzapfel 2005"),
-     measured(1050.0, 1040.0, 1060.0, kWeighing, kReview),
+     measured(630e3, 490e3, 770e3, kShear, kTable),
+     measured(1050.0, kWeighing, kTable),
      estimate(0.15, 0.1, 0.2),
-     measured(0.88, 0.6, 1.2, kTrueStrain, "PMC6925591, after Holzapfel 2005"),
+     measured(0.88, kTrueStrain, kTable),
      {"of the liver's artery", "der Leberarterie"},
      {{"hardness", "somewhat hard"},
       {"elasticity", "elastic"},
@@ -204,7 +213,7 @@ std::vector<TissuePreset> makePresets()
     {"skin",
      {"skin", "Haut"},
      measured(1.18e6, 0.3e6, 2.06e6, kTension, "Ni Annaidh et al. 2012, arXiv 1302.3022, first slope"),
-     measured(1150.0, 1110.0, 1190.0, kWeighing, "Kaye & Laby, medicalalgorithms.com"),
+     measured(1150.0, 1110.0, 1190.0, kWeighing, kDensities),
      estimate(0.3, 0.2, 0.4),
      measured(0.54, 0.37, 0.71, kTension, "Ni Annaidh et al. 2012, arXiv 1302.3022"),
      {"further on in the curve 83 MPa; strength 21.6 MPa",

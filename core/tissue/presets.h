@@ -10,9 +10,10 @@ namespace esm {
 
 /// One property of a tissue as it was measured, or is believed to be.
 struct Measurement {
-  double typical = 0.0, low = 0.0, high = 0.0; ///< SI units; for damping the ratio zeta [1]
-  fuzzy::Names method;                         ///< tissue measures softer pressed than pulled: say how
-  const char* source = "";                     ///< author and year, or an archive number
+  double typical = 0.0, low = 0.0,
+         high = 0.0;       ///< SI units; for damping zeta [1]; low = high: no spread given
+  fuzzy::Names method;     ///< tissue measures softer pressed than pulled: say how
+  const char* source = ""; ///< author and year, or an archive number; an estimate's basis
   bool isEstimate = false; ///< true: no measurement of this tissue was found or checked; to be shown as such
 };
 
