@@ -169,6 +169,29 @@ TEST(ApplyTissue, ARegionChangesOnlyItsPart)
   EXPECT_GT(report.maxYoungsModulus, 5.0 * report.minYoungsModulus);
 }
 
+// f = k L/b (exp(b e) - 1) = k L (e + b e^2/2 + b^2 e^3/6 + ...) and f = k L (e + a e^3): the terms of third
+// order agree for a = b^2/6. A rule base that does not speak of stiffening leaves it to the model.
+TEST(ApplyTissue, StiffeningIsTheLawsParameter)
+{
+  TissueModel model = defaultTissue();
+  const double b = TissueField::create(model)->base().stiffening;
+  SpringNet net = netOf(square());
+  model.law = SpringLaw::Cubic;
+  apply(model, net);
+  EXPECT_NEAR(net.lawParameter[0] / (b * b / 6.0), 1.0, 1e-14);
+  EXPECT_EQ(net.law[4], SpringLaw::Cubic);
+
+  model.rules.outputs.resize(3);
+  std::erase_if(model.rules.rules, [&](const fuzzy::Rule& rule) {
+    return !model.rules.findOutput(rule.consequents[0].variable);
+  });
+  model.lawParameter = 4.5;
+  model.density = 987.0;
+  apply(model, net);
+  EXPECT_TRUE((net.lawParameter == 4.5).all());
+  EXPECT_NEAR(net.mass.sum() / (987.0 * model.thickness * 1e-4), 1.0, 1e-12);
+}
+
 TEST(ApplyTissue, OnErrorTheNetIsAsBefore)
 {
   SpringNet net = netOf(square());
