@@ -127,7 +127,7 @@ std::vector<Variable> outputs()
     output("density", {"density", "Dichte"}, "kg/m^3", 780.0, 1350.0, 1055.0, {912.0, 1055.0, 1190.0}),
     output("rupture_strain", {"rupture strain", "Reißdehnung"}, "", 0.1, 3.3, 0.55,
            {0.2, 0.35, 0.55, 1.5, 2.2}),
-    output("stiffening", {"stiffening", "Versteifung"}, "", 0.03, 30.0, 3.0, {0.3, 5.0, 12.0}),
+    output("stiffening", {"stiffening", "Versteifung"}, "", 0.1, 60.0, 2.7, {0.6, 2.7, 12.0}),
     output("volume_ratio", {"volume stiffness", "Volumensteifigkeit"}, "", 1.0, 100.0, 10.0,
            {10.0 / 3.0, 10.0, 30.0})};
 }
