@@ -114,6 +114,33 @@ TEST_P(RandomProjects, NumbersComeBackBitForBit)
   EXPECT_EQ(before.source.weldTolerance, after->source.weldTolerance);
 }
 
+// Regions of former versions had seven keys. One without the newer gifts is still written so, for the older
+// program to read, and read back with what it does not say at its default.
+TEST(ProjectFile, APlainRegionHasTheKeysOfFormerVersions)
+{
+  Project project = test::smallProject();
+  project.tissue = defaultTissue();
+  project.tissue.regions.resize(1);
+  Region& region = project.tissue.regions[0];
+  region.inputs = project.tissue.inputs;
+  const std::string plain = toJson(project);
+  for (const char* key : {"\"profile\"", "\"inside_out\"", "\"mirror\"", "\"locked\"", "\"visible\""})
+    EXPECT_THAT(plain, Not(HasSubstr(key)));
+  const auto read = parseProject(plain, "plain.esm");
+  ASSERT_TRUE(read) << read.error().detail;
+  EXPECT_EQ(RegionShape(read->tissue.regions[0]), RegionShape(region));
+  EXPECT_TRUE(read->tissue.regions[0].visible);
+
+  region.mirror = MirrorPlane{{0, 0, 0}, {0, 0, 2}};
+  std::string broken = toJson(project);
+  const std::string normal = "\"normal\": [0, 0, 2]";
+  ASSERT_THAT(broken, HasSubstr(normal));
+  broken.replace(broken.find(normal), normal.size(), "\"normal\": [0, 0, 0]");
+  const auto refused = parseProject(broken, "broken.esm");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().detail, HasSubstr("/regions/0/mirror/normal"));
+}
+
 // A file under version control should show what was changed, and only that.
 TEST(ProjectFile, OneChangedNumberChangesOneLine)
 {
