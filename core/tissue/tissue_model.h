@@ -44,7 +44,8 @@ bool comesFromRules(const fuzzy::RuleBase& rules, double TissueParameters::*valu
 ///
 /// Harder is stiffer, more elastic is less sluggish, more shiftable is less held, heavier is denser, tougher
 /// tears later, whatever the other inputs say, and every value of the inputs fires a rule for every output.
-/// The volume stiffness rises from hollow to solid, but for a dip of a few per cent between "thick" and "solid".
+/// The volume stiffness rises from hollow to solid, but for a dip of a few per cent between "thick" and
+/// "solid".
 fuzzy::RuleBase defaultRules();
 /// defaultRules(), inputs at their defaults, no regions.
 TissueModel defaultTissue();
