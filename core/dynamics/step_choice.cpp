@@ -268,7 +268,8 @@ void StepDriver::choose(System& system, const MotionState&)
 }
 
 /// After a check: would another method have done it for less?
-void StepDriver::reconsider(System& system)
+/// @param mayTry  one that is only hoped to, too
+void StepDriver::reconsider(System& system, bool mayTry)
 {
   if (!m_auto || --m_settled > 0) return;
   const Method before = m_method;
@@ -278,7 +279,7 @@ void StepDriver::reconsider(System& system)
     if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
   } else {
     m_method = cheapestExplicit(system);
-    if (m_method == before) m_method = worthATrial(system);
+    if (m_method == before && mayTry) m_method = worthATrial(system);
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors

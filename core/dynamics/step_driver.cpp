@@ -129,6 +129,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     system.workLimit =
       system.workDone() + kMostEffort * std::max(m_settings.effort, 2.0 * m_leastCost) * share;
   }
+  Run failure = Run::NotConverged;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     const double step = controlledStep(length);
     const double count = std::ceil(length / step * (1.0 - 1e-9));
@@ -136,7 +137,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       if (!fallBackToLeapfrog(system, length)) break;
       continue;
     }
-    if (!(count < 1e12)) return giveUp(Run::NotConverged, report), false;
+    if (!(count < 1e12)) break;
     const auto steps = static_cast<std::int64_t>(count);
     // An implicit solver measures over the nodes that it has.
     const double budget =
@@ -165,7 +166,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (result == Run::Done) {
       const bool isDue = !unchecked && checkDue(state);
       // A step that nobody could afford to check is better than none.
-      if (!isDue || isTooDear(system, static_cast<double>(finer) * current().stepCost(system))) {
+      if (!isDue || isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system))) {
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
         keep(system, state);
@@ -180,18 +181,22 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     }
     if (result != Run::Done) {
+      failure = result;
       if (isTooDear(system, 0.0)) break;
-      if (!retreat(system, state, result, attempt, report)) return false;
+      retreat(system, state, attempt, report);
       continue;
     }
     if (accept(system, state, steps, finer, report)) return true;
     report.rejectedSteps += steps + finer;
     state = m_start;
     m_settled = 0;
-    reconsider(system);
+    reconsider(system, false);
     current().restart();
   }
-  if (!m_auto) return giveUp(Run::NotConverged, report), false;
+  if (!m_auto) {
+    state = m_start;
+    return giveUp(failure, report), false;
+  }
   report.rejectedSteps += 1;
   state = m_start;
   m_descentTerm = std::clamp(2 * m_descentTerm, 1, kLongestDescent);
@@ -302,13 +307,12 @@ void StepDriver::stopAtLimit(const System& system, MotionState& state, StepRepor
   giveUp(Run::Limit, report);
 }
 
-/// After a failed run: back to the start of the stretch with a smaller step. @return false to give up.
-bool StepDriver::retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report)
+/// After a failed run: back to the start of the stretch with a smaller step.
+void StepDriver::retreat(System& system, MotionState& state, int attempt, StepReport& report)
 {
   ++report.rejectedSteps;
   const double tried = controlledStep(kFrame);
   state = m_start;
-  if (attempt + 1 >= kMostAttempts) return giveUp(failure, report), false;
   m_candidates[m_method].accurateStep = tried / 4.0;
   m_floorStep = std::min(m_floorStep, tried / 4.0);
   m_untilCheck = 0;
@@ -319,7 +323,6 @@ bool StepDriver::retreat(System& system, MotionState& state, Run failure, int at
     explain(system);
   }
   current().restart();
-  return true;
 }
 
 /// In due time; or where the motion is twice as fast as ever, or has waves that err more than may be: errors

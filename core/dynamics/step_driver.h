@@ -86,7 +86,7 @@ private:
   void guessSteps();
   void guessStep(Candidate& candidate) const noexcept;
   void choose(System& system, const MotionState& state);
-  void reconsider(System& system);
+  void reconsider(System& system, bool mayTry = true);
   double cost(Method method, const System& system);
   void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
@@ -107,7 +107,7 @@ private:
               StepReport& report);
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
-  bool retreat(System& system, MotionState& state, Run failure, int attempt, StepReport& report);
+  void retreat(System& system, MotionState& state, int attempt, StepReport& report);
   bool checkDue(const MotionState& state) const noexcept;
   void learn(const MotionState& state, double error, double budget, double step);
   double controlledStep(double length) noexcept;

@@ -11,7 +11,8 @@ namespace esm {
 struct StepReport {
   std::int64_t steps = 0; ///< substeps taken (rejected ones included)
   std::int64_t rejectedSteps = 0;
-  std::int64_t springsEvaluated = 0; ///< spring force evaluations, the unit of cost
+  std::int64_t springsEvaluated =
+    0; ///< spring force evaluations, the unit of cost; viscous forces alone count half
   std::int64_t factorizations = 0;
   std::int64_t newtonIterations = 0;
   std::int64_t nodesAwake = 0; ///< at the end; the others rest and cost nothing
