@@ -1495,6 +1495,10 @@
         <translation>Dichte</translation>
     </message>
     <message>
+        <source>The rules give this per place: change the words of the inputs</source>
+        <translation>Die Regeln geben das je Ort vor: die Wörter der Eingaben ändern</translation>
+    </message>
+    <message>
         <source>Density of the tissue in kg/m³</source>
         <translation>Dichte des Gewebes in kg/m³</translation>
     </message>

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/tissue_panel.h"
 
+#include "core/tissue/tissue_model.h"
+
 #include <QCheckBox>
 #include <QComboBox>
 #include <QEvent>
@@ -89,13 +91,25 @@ void TissuePanel::refresh()
   m_refreshing = true;
   const Project& project = m_document->project();
   m_thickness->display(project.tissue.thickness * kMetre);
-  m_density->display(project.tissue.density);
+  offer(m_density, tr("Density"), tr("Density of the tissue in kg/m³"), true, &TissueParameters::density);
   m_law->setCurrentIndex(static_cast<int>(project.tissue.law));
-  m_lawParameter->display(project.tissue.lawParameter);
-  m_lawParameter->setEnabled(project.tissue.law != SpringLaw::Linear);
+  offer(m_lawParameter, tr("Stiffening"), tr("Parameter of the force law: how fast the tissue stiffens"),
+        project.tissue.law != SpringLaw::Linear, &TissueParameters::stiffening);
   m_gravity->display(project.loads.gravity.z());
   m_fromTissue->setChecked(project.parametersFromTissue);
   m_refreshing = false;
+}
+
+/// A number that the rules give is shown as it is outside of all regions, and changed by words.
+void TissuePanel::offer(GestureSpinBox* field, const QString& label, const QString& help, bool applies,
+                        double TissueParameters::*value)
+{
+  const TissueModel& tissue = m_document->project().tissue;
+  const bool given = comesFromRules(tissue.rules, value);
+  if (const Result<TissueField> compiled = TissueField::create(tissue))
+    field->display(compiled->base().*value); // the model's own number if no rule gives it
+  field->setEnabled(applies && !given);
+  describe(field, label, given ? tr("The rules give this per place: change the words of the inputs") : help);
 }
 
 void TissuePanel::changeEvent(QEvent* event)
@@ -112,9 +126,9 @@ void TissuePanel::retranslateUi()
     describe(field, label, help);
   };
   row(m_thickness, tr("Wall thickness"), tr("Thickness of the organ's wall in mm"));
-  row(m_density, tr("Density"), tr("Density of the tissue in kg/m³"));
+  row(m_density, tr("Density"), QString()); // refresh() says what it is
   row(m_law, tr("Force law"), tr("How the springs answer their extension"));
-  row(m_lawParameter, tr("Stiffening"), tr("Parameter of the force law: how fast the tissue stiffens"));
+  row(m_lawParameter, tr("Stiffening"), QString());
   row(m_gravity, tr("Gravity along z"), tr("Acceleration along z in m/s²; -9.81 is the Earth's"));
   m_law->setItemText(0, tr("linear"));
   m_law->setItemText(1, tr("cubic"));

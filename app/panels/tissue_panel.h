@@ -28,6 +28,8 @@ private:
   void refresh();
   GestureSpinBox* addNumber(const QString& name, double low, double high, double step, int decimals);
   void edit(double TissueSettings::*number, double value, int gesture);
+  void offer(GestureSpinBox* field, const QString& label, const QString& help, bool applies,
+             double TissueParameters::*value);
 
   Document* m_document;
   QFormLayout* m_form = nullptr;
