@@ -7,18 +7,12 @@
 namespace esm {
 
 ActiveRegion::ActiveRegion(const SpringNet& net)
-  : m_first(static_cast<std::size_t>(net.nodeCount()) + 1, 0),
-    m_fixed(net.fixed),
-    m_awake(static_cast<std::size_t>(net.nodeCount()), 0),
-    m_stamp(m_awake.size(), 0)
+  : m_fixed(net.fixed), m_awake(static_cast<std::size_t>(net.nodeCount()), 0), m_stamp(m_awake.size(), 0)
 {
   m_ends.assign(net.ends.data(), net.ends.data() + net.ends.size());
-  for (const Index end : m_ends) ++m_first[static_cast<std::size_t>(end) + 1];
-  for (std::size_t i = 1; i < m_first.size(); ++i) m_first[i] += m_first[i - 1];
-  m_incident.resize(m_ends.size());
-  std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-  for (std::size_t k = 0; k < m_ends.size(); ++k)
-    m_incident[next[static_cast<std::size_t>(m_ends[k])]++] = static_cast<Index>(k / 2);
+  m_springsOf.build(m_awake.size(), [&](const auto& add) {
+    for (std::size_t k = 0; k < m_ends.size(); ++k) add(m_ends[k], static_cast<Index>(k / 2));
+  });
   m_freeCount = static_cast<Index>(std::count(m_fixed.begin(), m_fixed.end(), std::uint8_t{0}));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/net/spring_net.h"
 
 #include <cstdint>
@@ -52,8 +53,7 @@ public:
   /// Springs of a node.
   std::span<const Index> springsOf(Index node) const noexcept
   {
-    const auto i = static_cast<std::size_t>(node);
-    return {m_incident.data() + m_first[i], m_first[i + 1] - m_first[i]};
+    return m_springsOf[static_cast<std::size_t>(node)];
   }
   Index otherEnd(Index spring, Index node) const noexcept
   {
@@ -64,8 +64,7 @@ public:
 private:
   std::uint32_t newStamp();
 
-  std::vector<std::size_t> m_first; ///< springs of node i: m_incident[m_first[i] .. m_first[i + 1])
-  std::vector<Index> m_incident;
+  Grouped<Index> m_springsOf;        ///< by node
   std::vector<Index> m_ends;         ///< a, b of each spring
   std::vector<std::uint8_t> m_fixed; ///< N
   std::vector<std::uint8_t> m_awake; ///< N

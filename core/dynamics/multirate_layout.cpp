@@ -82,18 +82,11 @@ void MultirateLayout::build(const System& system, const NodeArray& x, const Node
 {
   m_step = step;
   measure(system, x, v);
-  m_first.assign(system.nodeCount() + 1, 0);
-  const auto forEnds = [&](const auto& visit) {
+  m_linksOf.build(system.nodeCount(), [&](const auto& add) {
     for (std::size_t link = 0; link < m_links.size(); ++link)
       for (const Index node : {m_links[link].a, m_links[link].b})
-        if (node != kNoIndex) visit(static_cast<std::size_t>(node), link);
-  };
-  forEnds([&](std::size_t node, std::size_t) { ++m_first[node + 1]; });
-  for (std::size_t i = 0; i < system.nodeCount(); ++i) m_first[i + 1] += m_first[i];
-  m_incident.resize(m_first.back());
-  std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-  forEnds(
-    [&](std::size_t node, std::size_t link) { m_incident[next[node]++] = static_cast<std::uint32_t>(link); });
+        if (node != kNoIndex) add(node, static_cast<std::uint32_t>(link));
+  });
   assignLevels(system);
   fillClasses(system);
 }
@@ -139,8 +132,7 @@ bool MultirateLayout::fits(const System& system, std::size_t link, int level) co
     const auto node = static_cast<std::size_t>(end);
     if (inverseMass[node] == 0.0) continue;
     double rowStiffness = 0.0, rowDamping = 0.0;
-    for (std::size_t k = m_first[node]; k < m_first[node + 1]; ++k) {
-      const std::size_t place = m_incident[k];
+    for (const std::size_t place : m_linksOf[node]) {
       if (m_level[place] > level) continue;
       const Link& other = m_links[place];
       const double cosine = place == link || other.b == kNoIndex || self.b == kNoIndex

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/dynamics/system.h"
 
 #include <vector>
@@ -59,8 +60,7 @@ private:
   std::vector<Link> m_links;
   std::vector<int> m_level; ///< class of each link
   std::vector<SpringTangent> m_tangents;
-  std::vector<std::size_t> m_first; ///< links of node i: m_incident[m_first[i] .. m_first[i + 1])
-  std::vector<std::uint32_t> m_incident;
+  Grouped<std::uint32_t> m_linksOf; ///< by node
 };
 
 } // namespace esm

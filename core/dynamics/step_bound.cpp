@@ -12,17 +12,10 @@ void StepBound::prepare(const System& system)
 {
   const auto& ends = system.forces().springEnds();
   const std::size_t nodes = system.nodeCount();
-  m_first.assign(nodes + 1, 0);
-  for (const auto& end : ends) {
-    ++m_first[static_cast<std::size_t>(end.a) + 1];
-    ++m_first[static_cast<std::size_t>(end.b) + 1];
-  }
-  for (std::size_t i = 0; i < nodes; ++i) m_first[i + 1] += m_first[i];
-  m_incident.resize(2 * ends.size());
-  std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-  for (std::size_t s = 0; s < ends.size(); ++s)
-    for (const Index node : {ends[s].a, ends[s].b})
-      m_incident[next[static_cast<std::size_t>(node)]++] = static_cast<std::uint32_t>(s);
+  m_springsOf.build(nodes, [&](const auto& add) {
+    for (std::size_t s = 0; s < ends.size(); ++s)
+      for (const Index node : {ends[s].a, ends[s].b}) add(node, static_cast<std::uint32_t>(s));
+  });
   m_tangents.resize(ends.size());
   for (auto* array : {&m_rootStiffness, &m_rootViscosity, &m_rowStiffness, &m_rowViscosity})
     array->resize(ends.size());
@@ -77,9 +70,10 @@ void StepBound::sumSprings(const System& system)
   }
   for (std::size_t i = 0; i < m_nodes.size(); ++i) {
     if (inverseMass[i] == 0.0) continue;
-    for (std::size_t p = m_first[i]; p < m_first[i + 1]; ++p)
-      for (std::size_t q = m_first[i]; q <= p; ++q) {
-        const std::uint32_t e = m_incident[p], f = m_incident[q];
+    const std::span<const std::uint32_t> springs = m_springsOf[i];
+    for (std::size_t p = 0; p < springs.size(); ++p)
+      for (std::size_t q = 0; q <= p; ++q) {
+        const std::uint32_t e = springs[p], f = springs[q];
         const double cosine = std::abs(m_tangents[e].direction.dot(m_tangents[f].direction)) * inverseMass[i];
         const double k = cosine * m_rootStiffness[e] * m_rootStiffness[f];
         const double c = cosine * m_rootViscosity[e] * m_rootViscosity[f];

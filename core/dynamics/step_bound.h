@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/dynamics/spectral_radius.h"
 #include "core/dynamics/system.h"
 
@@ -54,8 +55,7 @@ private:
   double measure(const System& system, Blend blend);
   double measureDecay(const System& system, const FastestMode& mode);
 
-  std::vector<std::size_t> m_first; ///< springs of node i: m_incident[m_first[i] .. m_first[i + 1])
-  std::vector<std::uint32_t> m_incident;
+  Grouped<std::uint32_t> m_springsOf; ///< active springs by node
   std::vector<SpringTangent> m_tangents;
   std::vector<double> m_rootStiffness, m_rootViscosity; ///< per active spring
   std::vector<double> m_rowStiffness, m_rowViscosity;   ///< per active spring

@@ -9,19 +9,14 @@ namespace esm {
 void WavefrontOrder::prepare(const System& system)
 {
   const std::vector<SpringBatch>& batches = system.forces().batches();
-  m_first.assign(system.nodeCount() + 1, 0);
-  for (const SpringBatch& batch : batches)
-    for (std::size_t i = 0; i < batch.count; ++i)
-      for (const Index node : {batch.a[i], batch.b[i]}) ++m_first[static_cast<std::size_t>(node) + 1];
-  for (std::size_t i = 0; i < system.nodeCount(); ++i) m_first[i + 1] += m_first[i];
-  m_neighbours.resize(m_first.back());
-  std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-  for (std::uint32_t k = 0; k < batches.size(); ++k)
-    for (std::uint32_t i = 0; i < batches[k].count; ++i) {
-      const Index a = batches[k].a[i], b = batches[k].b[i];
-      m_neighbours[next[static_cast<std::size_t>(a)]++] = {b, k, i};
-      m_neighbours[next[static_cast<std::size_t>(b)]++] = {a, k, i};
-    }
+  m_neighboursOf.build(system.nodeCount(), [&](const auto& add) {
+    for (std::uint32_t k = 0; k < batches.size(); ++k)
+      for (std::uint32_t i = 0; i < batches[k].count; ++i) {
+        const Index a = batches[k].a[i], b = batches[k].b[i];
+        add(a, {b, k, i});
+        add(b, {a, k, i});
+      }
+  });
   m_nodes.clear();
   m_nodes.reserve(system.nodeCount());
   m_rank.assign(system.nodeCount(), kNoIndex);

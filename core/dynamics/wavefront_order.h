@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/dynamics/system.h"
 
 #include <span>
@@ -23,10 +24,7 @@ public:
   void startAt(std::size_t node) noexcept;
 
   std::span<const Index> nodes() const noexcept { return m_nodes; }
-  std::span<const Neighbour> neighboursOf(std::size_t node) const noexcept
-  {
-    return {m_neighbours.data() + m_first[node], m_first[node + 1] - m_first[node]};
-  }
+  std::span<const Neighbour> neighboursOf(std::size_t node) const noexcept { return m_neighboursOf[node]; }
 
   /// Whether the front reaches `node` after `reached`.
   bool isAhead(std::size_t node, std::size_t reached) const noexcept
@@ -35,8 +33,7 @@ public:
   }
 
 private:
-  std::vector<std::size_t> m_first; ///< neighbours of node i: m_neighbours[m_first[i] .. m_first[i + 1])
-  std::vector<Neighbour> m_neighbours;
+  Grouped<Neighbour> m_neighboursOf; ///< by node
   std::vector<Index> m_nodes;
   std::vector<Index> m_rank; ///< place of each node in m_nodes; kNoIndex while it is not reached
 };

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/forces/net_division.h"
 
+#include "core/base/grouped.h"
+
 #include <utility>
 
 namespace esm {
@@ -25,18 +27,14 @@ std::size_t place(Index i) noexcept
 /// The layers of breadth-first searches, one component after the other.
 class Layers {
 public:
-  Layers(const SpringNet& net, const std::vector<Index>& springs)
-    : m_first(place(net.nodeCount()) + 1, 0), m_layer(place(net.nodeCount()), kNoIndex)
+  Layers(const SpringNet& net, const std::vector<Index>& springs) : m_layer(place(net.nodeCount()), kNoIndex)
   {
-    for (const Index s : springs)
-      for (const int end : {0, 1}) ++m_first[place(net.ends(end, s)) + 1];
-    for (std::size_t i = 0; i + 1 < m_first.size(); ++i) m_first[i + 1] += m_first[i];
-    m_neighbours.resize(m_first.back());
-    std::vector<std::size_t> next(m_first.begin(), m_first.end() - 1);
-    for (const Index s : springs)
-      for (const int end : {0, 1}) m_neighbours[next[place(net.ends(end, s))]++] = net.ends(1 - end, s);
+    m_neighboursOf.build(m_layer.size(), [&](const auto& add) {
+      for (const Index s : springs)
+        for (const int end : {0, 1}) add(net.ends(end, s), net.ends(1 - end, s));
+    });
     for (Index node = 0; node < net.nodeCount(); ++node) {
-      if (m_layer[place(node)] != kNoIndex || m_first[place(node)] == m_first[place(node) + 1]) continue;
+      if (m_layer[place(node)] != kNoIndex || m_neighboursOf[place(node)].empty()) continue;
       const Index begin = m_count;
       const Index farOut = search(node); // twice: layers are smaller if they begin far out
       for (const Index seen : m_seen) m_layer[place(seen)] = kNoIndex;
@@ -60,21 +58,20 @@ private:
     m_layer[place(start)] = m_count;
     for (std::size_t i = 0; i < m_seen.size(); ++i) {
       const std::size_t node = place(m_seen[i]);
-      for (std::size_t n = m_first[node]; n < m_first[node + 1]; ++n) {
-        Index& layer = m_layer[place(m_neighbours[n])];
+      for (const Index neighbour : m_neighboursOf[node]) {
+        Index& layer = m_layer[place(neighbour)];
         if (layer != kNoIndex) continue;
         layer = m_layer[node] + 1;
-        m_seen.push_back(m_neighbours[n]);
+        m_seen.push_back(neighbour);
       }
     }
     m_count = m_layer[place(m_seen.back())] + 1;
     return m_seen.back();
   }
 
-  std::vector<std::size_t> m_first; ///< neighbours of node i: m_neighbours[m_first[i] .. m_first[i + 1])
-  std::vector<Index> m_neighbours;
-  std::vector<Index> m_layer; ///< by node; kNoIndex without springs
-  std::vector<Index> m_seen;  ///< nodes of the present component
+  Grouped<Index> m_neighboursOf; ///< by node
+  std::vector<Index> m_layer;    ///< by node; kNoIndex without springs
+  std::vector<Index> m_seen;     ///< nodes of the present component
   Index m_count = 0;
 };
 

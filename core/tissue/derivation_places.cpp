@@ -41,16 +41,11 @@ DerivationPlaces::DerivationPlaces(const SpringNet& net)
   looseOfNode.assign(static_cast<std::size_t>(nodes), kNoIndex);
   for (std::size_t i = 0; i < loose.size(); ++i)
     looseOfNode[static_cast<std::size_t>(loose[i])] = static_cast<Index>(i);
-  std::vector<std::vector<Index>> carried(loose.size());
-  for (Index s = 0; s < springs; ++s)
-    for (int end = 0; end < 2; ++end)
-      if (const Index i = looseOfNode[static_cast<std::size_t>(net.ends(end, s))]; i != kNoIndex)
-        carried[static_cast<std::size_t>(i)].push_back(s);
-  looseStart = {0};
-  for (const std::vector<Index>& list : carried) {
-    looseSpring.insert(looseSpring.end(), list.begin(), list.end());
-    looseStart.push_back(static_cast<Index>(looseSpring.size()));
-  }
+  looseSprings.build(loose.size(), [&](const auto& add) {
+    for (Index s = 0; s < springs; ++s)
+      for (int end = 0; end < 2; ++end)
+        if (const Index i = looseOfNode[static_cast<std::size_t>(net.ends(end, s))]; i != kNoIndex) add(i, s);
+  });
 }
 
 void DerivationPlaces::setThickness(double thickness, const SpringNet& net)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/tissue/tissue_model.h"
 
 #include <cstdint>
@@ -17,14 +18,13 @@ struct DerivationPlaces {
   void setThickness(double thickness, const SpringNet& net);
 
   Index springs = 0, nodes = 0;
-  Eigen::Matrix3Xd point;    ///< 3 x (S + N) [m]
-  Eigen::ArrayXd dualArea;   ///< per node [m^2]
-  Eigen::ArrayXd edgeArea;   ///< per spring [m^2]
-  Eigen::ArrayXd perModulus; ///< per spring, k / E [m]
-  Eigen::ArrayXd section;    ///< per spring of those that carry mass, else 0 [m^2]
-  /// Nodes off the surface and the springs whose mass they share, ascending: node i of `loose` has those from
-  /// looseStart[i] to looseStart[i + 1].
-  std::vector<Index> loose, looseStart, looseSpring;
+  Eigen::Matrix3Xd point;         ///< 3 x (S + N) [m]
+  Eigen::ArrayXd dualArea;        ///< per node [m^2]
+  Eigen::ArrayXd edgeArea;        ///< per spring [m^2]
+  Eigen::ArrayXd perModulus;      ///< per spring, k / E [m]
+  Eigen::ArrayXd section;         ///< per spring of those that carry mass, else 0 [m^2]
+  std::vector<Index> loose;       ///< nodes off the surface, ascending
+  Grouped<Index> looseSprings;    ///< by place in `loose`: the springs whose mass they share
   std::vector<Index> looseOfNode; ///< place in `loose`, kNoIndex on the surface; empty without loose nodes
 };
 

@@ -228,10 +228,8 @@ void TissueDerivation::deriveNodes(SpringNet& net)
     }
     const auto i = static_cast<std::size_t>(m_places.looseOfNode[static_cast<std::size_t>(node)]);
     net.mass[node] = 0.0;
-    for (Index k = m_places.looseStart[i]; k < m_places.looseStart[i + 1]; ++k) {
-      const Index s = m_places.looseSpring[static_cast<std::size_t>(k)];
+    for (const Index s : m_places.looseSprings[i])
       net.mass[node] += 0.5 * m_springDensity[s] * m_places.section[s] * net.restLength[s];
-    }
   }
   if (!m_places.loose.empty()) fillLoneMasses(net);
 }
@@ -242,10 +240,7 @@ void TissueDerivation::fillLoneMasses(SpringNet& net) const
   const auto isLone = [&](Index node) {
     const auto i = static_cast<std::size_t>(m_places.looseOfNode[static_cast<std::size_t>(node)]);
     double volume = 0.0;
-    for (Index k = m_places.looseStart[i]; k < m_places.looseStart[i + 1]; ++k) {
-      const Index s = m_places.looseSpring[static_cast<std::size_t>(k)];
-      volume += m_places.section[s] * net.restLength[s];
-    }
+    for (const Index s : m_places.looseSprings[i]) volume += m_places.section[s] * net.restLength[s];
     return !(volume > 0.0);
   };
   std::vector<Index> lone;
