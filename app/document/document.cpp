@@ -55,9 +55,9 @@ void Document::start(Project project, const QString& path)
   m_path = path;
   m_target = -1;
   m_undo.clear();
-  emit projectReset();
-  emit ruleBaseChanged();
+  emit ruleBaseChanged(); // first: who hears of the new project asks what its rules say, not the former ones
   emit inputsChanged();
+  emit projectReset();
   emit titleChanged();
 }
 

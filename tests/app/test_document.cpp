@@ -5,6 +5,7 @@
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"
+#include "fuzzyeditor/fuzzy_evaluation.h"
 #include "tests/app/sheet.h"
 
 #include <QSignalSpy>
@@ -230,6 +231,20 @@ TEST_F(DocumentTest, AnotherModelIsAnnounced)
   ASSERT_TRUE(document.importModel({"second", {}, buildNet(test::sheetMesh(4)).value()}, true));
   document.undoStack()->undo();
   EXPECT_EQ(replaced.count(), 2);
+}
+
+// Whoever hears of the new project and asks why must not get the former rules' answer.
+TEST_F(DocumentTest, InferenceBelongsToTheNewRulesOnceTheProjectIsAnnounced)
+{
+  FuzzyEvaluation evaluation(&document);
+  ASSERT_EQ(evaluation.inference().firings.size(), document.ruleBase().rules.size());
+  Project other = test::sheetProject();
+  other.tissue.rules.rules.resize(3);
+  std::size_t firings = 0;
+  QObject::connect(&document, &Document::projectReset,
+                   [&] { firings = evaluation.inference().firings.size(); });
+  document.start(std::move(other), QString());
+  EXPECT_EQ(firings, 3U);
 }
 
 TEST_F(DocumentTest, TargetFollowsTheRegions)

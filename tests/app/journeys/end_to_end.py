@@ -1,118 +1,19 @@
-#!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""A modeler's way through the window by real mouse and keys: import, slider, a rule with a mistake and its
-cure, a region, play, pull, undo to the start, save. Asserts on the state dump and on the saved file; leaves
-pictures in OUT.
-
-usage: journey.py MODELER SAMPLES OUT      (under an X display, OUT holds start.esm; see journey.sh)
-"""
+"""The whole way of a modeler: import, slider, a rule with a mistake and its cure, a region, play, pull, undo
+to the start, save."""
 import json
-import pathlib
-import subprocess
-import sys
 import time
 
-MODELER, SAMPLES, OUT = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
-STATE = OUT / "state.json"
-PATIENCE = 40.0  # [s] for one expectation; a debug build on a busy machine is slow
-
-
-def xdo(*arguments):
-    subprocess.run(["xdotool", *map(str, arguments)], check=True)
-
-
-def state():
-    try:
-        return json.loads(STATE.read_text())
-    except (OSError, ValueError):
-        return {}
-
-
-def until(what, condition):
-    """Waits for a state for which `condition` holds; a KeyError counts as not yet."""
-    end = time.monotonic() + PATIENCE
-    seen = {}
-    while time.monotonic() < end:
-        if program.poll() is not None:
-            fail(f"{what}: the program has ended with {program.returncode}")
-        seen = state()
-        try:
-            if seen and condition(seen):
-                print(f"ok   {what}", flush=True)
-                return seen
-        except (KeyError, IndexError):
-            pass
-        time.sleep(0.2)
-    seen.pop("widgets", None)
-    fail(f"{what}: not within {PATIENCE:.0f} s; state: {json.dumps(seen)[:1500]}")
-
-
-def fail(message):
-    picture("failure")
-    program.kill()
-    sys.exit(f"FAIL {message}")
-
-
-def picture(name):
-    subprocess.run(["import", "-window", "root", str(OUT / f"journey-{name}.png")], check=False)
-
-
-def place(name, x=0.5, y=0.5):
-    corner_x, corner_y, width, height = until(f"{name} can be seen", lambda s: name in s["widgets"])["widgets"][name]
-    return round(corner_x + x * width), round(corner_y + y * height)
-
-
-def click(name, x=0.5, y=0.5):
-    xdo("mousemove", *place(name, x, y))
-    xdo("click", 1)
-
-
-def drag(start, end, steps=12, hold=False):
-    xdo("mousemove", *start)
-    xdo("mousedown", 1)
-    for i in range(1, steps + 1):
-        xdo("mousemove", *(round(a + (b - a) * i / steps) for a, b in zip(start, end)))
-        time.sleep(0.05)
-    if not hold:
-        xdo("mouseup", 1)
-
-
-def keys(*names):
-    for name in names:
-        xdo("key", "--clearmodifiers", name)
-        time.sleep(0.1)
-
-
-def write(text):
-    xdo("type", "--delay", 25, text)
-
-
-def focus(title):
-    """Gives the keyboard to a window; there is no window manager that would."""
-    end = time.monotonic() + PATIENCE
-    while time.monotonic() < end:
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], capture_output=True, text=True)
-        windows = found.stdout.split()
-        if windows:
-            xdo("windowfocus", windows[-1])
-            time.sleep(0.3)
-            return
-        time.sleep(0.2)
-    fail(f"no window named {title}")
-
-
-def start(*arguments):
-    STATE.unlink(missing_ok=True)
-    return subprocess.Popen([MODELER, "--dump-state", str(STATE), "--lang", "en", "--theme", "light", *map(str, arguments)])
+import window
+from window import MAIN, OUT, PATIENCE, SAMPLES, click, drag, focus, keys, picture, place, run, state, until, write, xdo
 
 
 def journey():
     fresh = until("the window shows the project", lambda s: s["nodes"] > 0 and s["openGl"])
     assert not fresh["modified"] and fresh["undoCount"] == 0, fresh
 
-    main = "Elastodynamic Shape Modeler"
-    focus(main)
+    focus(MAIN)
 
     # Import: a file dialog, the report, one undo step
     keys("ctrl+i")
@@ -133,7 +34,7 @@ def journey():
     assert imported["nodes"] == counts["nodes"], (imported["nodes"], counts["nodes"])
     assert imported["springs"] == counts["springs"], (imported["springs"], counts["springs"])
 
-    focus(main)
+    focus(MAIN)
 
     # Slider: one drag, one step, stiffer springs
     left = place("slider_hardness", 0.5)
@@ -214,18 +115,11 @@ def journey():
     picture("unsaved")
     keys("Escape")
     until("cancel keeps the window", lambda s: s["dialog"] == "")
-    focus(main)
+    focus(MAIN)
     keys("ctrl+z", "ctrl+q")
-    assert program.wait(timeout=PATIENCE) == 0, program.returncode
+    assert window.program.wait(timeout=PATIENCE) == 0, window.program.returncode
     print("ok   it ends with 0")
 
 
 (OUT / "start.esm.bak").unlink(missing_ok=True)
-program = start(OUT / "start.esm")
-try:
-    journey()
-except AssertionError as wrong:
-    fail(f"assertion: {wrong}")
-finally:
-    if program.poll() is None:
-        program.kill()
+run(journey)
