@@ -28,6 +28,9 @@ public:
   virtual void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) = 0;
   /// @param gesture values with the same gesture > 0 and input are one undo step (one slider drag).
   virtual void setInput(int input, fuzzy::InputValue value, int gesture) = 0;
+  /// All inputs of the target at once, as one undo step: a preset, a place that a list points at.
+  /// @param values one per input of the rule base.
+  virtual void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) = 0;
 
 signals:
   void ruleBaseChanged();

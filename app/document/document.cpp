@@ -112,6 +112,12 @@ void Document::setInput(int input, fuzzy::InputValue value, int gesture)
   pushTissue(std::make_unique<SetInputCommand>(*this, m_target, input, std::move(value), gesture));
 }
 
+void Document::setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText)
+{
+  if (values.size() != inputs().size() || values == inputs()) return;
+  pushTissue(std::make_unique<SetInputsCommand>(*this, m_target, std::move(values), undoText));
+}
+
 void Document::setInputTarget(int region)
 {
   const int last = static_cast<int>(m_project.tissue.regions.size()) - 1;

@@ -65,6 +65,7 @@ public:
   Language ruleLanguage() const override { return m_language; }
   void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) override;
   void setInput(int input, fuzzy::InputValue value, int gesture) override;
+  void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) override;
 
   int inputTarget() const noexcept { return m_target; } ///< region, or -1 for the base tissue
   void setInputTarget(int region);

@@ -88,6 +88,21 @@ void SetInputCommand::announce(bool)
   emit document().inputsChanged();
 }
 
+SetInputsCommand::SetInputsCommand(Document& document, int target, std::vector<fuzzy::InputValue> newValues,
+                                   const QString& text)
+  : TissueCommand(document, text), m_target(target), m_old(document.inputs()), m_new(std::move(newValues))
+{}
+
+std::vector<fuzzy::InputValue>& SetInputsCommand::values(TissueModel& tissue) const
+{
+  return m_target < 0 ? tissue.inputs : tissue.regions[static_cast<std::size_t>(m_target)].inputs;
+}
+
+void SetInputsCommand::announce(bool)
+{
+  emit document().inputsChanged();
+}
+
 SetTissueSettingsCommand::SetTissueSettingsCommand(Document& document, const TissueSettings& settings,
                                                    int gesture)
   : TissueCommand(document, translated(QT_TRANSLATE_NOOP("esm::Commands", "change tissue"))),

@@ -39,6 +39,23 @@ private:
   fuzzy::InputValue m_old, m_new;
 };
 
+/// All inputs of the base tissue (target -1) or of a region.
+class SetInputsCommand : public TissueCommand {
+public:
+  SetInputsCommand(Document& document, int target, std::vector<fuzzy::InputValue> newValues,
+                   const QString& text);
+  void apply(TissueModel& tissue) const override { values(tissue) = m_new; }
+
+protected:
+  void revert(TissueModel& tissue) const override { values(tissue) = m_old; }
+  void announce(bool undone) override;
+
+private:
+  std::vector<fuzzy::InputValue>& values(TissueModel& tissue) const;
+  int m_target;
+  std::vector<fuzzy::InputValue> m_old, m_new;
+};
+
 /// Thickness, density and force law. Values of one gesture merge.
 class SetTissueSettingsCommand : public TissueCommand {
 public:

@@ -56,6 +56,24 @@ private:
   fuzzy::InputValue m_new, m_old;
 };
 
+class InputsCommand : public QUndoCommand {
+public:
+  InputsCommand(FakeFuzzyDocument* document, std::vector<fuzzy::InputValue> values, const QString& text)
+    : QUndoCommand(text), m_document(document), m_other(std::move(values))
+  {}
+  void redo() override { swap(); }
+  void undo() override { swap(); }
+
+private:
+  void swap()
+  {
+    std::swap(m_document->m_inputs, m_other);
+    emit m_document->inputsChanged();
+  }
+  FakeFuzzyDocument* m_document;
+  std::vector<fuzzy::InputValue> m_other;
+};
+
 FakeFuzzyDocument::FakeFuzzyDocument()
 {
   load(sampleRules());
@@ -80,6 +98,12 @@ void FakeFuzzyDocument::setRuleBase(fuzzy::RuleBase ruleBase, const QString& und
 void FakeFuzzyDocument::setInput(int input, fuzzy::InputValue value, int gesture)
 {
   undo.push(new InputCommand(this, input, std::move(value), gesture));
+}
+
+void FakeFuzzyDocument::setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText)
+{
+  ESM_ASSERT(values.size() == m_rules.inputs.size());
+  if (values != m_inputs) undo.push(new InputsCommand(this, std::move(values), undoText));
 }
 
 void FakeFuzzyDocument::setLanguage(Language language)

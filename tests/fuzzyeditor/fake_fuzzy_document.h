@@ -9,7 +9,7 @@
 
 namespace esm::test {
 
-/// A FuzzyDocument as the application makes it, reduced to the two commands and a stack.
+/// A FuzzyDocument as the application makes it, reduced to three commands and a stack.
 class FakeFuzzyDocument : public FuzzyDocument {
   Q_OBJECT
 public:
@@ -21,6 +21,7 @@ public:
   Language ruleLanguage() const override { return m_language; }
   void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) override;
   void setInput(int input, fuzzy::InputValue value, int gesture) override;
+  void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) override;
 
   void setLanguage(Language language);
   void load(fuzzy::RuleBase ruleBase); ///< without undo, inputs at their defaults
@@ -31,6 +32,7 @@ public:
 private:
   friend class RuleBaseCommand;
   friend class InputCommand;
+  friend class InputsCommand;
   fuzzy::RuleBase m_rules;
   std::vector<fuzzy::InputValue> m_inputs;
   Language m_language = Language::English;
