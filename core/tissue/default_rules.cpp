@@ -166,6 +166,32 @@ void addRules(RuleBase& ruleBase, const char* inputId, const char* outputId,
       rule(Kind::And, {is(inputId, terms[i].id.c_str())}, is(outputId, conclusions[i])));
 }
 
+/// Findings that mean more together than each for itself. The less certain, the lower the weight; a weight
+/// below 1 also keeps each slider rising and falling with its own output.
+void addInteractions(RuleBase& ruleBase)
+{
+  const auto add = [&](const std::vector<Proposition>& findings, const Proposition& conclusion,
+                       double weight) {
+    ruleBase.rules.push_back(rule(Kind::And, findings, conclusion, weight));
+  };
+  // A soft organ without a cavity is a bag of liquid: it moves aside, but keeps its volume.
+  add({is("wall", "solid"), is("hardness", "soft")}, is("volume_ratio", "high"), 0.8);
+  // A hard wall does not empty its cavity by giving way.
+  add({is("wall", "thin"), is("hardness", "hard")}, is("volume_ratio", "medium"), 0.5);
+  // Swollen and brittle: tears before all others.
+  add({is("toughness", "fragile"), is("heaviness", "watery")}, is("rupture_strain", "very_low"), 0.7);
+  // What is stretched to its fibres' length and brittle has nothing left to give.
+  add({is("toughness", "fragile"), is("stretch", "strong")}, is("rupture_strain", "very_low"), 0.5);
+  // Gut that is tough stretches to more than twice its length: folds and layers slide open first.
+  add({is("toughness", "tough"), is("wall", "hollow")}, is("rupture_strain", "very_high"), 0.4);
+  // Hollow and elastic organs hang on a mesentery, neither grown fast nor free.
+  add({is("wall", "hollow"), is("elasticity", "elastic")}, is("anchoring", "medium"), 0.4);
+  // Soft parenchyma is a sponge full of blood: squeezing it through damps (liver: a loss angle of 0.63 rad).
+  add({is("wall", "solid"), is("hardness", "doughy")}, is("viscosity", "high"), 0.4);
+  // A thin wall that is tough is so by its collagen, which stretch pulls straight: vessels.
+  add({is("wall", "thin"), is("toughness", "tough")}, is("stiffening", "high"), 0.4);
+}
+
 } // namespace
 
 RuleBase defaultRules()
@@ -185,11 +211,7 @@ RuleBase defaultRules()
   const char* volume = "volume_ratio";
   ruleBase.rules.push_back(rule(Kind::Or, {is("wall", "hollow"), is("wall", "thin")}, is(volume, "low")));
   ruleBase.rules.push_back(rule(Kind::Or, {is("wall", "thick"), is("wall", "solid")}, is(volume, "medium")));
-  ruleBase.rules.push_back(
-    rule(Kind::And, {is("wall", "solid"), is("hardness", "soft")}, is(volume, "high"), 0.8));
-  // Swollen and brittle: tears before all others.
-  ruleBase.rules.push_back(rule(Kind::And, {is("toughness", "fragile"), is("heaviness", "watery")},
-                                is("rupture_strain", "very_low"), 0.7));
+  addInteractions(ruleBase);
   return ruleBase;
 }
 
