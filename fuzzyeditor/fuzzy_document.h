@@ -23,9 +23,13 @@ public:
   virtual const std::vector<fuzzy::InputValue>& inputs() const = 0; ///< of the current target
   virtual QString inputTargetName() const = 0;                      ///< "Base tissue", or the region's name
   virtual Language ruleLanguage() const = 0;                        ///< follows the window's language
+  /// As it was when the document was opened or last saved.
+  virtual const fuzzy::RuleBase& savedRuleBase() const = 0;
 
   /// @param undoText translated, for the undo menu. The rule base must pass checkRuleBase().
-  virtual void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) = 0;
+  /// @param gesture rule bases with the same gesture > 0 are one undo step (one drag of a term); a gesture
+  ///        that ends where it began is none.
+  virtual void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, int gesture = 0) = 0;
   /// @param gesture values with the same gesture > 0 and input are one undo step (one slider drag).
   virtual void setInput(int input, fuzzy::InputValue value, int gesture) = 0;
   /// All inputs of the target at once, as one undo step: a preset, a place that a list points at.
@@ -34,6 +38,7 @@ public:
 
 signals:
   void ruleBaseChanged();
+  void ruleBaseSaved(); ///< savedRuleBase() is another one now; follows an opening's ruleBaseChanged() too
   void inputsChanged(); ///< values or target
   void ruleLanguageChanged();
 };

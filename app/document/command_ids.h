@@ -10,6 +10,7 @@ enum CommandId {
   kSetRegionCommand = 2,
   kSetTissueSettingsCommand = 3,
   kSetGravityCommand = 4,
+  kSetRuleBaseCommand = 5,
 };
 
 } // namespace esm

@@ -55,7 +55,9 @@ void Document::start(Project project, const QString& path)
   m_path = path;
   m_target = -1;
   m_undo.clear();
+  m_savedRules = m_project.tissue.rules;
   emit ruleBaseChanged(); // first: who hears of the new project asks what its rules say, not the former ones
+  emit ruleBaseSaved();
   emit inputsChanged();
   emit projectReset();
   emit titleChanged();
@@ -76,6 +78,8 @@ Status Document::saveAs(const QString& path)
   if (auto saved = saveProject(m_project, path.toStdString()); !saved) return saved.error();
   m_path = path;
   m_undo.setClean();
+  m_savedRules = m_project.tissue.rules;
+  emit ruleBaseSaved();
   emit titleChanged();
   return {};
 }
@@ -99,10 +103,10 @@ QString Document::inputTargetName() const
   return QString::fromStdString(m_project.tissue.regions[static_cast<std::size_t>(m_target)].name);
 }
 
-void Document::setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText)
+void Document::setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, int gesture)
 {
   if (ruleBase == m_project.tissue.rules) return;
-  pushTissue(std::make_unique<SetRuleBaseCommand>(*this, std::move(ruleBase), undoText));
+  pushTissue(std::make_unique<SetRuleBaseCommand>(*this, std::move(ruleBase), undoText, gesture));
 }
 
 void Document::setInput(int input, fuzzy::InputValue value, int gesture)

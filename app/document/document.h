@@ -63,7 +63,8 @@ public:
   const std::vector<fuzzy::InputValue>& inputs() const override;
   QString inputTargetName() const override;
   Language ruleLanguage() const override { return m_language; }
-  void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) override;
+  const fuzzy::RuleBase& savedRuleBase() const override { return m_savedRules; }
+  void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, int gesture = 0) override;
   void setInput(int input, fuzzy::InputValue value, int gesture) override;
   void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) override;
 
@@ -111,6 +112,7 @@ private:
   mutable std::shared_ptr<const SpringNet> m_sharedNet; ///< copy of m_project.net, made on demand
   std::shared_ptr<const SpringNet> m_prepared;          ///< net that pushTissue() tried and redo() takes
   bool m_derived = false; ///< the net's parameters are what applyTissue() gives: undo need not store them
+  fuzzy::RuleBase m_savedRules;
   QUndoStack m_undo;
   QString m_path;
   int m_target = -1;

@@ -38,6 +38,8 @@ protected:
   using DocumentCommand::DocumentCommand;
   virtual void revert(TissueModel& tissue) const = 0;
   virtual void announce(bool undone) = 0;
+  /// Nothing but the tissue is needed to undo this.
+  bool isUndoneByTissue() const { return m_before == nullptr; }
 
 private:
   std::shared_ptr<const SpringNet> m_before; ///< null: deriving gives the same

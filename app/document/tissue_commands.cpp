@@ -38,12 +38,27 @@ QString translated(const char* text)
 
 } // namespace
 
-SetRuleBaseCommand::SetRuleBaseCommand(Document& document, fuzzy::RuleBase ruleBase, const QString& text)
-  : TissueCommand(document, text), m_old(document.project().tissue), m_new(m_old)
+SetRuleBaseCommand::SetRuleBaseCommand(Document& document, fuzzy::RuleBase ruleBase, const QString& text,
+                                       int gesture)
+  : TissueCommand(document, text), m_old(document.project().tissue), m_new(m_old), m_gesture(gesture)
 {
   m_new.inputs = carriedOver(m_old.inputs, m_old.rules, ruleBase);
   for (Region& region : m_new.regions) region.inputs = carriedOver(region.inputs, m_old.rules, ruleBase);
   m_new.rules = std::move(ruleBase);
+}
+
+int SetRuleBaseCommand::id() const
+{
+  return kSetRuleBaseCommand;
+}
+
+bool SetRuleBaseCommand::mergeWith(const QUndoCommand* next)
+{
+  const auto* other = static_cast<const SetRuleBaseCommand*>(next);
+  if (m_gesture == 0 || other->m_gesture != m_gesture) return false;
+  m_new = other->m_new;
+  setObsolete(m_new.rules == m_old.rules && isUndoneByTissue());
+  return true;
 }
 
 void SetRuleBaseCommand::announce(bool)

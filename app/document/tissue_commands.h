@@ -7,11 +7,14 @@
 namespace esm {
 
 /// Another rule base. Inputs follow their variables by id: new variables start at their default, words
-/// whose term is gone become the default.
+/// whose term is gone become the default. Rule bases of one gesture merge, and vanish where the last is the
+/// first.
 class SetRuleBaseCommand : public TissueCommand {
 public:
-  SetRuleBaseCommand(Document& document, fuzzy::RuleBase ruleBase, const QString& text);
+  SetRuleBaseCommand(Document& document, fuzzy::RuleBase ruleBase, const QString& text, int gesture);
   void apply(TissueModel& tissue) const override { tissue = m_new; }
+  int id() const override;
+  bool mergeWith(const QUndoCommand* next) override;
 
 protected:
   void revert(TissueModel& tissue) const override { tissue = m_old; }
@@ -19,6 +22,7 @@ protected:
 
 private:
   TissueModel m_old, m_new;
+  int m_gesture;
 };
 
 /// One input of the base tissue (target -1) or of a region. Values of one gesture merge.

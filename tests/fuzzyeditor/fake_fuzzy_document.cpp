@@ -8,20 +8,34 @@ namespace esm::test {
 
 class RuleBaseCommand : public QUndoCommand {
 public:
-  RuleBaseCommand(FakeFuzzyDocument* document, fuzzy::RuleBase rules, const QString& text)
-    : QUndoCommand(text), m_document(document), m_other(std::move(rules))
+  RuleBaseCommand(FakeFuzzyDocument* document, fuzzy::RuleBase rules, const QString& text, int gesture)
+    : QUndoCommand(text),
+      m_document(document),
+      m_gesture(gesture),
+      m_new(std::move(rules)),
+      m_old(document->m_rules)
   {}
-  void redo() override { swap(); }
-  void undo() override { swap(); }
+  int id() const override { return 2; }
+  void redo() override { set(m_new); }
+  void undo() override { set(m_old); }
+  bool mergeWith(const QUndoCommand* next) override
+  {
+    const auto* other = static_cast<const RuleBaseCommand*>(next);
+    if (m_gesture == 0 || other->m_gesture != m_gesture) return false;
+    m_new = other->m_new;
+    setObsolete(m_new == m_old);
+    return true;
+  }
 
 private:
-  void swap()
+  void set(const fuzzy::RuleBase& rules)
   {
-    std::swap(m_document->m_rules, m_other);
+    m_document->m_rules = rules;
     emit m_document->ruleBaseChanged();
   }
   FakeFuzzyDocument* m_document;
-  fuzzy::RuleBase m_other;
+  int m_gesture;
+  fuzzy::RuleBase m_new, m_old;
 };
 
 class InputCommand : public QUndoCommand {
@@ -82,17 +96,26 @@ FakeFuzzyDocument::FakeFuzzyDocument()
 void FakeFuzzyDocument::load(fuzzy::RuleBase ruleBase)
 {
   ESM_ASSERT(fuzzy::checkRuleBase(ruleBase));
-  m_rules = std::move(ruleBase);
+  m_rules = m_saved = std::move(ruleBase);
   m_inputs.clear();
   for (const fuzzy::Variable& input : m_rules.inputs) m_inputs.emplace_back(input.defaultValue);
   emit ruleBaseChanged();
+  emit ruleBaseSaved();
   emit inputsChanged();
 }
 
-void FakeFuzzyDocument::setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText)
+void FakeFuzzyDocument::save()
+{
+  m_saved = m_rules;
+  undo.setClean();
+  emit ruleBaseSaved();
+}
+
+void FakeFuzzyDocument::setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, int gesture)
 {
   ESM_ASSERT(fuzzy::checkRuleBase(ruleBase)); // the contract of FuzzyDocument
-  undo.push(new RuleBaseCommand(this, std::move(ruleBase), undoText));
+  if (ruleBase == m_rules) return;
+  undo.push(new RuleBaseCommand(this, std::move(ruleBase), undoText, gesture));
 }
 
 void FakeFuzzyDocument::setInput(int input, fuzzy::InputValue value, int gesture)

@@ -19,12 +19,14 @@ public:
   const std::vector<fuzzy::InputValue>& inputs() const override { return m_inputs; }
   QString inputTargetName() const override { return target; }
   Language ruleLanguage() const override { return m_language; }
-  void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText) override;
+  const fuzzy::RuleBase& savedRuleBase() const override { return m_saved; }
+  void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, int gesture = 0) override;
   void setInput(int input, fuzzy::InputValue value, int gesture) override;
   void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) override;
 
   void setLanguage(Language language);
   void load(fuzzy::RuleBase ruleBase); ///< without undo, inputs at their defaults
+  void save();
 
   QUndoStack undo;
   QString target = QStringLiteral("Uterus");
@@ -33,7 +35,7 @@ private:
   friend class RuleBaseCommand;
   friend class InputCommand;
   friend class InputsCommand;
-  fuzzy::RuleBase m_rules;
+  fuzzy::RuleBase m_rules, m_saved;
   std::vector<fuzzy::InputValue> m_inputs;
   Language m_language = Language::English;
 };
