@@ -147,16 +147,17 @@ TEST(RegionGizmo, TheCentreFollowsTheMouseInThePlaneOfTheScreen)
 TEST(RegionGizmo, ATurnOf360DegreesInStepsGivesTheSameEllipsoid)
 {
   const GizmoShape start = egg();
+  const Camera eye = camera(2.6, 0.6); // sees no ring from its edge
   for (int axis = 0; axis < 3; ++axis) {
     GizmoShape shape = start;
     const Vector3d normal = start.ellipsoid.rotation * Vector3d::Unit(axis);
     const Vector3d arm = 0.06 * normal.unitOrthogonal();
     const double step = std::numbers::pi / 12.0;
     const auto pixel = [&](int i) {
-      return camera().project(start.ellipsoid.centre + Eigen::AngleAxisd(i * step, normal) * arm).pixel;
+      return eye.project(start.ellipsoid.centre + Eigen::AngleAxisd(i * step, normal) * arm).pixel;
     };
     for (int i = 0; i < 24; ++i) {
-      GizmoDrag drag(camera(), {Kind::Turn, axis, 1}, shape, pixel(i));
+      GizmoDrag drag(eye, {Kind::Turn, axis, 1}, shape, pixel(i));
       shape = drag.to(pixel(i + 1));
       EXPECT_NEAR(drag.angle(), step, 1e-9);
     }
@@ -164,7 +165,7 @@ TEST(RegionGizmo, ATurnOf360DegreesInStepsGivesTheSameEllipsoid)
     EXPECT_EQ(shape.ellipsoid.centre, start.ellipsoid.centre);
     EXPECT_EQ(shape.ellipsoid.semiAxes, start.ellipsoid.semiAxes);
 
-    GizmoDrag once(camera(), {Kind::Turn, axis, 1}, start, pixel(0)); // and in one drag of many moves
+    GizmoDrag once(eye, {Kind::Turn, axis, 1}, start, pixel(0)); // and in one drag of many moves
     for (int i = 1; i <= 24; ++i) once.to(pixel(i));
     EXPECT_TRUE(sameTurn(once.shape().ellipsoid.rotation, start.ellipsoid.rotation, 1e-12));
   }
@@ -234,7 +235,7 @@ TEST(RegionGizmo, RandomDragsGiveFiniteEllipsoids)
     return low + (high - low) * static_cast<double>(random() >> 11) * 0x1p-53; // equal on every library
   };
   const std::vector<GizmoHandle> handles = allHandles();
-  for (int round = 0; round < 3000; ++round) {
+  for (int round = 0; round < 1000; ++round) {
     Camera eye = camera(between(-4.0, 4.0), between(-1.57, 1.57));
     eye.setOrthographic(round % 3 == 0);
     const auto pixel = [&] { return Vector2d(between(-3000, 4000), between(-3000, 4000)); };
