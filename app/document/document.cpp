@@ -49,9 +49,7 @@ QString Document::displayName() const
 void Document::start(Project project, const QString& path)
 {
   m_project = std::move(project);
-  m_sharedNet.reset();
-  m_prepared.reset();
-  m_derived = false; // until an edit has applied the tissue, the file's own numbers hold
+  netWritten(false); // until an edit has applied the tissue, the file's own numbers hold
   m_path = path;
   m_target = -1;
   m_undo.clear();
@@ -189,45 +187,87 @@ void Document::setParametersFromTissue(bool on)
     new SetParametersFromTissueCommand(*this, on, std::make_shared<const SpringNet>(std::move(net))));
 }
 
-/// Tries the edit on copies first, so that the stack never holds a step that cannot be done.
+const TissueField* Document::tissueField() const
+{
+  if (m_derivation) return &m_derivation->field();
+  if (!m_field)
+    if (auto field = TissueField::create(m_project.tissue)) m_field.emplace(std::move(field).value());
+  return m_field ? &*m_field : nullptr;
+}
+
+/// Tries the edit first, so that the stack never holds a step that cannot be done.
 bool Document::pushTissue(std::unique_ptr<TissueCommand> command)
 {
   TissueModel tissue = m_project.tissue;
   command->apply(tissue);
-  if (m_project.parametersFromTissue && m_project.net.nodeCount() > 0) {
-    auto net = std::make_shared<SpringNet>(m_project.net);
-    if (auto applied = applyTissue(tissue, *net); !applied) {
-      emit problem(applied.error());
-      emit inputsChanged(); // widgets go back to what holds
-      emit regionsChanged();
-      emit tissueSettingsChanged();
-      return false;
-    }
-    m_prepared = std::move(net);
-  } else if (auto field = TissueField::create(tissue); !field) {
-    emit problem(field.error());
+  if (auto prepared = prepare(tissue); !prepared) {
+    emit problem(prepared.error());
+    emit inputsChanged(); // widgets go back to what holds
+    emit regionsChanged();
+    emit tissueSettingsChanged();
     return false;
   }
   m_undo.push(command.release()); // runs redo()
   return true;
 }
 
-void Document::deriveParameters()
+/// Does what can fail of deriving the springs from `tissue`; the project stays as it is.
+/// The first derivation of a net is made whole on a copy, later ones follow the edit.
+Status Document::prepare(const TissueModel& tissue)
 {
-  if (!m_project.parametersFromTissue || m_project.net.nodeCount() == 0) return;
-  if (auto applied = applyTissue(m_project.tissue, m_project.net); !applied) {
-    emit problem(applied.error());
-    return;
+  m_deriving.start();
+  m_preparedNet.reset();
+  m_preparedField.reset();
+  if (m_derivation || !derivesSprings()) {
+    auto field = TissueField::create(tissue);
+    if (!field) return field.error();
+    m_preparedField.emplace(std::move(field).value());
+    return {};
   }
-  m_sharedNet.reset();
-  m_derived = true;
+  auto net = std::make_shared<SpringNet>(m_project.net);
+  auto derivation = TissueDerivation::create(tissue, *net);
+  if (!derivation) return derivation.error();
+  m_preparedNet.emplace(Derived{std::move(derivation).value(), std::move(net)});
+  return {};
 }
 
-void Document::putNet(std::shared_ptr<const SpringNet> net)
+bool Document::derivesSprings() const
+{
+  return m_project.parametersFromTissue && m_project.net.nodeCount() > 0;
+}
+
+/// Gives the springs what prepare() made ready for the project's present tissue.
+void Document::derivePrepared()
+{
+  if (m_preparedNet) {
+    putNet(m_preparedNet->net, true);
+    m_derivation = std::move(m_preparedNet->derivation);
+    m_lastApply = m_derivation->report();
+  } else if (m_derivation) {
+    m_lastApply = m_derivation->update(std::move(*m_preparedField), m_project.net);
+    m_sharedNet.reset();
+  } else {
+    m_field = std::move(m_preparedField);
+  }
+  m_preparedNet.reset();
+  m_preparedField.reset();
+  m_lastApplyTime = 1e-9 * static_cast<double>(m_deriving.nsecsElapsed());
+}
+
+void Document::putNet(std::shared_ptr<const SpringNet> net, bool derived)
 {
   m_project.net = *net;
+  netWritten(derived);
   m_sharedNet = std::move(net);
-  m_derived = true;
+}
+
+/// Somebody else than the derivation has written to the net.
+void Document::netWritten(bool derived)
+{
+  m_sharedNet.reset();
+  m_derivation.reset();
+  m_field.reset();
+  m_derived = derived;
 }
 
 void Document::keepTargetInRange()

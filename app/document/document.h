@@ -4,12 +4,15 @@
 
 #include "core/base/result.h"
 #include "core/project/project.h"
+#include "core/tissue/tissue_derivation.h"
 #include "fuzzyeditor/fuzzy_document.h"
 
+#include <QElapsedTimer>
 #include <QString>
 #include <QUndoStack>
 
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace esm {
@@ -73,6 +76,11 @@ public:
   void setRuleLanguage(Language language);
 
   // === Tissue and regions
+  /// The tissue compiled, as it holds now; null if it cannot be (problem() has said why).
+  const TissueField* tissueField() const;
+  /// What the last edit of the tissue derived anew, and its time [s].
+  const ApplyReport& lastApply() const noexcept { return m_lastApply; }
+  double lastApplyTime() const noexcept { return m_lastApplyTime; }
   void addRegion(Region region); ///< at the end: it covers the others
   void removeRegion(int index);
   void moveRegion(int from, int to);
@@ -103,15 +111,31 @@ private:
   friend class DocumentCommand;
   friend class TissueCommand;
 
+  /// A derivation with the net that it keeps.
+  struct Derived {
+    TissueDerivation derivation;
+    std::shared_ptr<const SpringNet> net;
+  };
+
   bool pushTissue(std::unique_ptr<TissueCommand> command);
-  void deriveParameters();
-  void putNet(std::shared_ptr<const SpringNet> net);
+  bool derivesSprings() const;
+  Status prepare(const TissueModel& tissue);
+  bool isPrepared() const { return m_preparedNet || m_preparedField; }
+  void derivePrepared();
+  void putNet(std::shared_ptr<const SpringNet> net, bool derived);
+  void netWritten(bool derived);
   void keepTargetInRange();
 
   Project m_project;
   mutable std::shared_ptr<const SpringNet> m_sharedNet; ///< copy of m_project.net, made on demand
-  std::shared_ptr<const SpringNet> m_prepared;          ///< net that pushTissue() tried and redo() takes
   bool m_derived = false; ///< the net's parameters are what applyTissue() gives: undo need not store them
+  std::optional<TissueDerivation> m_derivation; ///< follows edits; only while m_derived, and then on demand
+  std::optional<Derived> m_preparedNet;         ///< what the next redo() takes, tried by prepare()
+  std::optional<TissueField> m_preparedField;
+  mutable std::optional<TissueField> m_field; ///< compiled on demand while there is no derivation
+  QElapsedTimer m_deriving;
+  ApplyReport m_lastApply;
+  double m_lastApplyTime = 0.0;
   fuzzy::RuleBase m_savedRules;
   QUndoStack m_undo;
   QString m_path;

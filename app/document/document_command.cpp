@@ -6,8 +6,18 @@ namespace esm {
 
 void DocumentCommand::netReplaced(bool derived)
 {
-  m_document->m_sharedNet.reset();
-  m_document->m_derived = derived;
+  m_document->netWritten(derived);
+}
+
+void TissueCommand::derive()
+{
+  Document& target = document();
+  if (!target.isPrepared())
+    if (auto prepared = target.prepare(project().tissue); !prepared) {
+      emit target.problem(prepared.error());
+      return;
+    }
+  target.derivePrepared();
 }
 
 void TissueCommand::redo()
@@ -15,12 +25,8 @@ void TissueCommand::redo()
   Document& target = document();
   m_before = netIsDerived() || !project().parametersFromTissue ? nullptr : target.net();
   apply(project().tissue);
+  derive();
   keepTargetInRange();
-  if (target.m_prepared)
-    target.putNet(std::move(target.m_prepared));
-  else
-    target.deriveParameters();
-  target.m_prepared.reset();
   announce(false);
   if (project().parametersFromTissue) emit target.parametersChanged();
 }
@@ -29,13 +35,11 @@ void TissueCommand::undo()
 {
   Document& target = document();
   revert(project().tissue);
+  if (m_before)
+    target.putNet(m_before, false);
+  else
+    derive();
   keepTargetInRange();
-  if (m_before) {
-    target.putNet(m_before);
-    target.m_derived = false;
-  } else {
-    target.deriveParameters();
-  }
   announce(true);
   if (project().parametersFromTissue) emit target.parametersChanged();
 }

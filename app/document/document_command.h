@@ -42,6 +42,7 @@ protected:
   bool isUndoneByTissue() const { return m_before == nullptr; }
 
 private:
+  void derive();                             ///< gives the springs what the project's tissue says now
   std::shared_ptr<const SpringNet> m_before; ///< null: deriving gives the same
 };
 

@@ -104,19 +104,24 @@ Result<TissueDerivation> TissueDerivation::create(const TissueModel& model, Spri
 
 Result<ApplyReport> TissueDerivation::update(const TissueModel& model, SpringNet& net)
 {
-  ESM_ASSERT(net.springCount() == m_places.springs && net.nodeCount() == m_places.nodes);
   auto field = TissueField::create(model);
   if (!field) return field.error();
-  const TissueModel& before = m_field.model();
-  Reaches reaches = reachesOf(*field);
+  return update(std::move(*field), net);
+}
+
+const ApplyReport& TissueDerivation::update(TissueField field, SpringNet& net)
+{
+  ESM_ASSERT(net.springCount() == m_places.springs && net.nodeCount() == m_places.nodes);
+  const TissueModel &before = m_field.model(), &model = field.model();
+  Reaches reaches = reachesOf(field);
   if (differEverywhere(before, model)) {
     if (before.thickness != model.thickness) m_places.setThickness(model.thickness, net);
     std::fill(net.law.begin(), net.law.end(), model.law);
     std::fill(m_touched.begin(), m_touched.end(), std::uint8_t{1});
   } else {
-    markWhatDiffers(*field, reaches);
+    markWhatDiffers(field, reaches);
   }
-  m_field = std::move(*field);
+  m_field = std::move(field);
   m_reaches = std::move(reaches);
   deriveTouched(net);
   return m_report;

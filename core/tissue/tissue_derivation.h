@@ -29,6 +29,8 @@ public:
   /// Writes what the edit touches. springsChanged and nodesChanged of the report count what was derived.
   /// Errors: those of TissueField::create(); everything is then as before.
   Result<ApplyReport> update(const TissueModel& model, SpringNet& net);
+  /// The same with the model compiled already: cannot fail.
+  const ApplyReport& update(TissueField field, SpringNet& net);
 
   const ApplyReport& report() const noexcept { return m_report; } ///< of the last create() or update()
   const TissueField& field() const noexcept { return m_field; }

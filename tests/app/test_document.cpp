@@ -13,6 +13,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 using namespace esm;
 
 namespace {
@@ -231,6 +233,57 @@ TEST_F(DocumentTest, AnotherModelIsAnnounced)
   ASSERT_TRUE(document.importModel({"second", {}, buildNet(test::sheetMesh(4)).value()}, true));
   document.undoStack()->undo();
   EXPECT_EQ(replaced.count(), 2);
+}
+
+// The document follows edits at the price of what they touch; the full derivation is the oracle.
+TEST_F(DocumentTest, ParametersFollowEditsAndUndoBitByBit)
+{
+  document.addRegion(ball(document.project(), "A", 0.015));
+  document.addRegion(ball(document.project(), "B", 0.01));
+  std::mt19937 random(7);
+  const auto upTo = [&](int n) { return static_cast<int>(random() % static_cast<unsigned>(n)); };
+  for (int step = 0; step < 60; ++step) {
+    const int region = upTo(2);
+    switch (upTo(6)) {
+    case 0:
+      document.undoStack()->undo();
+      break;
+    case 1:
+      document.undoStack()->redo();
+      break;
+    case 2:
+      document.setTissueSettings({0.001 * (1 + upTo(4)), 1000.0, SpringLaw::Linear, 0.0});
+      break;
+    case 3: {
+      if (document.project().tissue.regions.size() < 2) break;
+      Region moved = document.project().tissue.regions[static_cast<std::size_t>(region)];
+      moved.ellipsoid.centre.x() = 0.005 * upTo(8);
+      document.setRegion(region, moved, "move");
+      break;
+    }
+    case 4:
+      document.setInputTarget(upTo(3) - 1);
+      [[fallthrough]];
+    default:
+      document.setInput(upTo(7), 0.1 * upTo(11), 0);
+    }
+    SpringNet oracle = document.project().net;
+    ASSERT_TRUE(applyTissue(document.project().tissue, oracle));
+    ASSERT_TRUE((oracle.stiffness == document.project().net.stiffness).all()) << "step " << step;
+    ASSERT_TRUE((oracle.viscosity == document.project().net.viscosity).all()) << "step " << step;
+    ASSERT_TRUE((oracle.mass == document.project().net.mass).all()) << "step " << step;
+    ASSERT_EQ(document.tissueField()->model().inputs, document.project().tissue.inputs);
+  }
+}
+
+TEST_F(DocumentTest, AnEditDerivesOnlyWhatItTouches)
+{
+  document.addRegion(ball(document.project(), "A", 0.008));
+  document.setInputTarget(0);
+  document.setInput(0, 0.4, 0); // the first edit of a net derives everything
+  document.setInput(0, 0.2, 0);
+  EXPECT_GT(document.lastApply().springsChanged, 0);
+  EXPECT_LT(document.lastApply().springsChanged, document.project().net.springCount() / 2);
 }
 
 // Whoever hears of the new project and asks why must not get the former rules' answer.
