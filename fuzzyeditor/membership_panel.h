@@ -4,14 +4,21 @@
 
 #include <QWidget>
 
+class QBoxLayout;
+class QCheckBox;
 class QComboBox;
+class QToolButton;
 
 namespace esm {
 
 class FuzzyEvaluation;
-class MembershipPlot;
+class MistakeBar;
+class TermEdits;
+class TermFields;
+class TermPlot;
 
-/// A MembershipPlot with the choice of the variable above it.
+/// The editor of the terms: the choice of the variable, whether neighbours follow, the plot to drag in, the
+/// chosen term in fields. Fields stand below the plot, beside it where the panel is wide.
 class MembershipPanel : public QWidget {
   Q_OBJECT
 public:
@@ -19,17 +26,28 @@ public:
   explicit MembershipPanel(FuzzyEvaluation* evaluation, QWidget* parent = nullptr);
 
   void showInput(int input); ///< connect to InputsPanel::inputFocused
-  MembershipPlot* plot() const { return m_plot; }
+  TermPlot* plot() const { return m_plot; }
+  TermEdits* edits() const { return m_edits; }
 
 protected:
   void changeEvent(QEvent* event) override;
+  void resizeEvent(QResizeEvent* event) override;
 
 private:
+  void retranslate();
   void fillChoice();
+  void refresh();
+  void askForSpread();
 
   FuzzyEvaluation* m_evaluation;
+  TermEdits* m_edits;
   QComboBox* m_choice;
-  MembershipPlot* m_plot;
+  QCheckBox* m_lock;
+  QToolButton* m_spread;
+  TermPlot* m_plot;
+  TermFields* m_fields;
+  MistakeBar* m_message;
+  QBoxLayout* m_body;
 };
 
 } // namespace esm

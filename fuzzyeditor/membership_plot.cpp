@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzzyeditor/membership_plot.h"
 
+#include "core/fuzzy/axis.h"
 #include "fuzzyeditor/fuzzy_evaluation.h"
 #include "fuzzyeditor/panel_colors.h"
 #include "fuzzyeditor/rule_display.h"
@@ -35,12 +36,14 @@ MembershipPlot::MembershipPlot(FuzzyEvaluation* evaluation, QWidget* parent)
 {
   setObjectName("mfPlot");
   const auto refresh = [this] {
+    layOut();
     describe();
     update();
   };
   connect(evaluation, &FuzzyEvaluation::changed, this, refresh);
+  connect(evaluation->document(), &FuzzyDocument::ruleBaseChanged, this, [this] { layOut(); });
   connect(evaluation->document(), &FuzzyDocument::ruleLanguageChanged, this, refresh);
-  describe();
+  MembershipPlot::describe();
 }
 
 const fuzzy::Variable* MembershipPlot::variable() const
@@ -55,11 +58,11 @@ void MembershipPlot::setVariable(bool output, int index)
 {
   m_output = output;
   m_index = index;
+  layOut();
   describe();
   update();
 }
 
-/// The plot in words, for screen readers.
 void MembershipPlot::describe()
 {
   const fuzzy::Variable* v = variable();
@@ -74,10 +77,21 @@ void MembershipPlot::describe()
   setAccessibleDescription(tr("The words are: %1.").arg(terms.join(QStringLiteral(", "))));
 }
 
-double MembershipPlot::axisValue(double plain) const
+void MembershipPlot::layOut()
 {
   const fuzzy::Variable* v = variable();
-  return v && v->logarithmic ? std::log10(std::max(plain, 1e-300)) : plain;
+  const fuzzy::Axis axis = v ? fuzzy::axisOf(*v) : fuzzy::Axis{};
+  m_low = axis.low;
+  m_high = axis.high;
+  const int line = fontMetrics().height();
+  const int left = fontMetrics().horizontalAdvance(QStringLiteral("0.5")) + 12;
+  m_area = QRectF(rect()).adjusted(left, 2 * line + 6, -14, -2 * line - 6);
+}
+
+void MembershipPlot::resizeEvent(QResizeEvent* event)
+{
+  QWidget::resizeEvent(event);
+  layOut();
 }
 
 QPointF MembershipPlot::toPixel(double axis, double mu) const
@@ -86,7 +100,11 @@ QPointF MembershipPlot::toPixel(double axis, double mu) const
   return {m_area.left() + share * m_area.width(), m_area.bottom() - mu * m_area.height()};
 }
 
-/// Corners exactly, plus samples where the curve is bent; from the left to the right end of the axis.
+double MembershipPlot::toAxis(double pixel) const
+{
+  return m_low + (pixel - m_area.left()) / m_area.width() * (m_high - m_low);
+}
+
 QPolygonF MembershipPlot::termCurve(const fuzzy::Term& term) const
 {
   std::vector<double> places{m_low, m_high};
@@ -113,15 +131,9 @@ void MembershipPlot::paintEvent(QPaintEvent*)
   const fuzzy::Variable* v = variable();
   if (!v || v->terms.empty()) return;
   painter.setRenderHint(QPainter::Antialiasing);
-  m_low = axisValue(v->minimum);
-  m_high = axisValue(v->maximum);
-  if (!(m_high > m_low)) return;
-  const int line = fontMetrics().height();
-  const int left = fontMetrics().horizontalAdvance(QStringLiteral("0.5")) + 12;
-  m_area = QRectF(rect()).adjusted(left, 2 * line + 6, -14, -2 * line - 6);
-  if (m_area.width() < 40 || m_area.height() < 20) return;
-
+  if (!canPaint()) return;
   paintAxes(painter, *v);
+  paintBehind(painter, *v);
   if (m_output) paintOutput(painter, *v);
   paintTerms(painter, *v);
   if (!m_output)
@@ -129,6 +141,7 @@ void MembershipPlot::paintEvent(QPaintEvent*)
   else if (const auto& outputs = m_evaluation->inference().outputs;
            static_cast<std::size_t>(m_index) < outputs.size())
     paintValueLine(painter, *v, outputs[static_cast<std::size_t>(m_index)].value);
+  paintBefore(painter, *v);
 }
 
 void MembershipPlot::paintAxes(QPainter& painter, const fuzzy::Variable& v) const
@@ -170,6 +183,14 @@ void MembershipPlot::paintAxes(QPainter& painter, const fuzzy::Variable& v) cons
   painter.drawText(QRectF(m_area.left(), height() - line - 3, m_area.width(), line), Qt::AlignCenter, title);
 }
 
+void MembershipPlot::paintCurve(QPainter& painter, const fuzzy::Term& term) const
+{
+  const QPolygonF curve = termCurve(term);
+  for (qsizetype k = 1; k < curve.size(); ++k) // along the axis there is nothing to see
+    if (curve[k - 1].y() < m_area.bottom() - 1e-6 || curve[k].y() < m_area.bottom() - 1e-6)
+      painter.drawLine(curve[k - 1], curve[k]);
+}
+
 void MembershipPlot::paintTerms(QPainter& painter, const fuzzy::Variable& v) const
 {
   const Language language = m_evaluation->document()->ruleLanguage();
@@ -177,11 +198,11 @@ void MembershipPlot::paintTerms(QPainter& painter, const fuzzy::Variable& v) con
   double free = m_area.left(); // labels stand side by side, a crowded one is pushed to the right
   std::vector<std::pair<double, int>> peaks;
   for (int i = 0; i < static_cast<int>(v.terms.size()); ++i) {
-    const QPolygonF curve = termCurve(v.terms[static_cast<std::size_t>(i)]);
-    painter.setPen(QPen(panel_colors::curve(palette(), i), 2, Qt::SolidLine, Qt::RoundCap));
-    for (qsizetype k = 1; k < curve.size(); ++k) // along the axis there is nothing to see
-      if (curve[k - 1].y() < m_area.bottom() - 1e-6 || curve[k].y() < m_area.bottom() - 1e-6)
-        painter.drawLine(curve[k - 1], curve[k]);
+    const fuzzy::Term& term = v.terms[static_cast<std::size_t>(i)];
+    painter.setPen(
+      QPen(panel_colors::curve(palette(), i), i == chosenTerm() ? 3 : 2, Qt::SolidLine, Qt::RoundCap));
+    paintCurve(painter, term);
+    const QPolygonF curve = termCurve(term);
     const auto higher = [](const QPointF& a, const QPointF& b) { return a.y() > b.y() + 1e-6; };
     const auto first = std::max_element(curve.begin(), curve.end(), higher);
     auto last = first;
@@ -237,11 +258,11 @@ void MembershipPlot::paintInput(QPainter& painter, const fuzzy::Variable& v) con
   const double plain = std::clamp(std::get<double>(input), v.minimum, v.maximum);
   paintValueLine(painter, v, plain);
   for (std::size_t i = 0; i < v.terms.size(); ++i) {
-    const double mu = fuzzy::membership(v.terms[i], axisValue(plain));
+    const double mu = fuzzy::membership(v.terms[i], fuzzy::toAxis(v, plain));
     if (mu <= 0) continue;
     painter.setPen(QPen(palette().color(QPalette::Base), 1.5));
     painter.setBrush(panel_colors::curve(palette(), static_cast<int>(i)));
-    painter.drawEllipse(toPixel(axisValue(plain), mu), 4.5, 4.5);
+    painter.drawEllipse(toPixel(fuzzy::toAxis(v, plain), mu), 4.5, 4.5);
   }
 }
 
@@ -261,7 +282,7 @@ void MembershipPlot::paintOutput(QPainter& painter, const fuzzy::Variable& v) co
 void MembershipPlot::paintValueLine(QPainter& painter, const fuzzy::Variable& v, double plain) const
 {
   if (!std::isfinite(plain)) return;
-  const double x = toPixel(axisValue(plain), 0).x();
+  const double x = toPixel(fuzzy::toAxis(v, plain), 0).x();
   const QColor ink = palette().color(QPalette::Text);
   painter.setPen(QPen(ink, 1.4, Qt::DashLine));
   painter.drawLine(QPointF(x, m_area.bottom()), QPointF(x, m_area.top()));

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzzyeditor/inputs_panel.h"
 #include "fuzzyeditor/membership_panel.h"
-#include "fuzzyeditor/membership_plot.h"
 #include "fuzzyeditor/rule_table_model.h"
 #include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/term_plot.h"
 #include "fuzzyeditor/why_panel.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
