@@ -3,8 +3,8 @@
 #include "cli/apply_edits.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/json_line.h"
 #include "cli/rules_file.h"
+#include "core/base/json_line.h"
 #include "core/project/project_io.h"
 
 #include <algorithm>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/base/json_line.h"
 #include "core/project/export.h"
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/json_line.h"
 #include "core/base/file_io.h"
 #include "core/project/net_format.h"
 #include "core/project/project_io.h"

@@ -4,8 +4,8 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/json_line.h"
 #include "core/base/file_io.h"
+#include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/fuzzy/fis/checks.h"
 #include "core/fuzzy/fis/files.h"

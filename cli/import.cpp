@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/json_line.h"
 #include "cli/rules_file.h"
 #include "core/base/file_io.h"
+#include "core/base/json_line.h"
 #include "core/geometry/weld.h"
 #include "core/net/net_builder.h"
 #include "core/project/net_format.h"

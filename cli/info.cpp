@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/json_line.h"
+#include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/project/project_io.h"
 

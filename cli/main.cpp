@@ -28,8 +28,8 @@ Exit run(int argc, char** argv)
   program.require_subcommand(1);
   program.footer(kFooter);
   Work work;
-  for (const auto add :
-       {addInspect, addImport, addInfo, addValidate, addApply, addSimulate, addExport, addFuzzy, addSolvers})
+  for (const auto add : {addInspect, addImport, addInfo, addValidate, addApply, addExplain, addSimulate,
+                         addExport, addFuzzy, addSolvers})
     add(program, work);
   try {
     program.parse(argc, argv);

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "cli/arguments.h"
 #include "cli/commands.h"
-#include "cli/json_line.h"
 #include "cli/simulate_run.h"
 #include "core/base/file_io.h"
+#include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/project/project_io.h"
 

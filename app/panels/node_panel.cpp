@@ -59,19 +59,20 @@ void NodePanel::refresh()
   }
   const Project& project = m_document->project();
   if (auto field = TissueField::create(project.tissue))
-    showExplanation(field->explain(project.net.restPosition.col(m_node)));
+    showLayers(field->layersAt(project.net.restPosition.col(m_node)),
+               field->at(project.net.restPosition.col(m_node)));
   else
     setText(errorText(field.error()).toHtmlEscaped());
 }
 
-QString NodePanel::shareName(const RegionShare& share) const
+QString NodePanel::shareName(const TissueLayer& share) const
 {
   if (share.region < 0) return tr("Base tissue");
   return QString::fromStdString(
     m_document->project().tissue.regions[static_cast<std::size_t>(share.region)].name);
 }
 
-void NodePanel::showExplanation(const Explanation& why)
+void NodePanel::showLayers(const std::vector<TissueLayer>& layers, const TissueParameters& parameters)
 {
   const Project& project = m_document->project();
   const auto node = static_cast<std::size_t>(m_node);
@@ -81,20 +82,20 @@ void NodePanel::showExplanation(const Explanation& why)
                         project.net.fixed[node] != 0 ? tr(", held fast,") : QString(),
                         number(1e3 * place.x()), number(1e3 * place.y()), number(1e3 * place.z()));
   html += tr("Young's modulus %1 kPa, viscosity %2 ms, anchoring %3 kPa/mm")
-            .arg(number(1e-3 * why.parameters.youngsModulus), number(1e3 * why.parameters.viscosity),
-                 number(1e-6 * why.parameters.anchoring));
+            .arg(number(1e-3 * parameters.youngsModulus), number(1e3 * parameters.viscosity),
+                 number(1e-6 * parameters.anchoring));
 
-  const auto chosen = [this](const RegionShare& share) { return m_chosen == share.region; };
-  auto told = std::find_if(why.shares.begin(), why.shares.end(), chosen);
-  if (told == why.shares.end())
-    told = std::max_element(why.shares.begin(), why.shares.end(),
-                            [](const RegionShare& a, const RegionShare& b) { return a.weight < b.weight; });
+  const auto chosen = [this](const TissueLayer& share) { return m_chosen == share.region; };
+  auto told = std::find_if(layers.begin(), layers.end(), chosen);
+  if (told == layers.end())
+    told = std::max_element(layers.begin(), layers.end(),
+                            [](const TissueLayer& a, const TissueLayer& b) { return a.share < b.share; });
   QStringList parts;
-  for (const RegionShare& share : why.shares) {
+  for (const TissueLayer& share : layers) {
     const QString name = shareName(share).toHtmlEscaped();
     const bool shown = share.region == told->region;
     parts << tr("%1 % from %2")
-               .arg(number(100.0 * share.weight),
+               .arg(number(100.0 * share.share),
                     shown ? QStringLiteral("<b>%1</b>").arg(name)
                           : QStringLiteral("<a href='%1'>%2</a>").arg(share.region).arg(name));
   }
@@ -102,9 +103,9 @@ void NodePanel::showExplanation(const Explanation& why)
   if (!project.parametersFromTissue)
     html += QStringLiteral("<br><i>%1</i>").arg(tr("The springs keep the parameters of their file."));
   setText(html);
-  if (told == why.shares.end()) return;
+  if (told == layers.end()) return;
   emit explained(tr("Node %1, %2").arg(static_cast<int>(project.net.nodeId[node])).arg(shareName(*told)),
-                 why.inferences[static_cast<std::size_t>(told - why.shares.begin())]);
+                 told->inference);
 }
 
 void NodePanel::changeEvent(QEvent* event)

@@ -30,8 +30,8 @@ protected:
 
 private:
   void refresh();
-  void showExplanation(const Explanation& why);
-  QString shareName(const RegionShare& share) const;
+  void showLayers(const std::vector<TissueLayer>& layers, const TissueParameters& parameters);
+  QString shareName(const TissueLayer& share) const;
 
   Document* m_document;
   Index m_node = kNoIndex;

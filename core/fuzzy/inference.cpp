@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace esm::fuzzy {
 
@@ -30,31 +31,52 @@ const RuleBase& Engine::ruleBase() const noexcept
   return m_compiled->ruleBase;
 }
 
+namespace {
+
+/// Inputs as the general engine takes them. The words' hedges live here, so it is not copied.
+struct Facts {
+  Facts(const RuleBase& rules, const fis::System& system, std::span<const InputValue> inputs)
+    : hedges(rules.inputs.size())
+  {
+    for (std::size_t i = 0; i < rules.inputs.size(); ++i) {
+      const Variable& variable = rules.inputs[i];
+      facts.push_back(fis::Input::number(toAxis(variable, variable.defaultValue)));
+      if (i >= inputs.size()) continue;
+      if (const double* value = std::get_if<double>(&inputs[i])) {
+        facts.back() = fis::Input::number(toAxis(variable, *value));
+        continue;
+      }
+      const Word& word = std::get<Word>(inputs[i]);
+      const auto term = std::find_if(variable.terms.begin(), variable.terms.end(),
+                                     [&](const Term& candidate) { return candidate.id == word.term; });
+      if (term == variable.terms.end()) continue;
+      hedges[i] = toHedges(word.hedges);
+      const auto place = static_cast<std::size_t>(term - variable.terms.begin());
+      facts.back() = fis::Input::word(system.inputs[i].terms[place], hedges[i]);
+    }
+  }
+  Facts(const Facts&) = delete;
+  Facts& operator=(const Facts&) = delete;
+
+  std::vector<std::vector<fis::Hedge>> hedges;
+  std::vector<fis::Input> facts;
+};
+
+/// d(plain value)/d(place on the axis).
+double plainPerAxis(const Variable& variable, double value) noexcept
+{
+  return variable.logarithmic ? value * std::numbers::ln10 : 1.0;
+}
+
+} // namespace
+
 Inference Engine::evaluate(std::span<const InputValue> inputs) const
 {
   const RuleBase& rules = m_compiled->ruleBase;
   const fis::Evaluator& evaluator = m_compiled->evaluator;
-  std::vector<std::vector<fis::Hedge>> hedges(rules.inputs.size());
-  std::vector<fis::Input> facts;
-  for (std::size_t i = 0; i < rules.inputs.size(); ++i) {
-    const Variable& variable = rules.inputs[i];
-    facts.push_back(fis::Input::number(toAxis(variable, variable.defaultValue)));
-    if (i >= inputs.size()) continue;
-    if (const double* value = std::get_if<double>(&inputs[i])) {
-      facts.back() = fis::Input::number(toAxis(variable, *value));
-      continue;
-    }
-    const Word& word = std::get<Word>(inputs[i]);
-    const auto term = std::find_if(variable.terms.begin(), variable.terms.end(),
-                                   [&](const Term& candidate) { return candidate.id == word.term; });
-    if (term == variable.terms.end()) continue;
-    hedges[i] = toHedges(word.hedges);
-    const auto place = static_cast<std::size_t>(term - variable.terms.begin());
-    facts.back() = fis::Input::word(evaluator.system().inputs[i].terms[place], hedges[i]);
-  }
-
+  const Facts given(rules, evaluator.system(), inputs);
   fis::Workspace workspace = evaluator.makeWorkspace();
-  evaluator.evaluate(facts, workspace);
+  evaluator.evaluate(given.facts, workspace);
   Inference inference;
   for (std::size_t r = 0; r < rules.rules.size(); ++r)
     if (rules.rules[r].enabled) inference.firings.push_back({static_cast<int>(r), workspace.degrees()[r]});
@@ -65,6 +87,29 @@ Inference Engine::evaluate(std::span<const InputValue> inputs) const
       {fromRules ? fromAxis(rules.outputs[o], result.value) : rules.outputs[o].defaultValue, fromRules});
   }
   return inference;
+}
+
+std::vector<double> Engine::slopes(std::span<const InputValue> inputs, int output) const
+{
+  const RuleBase& rules = m_compiled->ruleBase;
+  const fis::Evaluator& evaluator = m_compiled->evaluator;
+  std::vector<double> slopes(rules.inputs.size(), 0.0);
+  const Facts given(rules, evaluator.system(), inputs);
+  fis::Workspace workspace = evaluator.makeWorkspace();
+  evaluator.evaluate(given.facts, workspace);
+  const auto o = static_cast<std::size_t>(output);
+  const fis::OutputResult& result = workspace.outputs()[o];
+  if (result.origin != fis::Origin::Rules) return slopes;
+  fis::Gradient gradient;
+  evaluator.differentiate(output, workspace, gradient);
+  const double perAxis = plainPerAxis(rules.outputs[o], fromAxis(rules.outputs[o], result.value));
+  for (std::size_t i = 0; i < slopes.size(); ++i) {
+    const Variable& variable = rules.inputs[i];
+    const double* number = i < inputs.size() ? std::get_if<double>(&inputs[i]) : nullptr;
+    if (number && *number >= variable.minimum && *number <= variable.maximum)
+      slopes[i] = perAxis * gradient.byInput[i] / plainPerAxis(variable, *number);
+  }
+  return slopes;
 }
 
 std::vector<std::pair<double, double>> aggregatedSet(const RuleBase& ruleBase, const Inference& inference,

@@ -47,6 +47,11 @@ public:
   /// @return no NaN whatever the inputs. Rules of a degree below 1e-12 count as not fired.
   Inference evaluate(std::span<const InputValue> inputs) const;
 
+  /// The exact partial derivatives of one output's value by each input, both plain. 0 by words, by numbers
+  /// that are held at an end of their range, and all 0 if no rule fired. At a kink those of one side.
+  /// @param output index into RuleBase::outputs. @return one per RuleBase::inputs.
+  std::vector<double> slopes(std::span<const InputValue> inputs, int output) const;
+
   const RuleBase& ruleBase() const noexcept;
 
 private:

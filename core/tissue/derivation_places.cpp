@@ -48,16 +48,25 @@ DerivationPlaces::DerivationPlaces(const SpringNet& net)
   });
 }
 
+SpringGeometry DerivationPlaces::springGeometry(Index spring, double thickness, const SpringNet& net) const
+{
+  const double areaA = dualArea[net.ends(0, spring)], areaB = dualArea[net.ends(1, spring)];
+  const double line = lineSection(areaA, areaB, thickness), length = net.restLength[spring];
+  const bool isEdge = net.kind[static_cast<std::size_t>(spring)] == SpringKind::Edge;
+  SpringGeometry geometry;
+  geometry.area = isEdge ? edgeArea[spring] : line;
+  if (length > 0.0)
+    geometry.perModulus = isEdge ? thickness * edgeArea[spring] / (length * length) : line / length;
+  geometry.section = areaA > 0.0 && areaB > 0.0 ? 0.0 : line;
+  return geometry;
+}
+
 void DerivationPlaces::setThickness(double thickness, const SpringNet& net)
 {
   for (Index s = 0; s < springs; ++s) {
-    const double areaA = dualArea[net.ends(0, s)], areaB = dualArea[net.ends(1, s)];
-    const double line = lineSection(areaA, areaB, thickness), length = net.restLength[s];
-    const bool isEdge = net.kind[static_cast<std::size_t>(s)] == SpringKind::Edge;
-    perModulus[s] = !(length > 0.0) ? 0.0
-                    : isEdge        ? thickness * edgeArea[s] / (length * length)
-                                    : line / length;
-    section[s] = areaA > 0.0 && areaB > 0.0 ? 0.0 : line;
+    const SpringGeometry geometry = springGeometry(s, thickness, net);
+    perModulus[s] = geometry.perModulus;
+    section[s] = geometry.section;
   }
 }
 

@@ -10,12 +10,51 @@
 
 namespace esm {
 
+/// What a net's geometry makes of the tissue at a spring.
+struct SpringGeometry {
+  double area = 0.0;       ///< of edges A, of lines a [m^2]
+  double perModulus = 0.0; ///< k / E [m]
+  double section = 0.0;    ///< of lines that carry mass a, else 0 [m^2]
+};
+
+/// The formulas of applyTissue(), for all who write or explain numbers.
+struct SpringNumbers {
+  double stiffness = 0.0, viscosity = 0.0, lawParameter = 0.0;
+};
+inline bool cubicFromStiffening(const TissueModel& model) noexcept
+{
+  return model.law == SpringLaw::Cubic && comesFromRules(model.rules, &TissueParameters::stiffening);
+}
+inline SpringNumbers springNumbers(const TissueParameters& tissue, double perModulus,
+                                   bool cubicFromStiffening) noexcept
+{
+  const double k = tissue.youngsModulus * perModulus, b = tissue.stiffening;
+  return {k, tissue.viscosity * k, cubicFromStiffening ? b * b / 6.0 : b};
+}
+inline double massOfSurface(const TissueParameters& tissue, double thickness, double dualArea) noexcept
+{
+  return tissue.density * thickness * dualArea;
+}
+struct AnchorNumbers {
+  double stiffness = 0.0, viscosity = 0.0;
+};
+inline AnchorNumbers anchorNumbers(const TissueParameters& tissue, double dualArea) noexcept
+{
+  const double k = tissue.anchoring * dualArea;
+  return {k, tissue.viscosity * k};
+}
+inline double halfMassOfLine(double density, double section, double length) noexcept
+{
+  return 0.5 * density * section * length;
+}
+
 /// Where tissue is asked for, and what the net's geometry makes of it. A place is a spring's midpoint (0 to
 /// S - 1) or a node (S to S + N - 1), at rest.
 struct DerivationPlaces {
   explicit DerivationPlaces(const SpringNet& net);
   /// Sections depend on the wall's thickness, which can be edited.
   void setThickness(double thickness, const SpringNet& net);
+  SpringGeometry springGeometry(Index spring, double thickness, const SpringNet& net) const;
 
   Index springs = 0, nodes = 0;
   Eigen::Matrix3Xd point;         ///< 3 x (S + N) [m]

@@ -77,7 +77,7 @@ TissueDerivation::TissueDerivation(TissueField field, const SpringNet& net)
     m_modulus(m_places.springs),
     m_springDensity(m_places.loose.empty() ? 0 : m_places.springs),
     m_anchoring(Eigen::ArrayXd::Zero(m_places.nodes)),
-    m_nodeTau(Eigen::ArrayXd::Zero(m_places.nodes)),
+    m_anchorViscosity(Eigen::ArrayXd::Zero(m_places.nodes)),
     m_anchorOfNode(static_cast<std::size_t>(m_places.nodes), kNoIndex)
 {}
 
@@ -174,9 +174,7 @@ void TissueDerivation::deriveTouched(SpringNet& net)
 {
   m_report = {};
   m_anchorsChangePlaces = false;
-  const TissueModel& model = m_field.model();
-  m_cubicFromStiffening =
-    model.law == SpringLaw::Cubic && comesFromRules(model.rules, &TissueParameters::stiffening);
+  m_cubicFromStiffening = cubicFromStiffening(m_field.model());
   deriveSprings(net);
   deriveNodes(net);
   deriveAnchors(net);
@@ -200,10 +198,10 @@ void TissueDerivation::deriveSprings(SpringNet& net)
 
 void TissueDerivation::writeSpring(Index spring, const TissueParameters& tissue, SpringNet& net)
 {
-  net.stiffness[spring] = tissue.youngsModulus * m_places.perModulus[spring];
-  net.viscosity[spring] = tissue.viscosity * net.stiffness[spring];
-  const double b = tissue.stiffening;
-  net.lawParameter[spring] = m_cubicFromStiffening ? b * b / 6.0 : b;
+  const SpringNumbers numbers = springNumbers(tissue, m_places.perModulus[spring], m_cubicFromStiffening);
+  net.stiffness[spring] = numbers.stiffness;
+  net.viscosity[spring] = numbers.viscosity;
+  net.lawParameter[spring] = numbers.lawParameter;
   m_modulus[spring] = tissue.youngsModulus;
   if (!(m_places.section[spring] > 0.0)) return;
   m_springDensity[spring] = tissue.density;
@@ -224,17 +222,17 @@ void TissueDerivation::deriveNodes(SpringNet& net)
     const double area = m_places.dualArea[node];
     if (area > 0.0) {
       const TissueParameters tissue = m_field.plain(blender.at(place), kNodeParameters);
-      net.mass[node] = tissue.density * thickness * area;
-      const double anchoring = tissue.anchoring * area;
-      m_anchorsChangePlaces |= (anchoring > 0.0) != (m_anchoring[node] > 0.0);
-      m_anchoring[node] = anchoring;
-      m_nodeTau[node] = tissue.viscosity;
+      net.mass[node] = massOfSurface(tissue, thickness, area);
+      const AnchorNumbers anchor = anchorNumbers(tissue, area);
+      m_anchorsChangePlaces |= (anchor.stiffness > 0.0) != (m_anchoring[node] > 0.0);
+      m_anchoring[node] = anchor.stiffness;
+      m_anchorViscosity[node] = anchor.viscosity;
       continue;
     }
     const auto i = static_cast<std::size_t>(m_places.looseOfNode[static_cast<std::size_t>(node)]);
     net.mass[node] = 0.0;
     for (const Index s : m_places.looseSprings[i])
-      net.mass[node] += 0.5 * m_springDensity[s] * m_places.section[s] * net.restLength[s];
+      net.mass[node] += halfMassOfLine(m_springDensity[s], m_places.section[s], net.restLength[s]);
   }
   if (!m_places.loose.empty()) fillLoneMasses(net);
 }
@@ -263,7 +261,7 @@ void TissueDerivation::deriveAnchors(SpringNet& net)
   AnchorSet& anchors = net.anchors;
   const auto write = [&](Index anchor, Index node) {
     anchors.stiffness[anchor] = m_anchoring[node];
-    anchors.viscosity[anchor] = m_nodeTau[node] * m_anchoring[node];
+    anchors.viscosity[anchor] = m_anchorViscosity[node];
   };
   const bool isFirst = m_report.nodesChanged == m_places.nodes; // whatever anchors the net brought go
   if (!m_anchorsChangePlaces && !isFirst) {

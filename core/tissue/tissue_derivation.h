@@ -51,12 +51,12 @@ private:
   DerivationPlaces m_places;
   TissueField m_field;
   Reaches m_reaches;
-  std::vector<std::uint8_t> m_touched;   ///< per place
-  Eigen::ArrayXd m_modulus;              ///< per spring [Pa]
-  Eigen::ArrayXd m_springDensity;        ///< per spring, of those that carry mass [kg/m^3]
-  Eigen::ArrayXd m_anchoring, m_nodeTau; ///< per node [N/m], [s]
-  std::vector<Index> m_anchorOfNode;     ///< place among the net's anchors, kNoIndex
-  bool m_anchorsChangePlaces = true;     ///< a node gained or lost its anchor
+  std::vector<std::uint8_t> m_touched;           ///< per place
+  Eigen::ArrayXd m_modulus;                      ///< per spring [Pa]
+  Eigen::ArrayXd m_springDensity;                ///< per spring, of those that carry mass [kg/m^3]
+  Eigen::ArrayXd m_anchoring, m_anchorViscosity; ///< per node [N/m], [N s/m]
+  std::vector<Index> m_anchorOfNode;             ///< place among the net's anchors, kNoIndex
+  bool m_anchorsChangePlaces = true;             ///< a node gained or lost its anchor
   bool m_cubicFromStiffening = false;
   ApplyReport m_report;
 };

@@ -109,13 +109,14 @@ Result<TissueField> TissueField::create(const TissueModel& model)
 
   TissueField field;
   field.m_model = model;
+  field.m_engine = std::move(engine).value();
   field.m_constant.density = model.density;
   field.m_constant.stiffening = model.lawParameter;
   field.m_constant.ruptureStrain = kUsualRuptureStrain;
   field.m_constant.volumeRatio = kUsualVolumeRatio;
   for (std::size_t i = 0; i < kTissueOutputs.size(); ++i)
     field.m_output[i] = placeOf(model.rules, kTissueOutputs[i].id);
-  field.m_baseInference = engine->evaluate(model.inputs);
+  field.m_baseInference = field.m_engine->evaluate(model.inputs);
   field.m_baseLogs = field.logsOf(field.m_baseInference);
   field.m_base = field.fromLogs(field.m_baseLogs, kAllParameters);
   for (std::size_t i = 0; i < model.regions.size(); ++i) {
@@ -123,7 +124,7 @@ Result<TissueField> TissueField::create(const TissueModel& model)
     const std::string where = "region " + std::to_string(i + 1) + " '" + region.name + "'";
     if (Status status = checkRegion(model, region, where); !status) return status.error();
     if (!region.enabled) continue;
-    field.m_regionInferences.push_back(engine->evaluate(region.inputs));
+    field.m_regionInferences.push_back(field.m_engine->evaluate(region.inputs));
     const LogParameters logs = field.logsOf(field.m_regionInferences.back());
     field.m_regions.push_back(
       {RegionShape(region), logs, field.fromLogs(logs, kAllParameters), static_cast<int>(i)});
@@ -165,23 +166,33 @@ TissueParameters TissueField::at(const Eigen::Vector3d& point) const noexcept
   return plain(blend);
 }
 
-Explanation TissueField::explain(const Eigen::Vector3d& point) const
+std::vector<TissueLayer> TissueField::layersAt(const Eigen::Vector3d& point) const
 {
-  Explanation explanation;
-  explanation.parameters = at(point);
-  // A later region leaves 1 - weight to all that lies below it.
-  std::vector<double> shares = {1.0};
-  for (const CompiledRegion& region : m_regions) {
-    const double weight = region.shape.weight(point);
-    for (double& share : shares) share *= 1.0 - weight;
-    shares.push_back(weight);
+  std::vector<TissueLayer> layers = {{-1, 1.0, 1.0, m_baseLogs, m_baseInference}};
+  for (std::size_t i = 0; i < m_regions.size(); ++i) {
+    const double weight = m_regions[i].shape.weight(point);
+    if (weight == 0.0) continue;
+    if (weight == 1.0) layers.clear(); // all below is hidden
+    for (TissueLayer& layer : layers) layer.share *= 1.0 - weight;
+    layers.push_back({m_regions[i].index, weight, weight, m_regions[i].logs, m_regionInferences[i]});
   }
-  for (std::size_t i = 0; i < shares.size(); ++i) {
-    if (!(shares[i] > 0.0)) continue;
-    explanation.shares.push_back({i == 0 ? -1 : m_regions[i - 1].index, shares[i]});
-    explanation.inferences.push_back(i == 0 ? m_baseInference : m_regionInferences[i - 1]);
-  }
-  return explanation;
+  return layers;
+}
+
+TissueLayer TissueField::layerOf(int region) const
+{
+  if (region < 0) return {-1, 1.0, 1.0, m_baseLogs, m_baseInference};
+  fuzzy::Inference inference = m_engine->evaluate(m_model.regions[static_cast<std::size_t>(region)].inputs);
+  const LogParameters logs = logsOf(inference);
+  return {region, 1.0, 1.0, logs, std::move(inference)};
+}
+
+TissueParameters TissueField::blended(const std::vector<TissueLayer>& layers) const noexcept
+{
+  TissueBlend blend = {layers.front().logs, TissueBlend::kMixed};
+  for (std::size_t i = 1; i < layers.size(); ++i)
+    blend.cover(TissueBlend::kMixed, layers[i].weight, layers[i].logs);
+  return plain(blend);
 }
 
 bool TissueField::allOutputsFromRules() const noexcept

@@ -9,6 +9,7 @@
 #include "core/tissue/region.h"
 #include "core/tissue/tissue_parameters.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -51,17 +52,6 @@ fuzzy::RuleBase defaultRules();
 /// defaultRules(), inputs at their defaults, no regions.
 TissueModel defaultTissue();
 
-/// Where a number came from, for "why?".
-struct RegionShare {
-  int region = -1;     ///< index; -1 is the base tissue
-  double weight = 0.0; ///< [0, 1]; the shares of one place sum to 1
-};
-struct Explanation {
-  TissueParameters parameters;              ///< blended
-  std::vector<RegionShare> shares;          ///< those with weight > 0, base first
-  std::vector<fuzzy::Inference> inferences; ///< one per share
-};
-
 /// Tissue of one place before it is made plain numbers.
 struct TissueBlend {
   LogParameters logs;
@@ -79,6 +69,15 @@ struct TissueBlend {
   }
 };
 
+/// What lies at a place, for "why?": the base tissue at the bottom, then the regions over it.
+struct TissueLayer {
+  int region = -1;     ///< into TissueModel::regions; -1 is the base tissue
+  double weight = 1.0; ///< (0, 1], of the region's shape; what it leaves goes to those below
+  double share = 1.0;  ///< [0, 1] of the blend; the shares of one place sum to 1
+  LogParameters logs;
+  fuzzy::Inference inference;
+};
+
 /// A TissueModel compiled: one inference per region, then cheap per place. Any thread.
 class TissueField {
 public:
@@ -88,9 +87,8 @@ public:
   /// Parameters at a place: base tissue, then each enabled region in order blends log-parameters by its
   /// weight.
   TissueParameters at(const Eigen::Vector3d& point) const noexcept;
-  Explanation explain(const Eigen::Vector3d& point) const;
   const TissueParameters& base() const noexcept { return m_base; }
-  bool allOutputsFromRules() const noexcept; ///< false: some output took its default, see explain()
+  bool allOutputsFromRules() const noexcept; ///< false: some output took its default, see layersAt()
 
   // === The same in pieces, for those who remember weights (TissueDerivation)
   struct CompiledRegion {
@@ -105,12 +103,23 @@ public:
   /// @param wanted those that are not may stay at any value.
   TissueParameters plain(const TissueBlend& blend, unsigned wanted = kAllParameters) const noexcept;
 
+  // === The same as an account, for "why?" and "what if?" (explain.h)
+  std::vector<TissueLayer> layersAt(const Eigen::Vector3d& point) const; ///< those with a share, bottom first
+  /// @param region -1 for the base tissue, or one that may also be off: its tissue alone.
+  TissueLayer layerOf(int region) const;
+  /// The layers' blend: at(point) for layersAt(point), bit for bit.
+  TissueParameters blended(const std::vector<TissueLayer>& layers) const noexcept;
+  LogParameters logsOf(const fuzzy::Inference& inference) const;
+  const fuzzy::Engine& engine() const noexcept { return *m_engine; }
+  /// Place among RuleBase::outputs of kTissueOutputs[parameter]; -1: the rules do not speak of it.
+  int outputOf(int parameter) const noexcept { return m_output[static_cast<std::size_t>(parameter)]; }
+
 private:
   TissueField() = default;
-  LogParameters logsOf(const fuzzy::Inference& inference) const;
   TissueParameters fromLogs(const LogParameters& logs, unsigned wanted) const noexcept;
 
   TissueModel m_model;
+  std::optional<fuzzy::Engine> m_engine;        ///< there once created
   std::array<int, kTissueOutputCount> m_output; ///< place among RuleBase::outputs, -1: not there
   TissueParameters m_constant;                  ///< of those outputs that are not there
   fuzzy::Inference m_baseInference;

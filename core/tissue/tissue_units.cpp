@@ -80,10 +80,20 @@ Deflection deflectionUnder1N(const TissueParameters& tissue) noexcept
   return {depth, depth <= kProbeRadius};
 }
 
-std::string shownValue(double value, double TissueParameters::*parameter, Language language)
+ShownUnit shownUnit(double TissueParameters::*parameter) noexcept
 {
   const Shown& how = shown(parameter);
-  return withUnit(threeDigits(value / how.perUnit, language), how.unit);
+  return {how.perUnit, how.unit};
+}
+
+std::string shownNumber(double value, const ShownUnit& unit, Language language)
+{
+  return withUnit(threeDigits(value / unit.perUnit, language), unit.unit);
+}
+
+std::string shownValue(double value, double TissueParameters::*parameter, Language language)
+{
+  return shownNumber(value, shownUnit(parameter), language);
 }
 
 std::string shownDeflection(const Deflection& deflection, Language language)

@@ -36,6 +36,15 @@ struct Deflection {
 /// stiffening and not shifting as a whole; a thin wall over a cavity gives way further.
 Deflection deflectionUnder1N(const TissueParameters& tissue) noexcept;
 
+/// The unit in which physicians read a parameter.
+struct ShownUnit {
+  double perUnit = 1.0; ///< SI units in one
+  const char* unit = "";
+};
+ShownUnit shownUnit(double TissueParameters::*parameter) noexcept;
+/// Three significant digits without exponent, an unbreakable space before the unit: "31.6 kPa".
+std::string shownNumber(double value, const ShownUnit& unit, Language language);
+
 /// A parameter as it is shown: "31.6 kPa" / "31,6 kPa", "1.05 g/cm³", "1.9 ms", "55 %", "0.1 kPa/mm". Three
 /// significant digits, an unbreakable space before the unit, decimal comma in German.
 std::string shownValue(double value, double TissueParameters::*parameter, Language language);

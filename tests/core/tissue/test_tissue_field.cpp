@@ -112,19 +112,21 @@ TEST(TissueField, ExplainsWhereANumberComesFrom)
   const TissueField field = fieldOf(model);
   const Eigen::Vector3d place(0.0085, 0.0, 0.004);
   model.regions[2].ellipsoid.centre[0] = 0.017;
-  const Explanation why = fieldOf(model).explain(place);
-  ASSERT_EQ(why.shares.size(), 3U);
-  EXPECT_EQ(why.shares[0].region, -1);
-  EXPECT_EQ(why.shares[1].region, 0);
-  EXPECT_EQ(why.shares[2].region, 2);
+  const TissueField moved = fieldOf(model);
+  const std::vector<TissueLayer> layers = moved.layersAt(place);
+  ASSERT_EQ(layers.size(), 3U);
+  EXPECT_EQ(layers[0].region, -1);
+  EXPECT_EQ(layers[1].region, 0);
+  EXPECT_EQ(layers[2].region, 2);
   double sum = 0.0, logarithm = 0.0;
-  for (std::size_t i = 0; i < why.shares.size(); ++i) {
-    sum += why.shares[i].weight;
-    logarithm += why.shares[i].weight * std::log10(why.inferences[i].outputs[0].value);
+  for (const TissueLayer& layer : layers) {
+    sum += layer.share;
+    logarithm += layer.share * std::log10(layer.inference.outputs[0].value);
   }
   EXPECT_NEAR(sum, 1.0, 1e-14);
-  EXPECT_NEAR(std::pow(10.0, logarithm) / why.parameters.youngsModulus, 1.0, 1e-12);
-  EXPECT_EQ(field.explain({1, 0, 0}).shares.size(), 1U);
+  EXPECT_NEAR(std::pow(10.0, logarithm) / moved.at(place).youngsModulus, 1.0, 1e-12);
+  EXPECT_EQ(moved.blended(layers).youngsModulus, moved.at(place).youngsModulus);
+  EXPECT_EQ(field.layersAt({1, 0, 0}).size(), 1U);
 }
 
 TEST(TissueField, SaysWhetherRulesGaveEveryOutput)

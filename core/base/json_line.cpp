@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "cli/json_line.h"
+#include "core/base/json_line.h"
 
 #include "core/base/text_number.h"
 
 #include <cmath>
 
-namespace esm::cli {
+namespace esm {
 
 void JsonLine::member(std::string_view key, const std::string& json)
 {
@@ -54,4 +54,4 @@ void JsonLine::add(std::string_view key, const std::vector<JsonLine>& objects)
   member(key, "[" + list + "]");
 }
 
-} // namespace esm::cli
+} // namespace esm

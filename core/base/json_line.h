@@ -9,7 +9,7 @@
 #include <string_view>
 #include <vector>
 
-namespace esm::cli {
+namespace esm {
 
 /// Builds the one JSON object that a command prints as its last line. Numbers in their shortest exact form,
 /// whatever the locale; what is not finite becomes null.
@@ -35,4 +35,4 @@ private:
   std::string m_members;
 };
 
-} // namespace esm::cli
+} // namespace esm

@@ -1,0 +1,300 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/tissue/explain.h"
+
+#include "core/base/assert.h"
+#include "core/fuzzy/fis/evaluator.h"
+#include "core/tissue/tissue_units.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+// clang-format off
+//                                     E tau anchoring density stiffening rupture K/mu
+constexpr std::array<std::int8_t, 7>  kE{1, 0, 0, 0, 0, 0, 0}, kTauE{1, 1, 0, 0, 0, 0, 0}, kDensity{0, 0, 0, 1, 0, 0, 0},
+  kAnchoring{0, 0, 1, 0, 0, 0, 0}, kTauAnchoring{0, 1, 1, 0, 0, 0, 0}, kStiffening{0, 0, 0, 0, 1, 0, 0},
+  kStiffening2{0, 0, 0, 0, 2, 0, 0}, kNone{};
+// clang-format on
+
+const ExplainedKind kEdgeStiffness{"stiffness", "N/m", "E h A / L^2", {"stiffness", "Steifigkeit"}, 1.0,
+                                   "N/m",       kE};
+const ExplainedKind kLineStiffness{"stiffness", "N/m", "E a / L", {"stiffness", "Steifigkeit"},
+                                   1.0,         "N/m", kE};
+const ExplainedKind kViscosity{"viscosity", "N s/m",  "tau k", {"viscosity", "Viskosität"},
+                               1e-3,        "mN s/m", kTauE};
+const ExplainedKind kLawB{
+  "law_parameter", "", "b", {"parameter of the force law", "Parameter des Kraftgesetzes"}, 1.0, "",
+  kStiffening};
+const ExplainedKind kLawCubic{
+  "law_parameter", "", "b^2 / 6", {"parameter of the force law", "Parameter des Kraftgesetzes"}, 1.0, "",
+  kStiffening2};
+const ExplainedKind kSurfaceMass{"mass", "kg", "density h A", {"mass", "Masse"}, 1e-6, "mg", kDensity};
+const ExplainedKind kLineMass{"mass", "kg", "sum of density a L / 2 over its lines", {"mass", "Masse"}, 1e-6,
+                              "mg",   kNone};
+const ExplainedKind kAnchor{
+  "anchor_stiffness", "N/m", "anchoring A", {"stiffness of the anchor", "Steifigkeit des Ankers"}, 1.0, "N/m",
+  kAnchoring};
+const ExplainedKind kAnchorViscosity{"anchor_viscosity",
+                                     "N s/m",
+                                     "tau anchoring A",
+                                     {"viscosity of the anchor", "Viskosität des Ankers"},
+                                     1e-3,
+                                     "mN s/m",
+                                     kTauAnchoring};
+
+/// The tissue's parameters as kinds, in the order of kTissueOutputs.
+const std::array<ExplainedKind, kTissueOutputCount>& parameterKinds()
+{
+  static const std::array<ExplainedKind, kTissueOutputCount> kinds = [] {
+    constexpr const char *kUnit[] = {"Pa", "s", "Pa/m", "kg/m^3", "", "", ""},
+                         *kSymbol[] = {"E", "tau", "anchoring", "density", "b", "", "K/mu"};
+    std::array<ExplainedKind, kTissueOutputCount> made{};
+    for (std::size_t i = 0; i < made.size(); ++i) {
+      const auto parameter = kTissueOutputs[i].value;
+      const ShownUnit shown = shownUnit(parameter);
+      made[i] = {kTissueOutputs[i].id,
+                 kUnit[i],
+                 kSymbol[i],
+                 {shownName(parameter, Language::English), shownName(parameter, Language::German)},
+                 shown.perUnit,
+                 shown.unit,
+                 {}};
+      made[i].powers[i] = 1;
+    }
+    return made;
+  }();
+  return kinds;
+}
+
+void addParameters(const TissueParameters& tissue, TissueExplanation& why)
+{
+  for (std::size_t i = 0; i < kTissueOutputs.size(); ++i) {
+    const double value = tissue.*kTissueOutputs[i].value;
+    why.parameters.push_back({&parameterKinds()[i], value, value});
+  }
+}
+
+/// The parameters that the explanation is about: those of the thing's numbers, of tissue alone all; and
+/// Young's modulus, which everybody asks for.
+std::array<bool, kTissueOutputCount> parametersOf(const TissueExplanation& why)
+{
+  std::array<bool, kTissueOutputCount> wanted{};
+  wanted.fill(why.thing.kind == ExplainedThing::Kind::Tissue);
+  wanted[0] = true;
+  if (!why.isOnSurface) wanted[3] = true; // its lines' mass asks for density
+  for (const ExplainedValue& value : why.values)
+    for (std::size_t i = 0; i < wanted.size(); ++i) wanted[i] |= value.kind->powers[i] != 0;
+  return wanted;
+}
+
+bool concludes(const fuzzy::Rule& rule, const std::string& output)
+{
+  return std::any_of(rule.consequents.begin(), rule.consequents.end(),
+                     [&](const fuzzy::Proposition& consequent) { return consequent.variable == output; });
+}
+
+std::vector<int> inputsOf(const fuzzy::Rule& rule, const fuzzy::RuleBase& rules)
+{
+  std::vector<int> inputs;
+  for (std::size_t i = 0; i < rules.inputs.size(); ++i)
+    if (std::any_of(rule.condition.nodes.begin(), rule.condition.nodes.end(), [&](const auto& node) {
+          return node.kind == fuzzy::Condition::Kind::Proposition &&
+                 node.proposition.variable == rules.inputs[i].id;
+        }))
+      inputs.push_back(static_cast<int>(i));
+  return inputs;
+}
+
+/// The output's value by the rules that fired for it, less one. Only these are compiled again: the others add
+/// nothing to the set.
+double valueWithout(int omitted, const std::vector<RuleReason>& fired, const fuzzy::RuleBase& rules,
+                    const fuzzy::Variable& output, const std::vector<fuzzy::InputValue>& inputs)
+{
+  fuzzy::RuleBase small{rules.inputs, {output}, {}};
+  for (const RuleReason& reason : fired) {
+    if (reason.rule == omitted) continue;
+    small.rules.push_back(rules.rules[static_cast<std::size_t>(reason.rule)]);
+    std::erase_if(small.rules.back().consequents,
+                  [&](const fuzzy::Proposition& consequent) { return consequent.variable != output.id; });
+  }
+  if (small.rules.empty()) return output.defaultValue;
+  const auto engine = fuzzy::Engine::create(std::move(small));
+  return engine ? engine->evaluate(inputs).outputs[0].value : output.defaultValue;
+}
+
+OutputReason outputReason(const TissueField& field, int parameter, const LayerReason& layer)
+{
+  const fuzzy::RuleBase& rules = field.engine().ruleBase();
+  OutputReason reason;
+  reason.parameter = parameter;
+  reason.output = field.outputOf(parameter);
+  const fuzzy::Variable& output = rules.outputs[static_cast<std::size_t>(reason.output)];
+  const fuzzy::OutputValue& value = layer.layer.inference.outputs[static_cast<std::size_t>(reason.output)];
+  reason.value = value.value;
+  reason.fromRules = value.fromRules;
+  for (const fuzzy::RuleFiring& firing : layer.layer.inference.firings) {
+    const fuzzy::Rule& rule = rules.rules[static_cast<std::size_t>(firing.rule)];
+    if (value.fromRules && firing.degree >= fis::Evaluator::kLeastDegree && concludes(rule, output.id))
+      reason.rules.push_back({firing.rule, firing.degree, 0.0, inputsOf(rule, rules)});
+  }
+  for (RuleReason& rule : reason.rules)
+    rule.without = valueWithout(rule.rule, reason.rules, rules, output, layer.inputs);
+  std::stable_sort(reason.rules.begin(), reason.rules.end(),
+                   [](const RuleReason& a, const RuleReason& b) { return a.degree > b.degree; });
+  return reason;
+}
+
+void addLayers(const TissueField& field, std::vector<TissueLayer> layers, TissueExplanation& why)
+{
+  const auto wanted = parametersOf(why);
+  for (TissueLayer& layer : layers) {
+    LayerReason reason;
+    if (layer.region < 0) {
+      reason.inputs = field.model().inputs;
+    } else {
+      const Region& region = field.model().regions[static_cast<std::size_t>(layer.region)];
+      reason.name = region.name;
+      reason.locked = region.locked;
+      reason.inputs = region.inputs;
+    }
+    reason.layer = std::move(layer);
+    for (int i = 0; i < kTissueOutputCount; ++i)
+      if (wanted[static_cast<std::size_t>(i)] && field.outputOf(i) >= 0)
+        reason.outputs.push_back(outputReason(field, i, reason));
+    why.layers.push_back(std::move(reason));
+  }
+}
+
+ExplainedGeometry length(const char* id, const char* symbol, const char* english, const char* german,
+                         double value)
+{
+  return {id, symbol, "m", {english, german}, value, 1e-3, "mm"};
+}
+
+ExplainedGeometry area(const char* id, const char* symbol, const char* english, const char* german,
+                       double value)
+{
+  return {id, symbol, "m^2", {english, german}, value, 1e-6, "mm²"};
+}
+
+double anchorOf(const SpringNet& net, Index node, const Eigen::ArrayXd& numbers)
+{
+  double sum = 0.0;
+  for (Index anchor = 0; anchor < net.anchors.count(); ++anchor)
+    if (net.anchors.node[static_cast<std::size_t>(anchor)] == node) sum += numbers[anchor];
+  return sum;
+}
+
+} // namespace
+
+const ExplainedValue& TissueExplanation::main() const noexcept
+{
+  return thing.kind == ExplainedThing::Kind::Spring ? values.front() : parameters.front();
+}
+
+const ExplainedValue* TissueExplanation::find(std::string_view kindId) const noexcept
+{
+  for (const auto* list : {&values, &parameters}) // a spring's own viscosity before the tissue's
+    for (const ExplainedValue& value : *list)
+      if (kindId == value.kind->id) return &value;
+  return nullptr;
+}
+
+void TissueExplainer::explainSpring(const TissueField& field, const SpringNet& net,
+                                    TissueExplanation& why) const
+{
+  const Index s = why.thing.index;
+  const auto place = static_cast<std::size_t>(s);
+  const TissueModel& model = field.model();
+  const SpringGeometry geometry = m_places.springGeometry(s, model.thickness, net);
+  const bool cubic = cubicFromStiffening(model), isEdge = net.kind[place] == SpringKind::Edge;
+  const SpringNumbers numbers = springNumbers(field.at(why.place), geometry.perModulus, cubic);
+  why.id = static_cast<Index>(net.springId[place]);
+  for (int end = 0; end < 2; ++end)
+    why.nodes.push_back(static_cast<Index>(net.nodeId[static_cast<std::size_t>(net.ends(end, s))]));
+  why.values.push_back({isEdge ? &kEdgeStiffness : &kLineStiffness, net.stiffness[s], numbers.stiffness});
+  why.values.push_back({&kViscosity, net.viscosity[s], numbers.viscosity});
+  why.values.push_back({cubic ? &kLawCubic : &kLawB, net.lawParameter[s], numbers.lawParameter});
+  if (isEdge) {
+    why.geometry.push_back(area("area", "A", "area", "Fläche", geometry.area));
+    why.geometry.push_back(length("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
+  } else {
+    why.geometry.push_back(area("section", "a", "section", "Querschnitt", geometry.area));
+  }
+  why.geometry.push_back(length("length", "L", "length", "Länge", net.restLength[s]));
+}
+
+/// Of a node off the surface: half of each of its lines; as of nodes to which nothing belongs, whatever
+/// applyTissue() makes of them beside the others.
+double TissueExplainer::massOff(const TissueField& field, const SpringNet& net, Index node) const
+{
+  double mass = 0.0;
+  const auto i = static_cast<std::size_t>(m_places.looseOfNode[static_cast<std::size_t>(node)]);
+  for (const Index s : m_places.looseSprings[i])
+    mass +=
+      halfMassOfLine(field.at(m_places.point.col(s)).density,
+                     m_places.springGeometry(s, field.model().thickness, net).section, net.restLength[s]);
+  if (mass > 0.0) return mass;
+  SpringNet copy = net;
+  const auto applied = applyTissue(field.model(), copy);
+  return applied ? copy.mass[node] : 0.0;
+}
+
+void TissueExplainer::explainNode(const TissueField& field, const SpringNet& net,
+                                  TissueExplanation& why) const
+{
+  const Index node = why.thing.index;
+  const auto place = static_cast<std::size_t>(node);
+  const TissueModel& model = field.model();
+  const TissueParameters tissue = field.at(why.place);
+  const double dualArea = m_places.dualArea[node];
+  why.id = static_cast<Index>(net.nodeId[place]);
+  why.isFixed = net.fixed[place] != 0;
+  why.isOnSurface = dualArea > 0.0;
+  if (!why.isOnSurface) {
+    why.values.push_back({&kLineMass, net.mass[node], massOff(field, net, node)});
+    return;
+  }
+  why.values.push_back({&kSurfaceMass, net.mass[node], massOfSurface(tissue, model.thickness, dualArea)});
+  const AnchorNumbers anchor = anchorNumbers(tissue, dualArea);
+  why.values.push_back({&kAnchor, anchorOf(net, node, net.anchors.stiffness), anchor.stiffness});
+  why.values.push_back({&kAnchorViscosity, anchorOf(net, node, net.anchors.viscosity), anchor.viscosity});
+  why.geometry.push_back(area("area", "A", "area", "Fläche", dualArea));
+  why.geometry.push_back(length("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
+}
+
+TissueExplanation TissueExplainer::explain(const TissueField& field, const SpringNet& net,
+                                           ExplainedThing thing, bool followsTissue) const
+{
+  if (thing.kind == ExplainedThing::Kind::Tissue) return explainTissue(field, thing.index);
+  ESM_ASSERT(net.springCount() == m_places.springs && net.nodeCount() == m_places.nodes);
+  const bool isSpring = thing.kind == ExplainedThing::Kind::Spring;
+  TissueExplanation why;
+  why.thing = thing;
+  why.followsTissue = followsTissue;
+  why.place = m_places.point.col(isSpring ? thing.index : m_places.springs + thing.index);
+  if (isSpring)
+    explainSpring(field, net, why);
+  else
+    explainNode(field, net, why);
+  std::vector<TissueLayer> layers = field.layersAt(why.place);
+  addParameters(field.blended(layers), why);
+  addLayers(field, std::move(layers), why);
+  return why;
+}
+
+TissueExplanation explainTissue(const TissueField& field, int region)
+{
+  TissueExplanation why;
+  why.thing = {ExplainedThing::Kind::Tissue, region};
+  std::vector<TissueLayer> layers = {field.layerOf(region)};
+  addParameters(field.blended(layers), why);
+  addLayers(field, std::move(layers), why);
+  return why;
+}
+
+} // namespace esm

@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/tissue/explain.h"
+
+#include "core/base/text_number.h"
+#include "core/fuzzy/axis.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+constexpr int kGrid = 64;               ///< steps of the range between which a way is looked for
+constexpr double kNoEffect = 1e-9;      ///< an input that moves ln(number) less has none
+constexpr double kReached = 0.00995;    ///< ln(1.01)
+constexpr double kGoodEnough = 0.00199; ///< ln(1.002): digits are dropped as long as this holds
+
+/// How one number of an explanation answers other inputs of one layer, everything else as it is.
+class WhatIf {
+public:
+  WhatIf(const TissueField& field, const TissueExplanation& why, const ExplainedValue& value)
+    : m_field(field), m_why(why), m_powers(value.kind->powers)
+  {
+    for (const LayerReason& reason : why.layers) m_layers.push_back(reason.layer);
+    m_now = logOf(field.blended(m_layers));
+  }
+  bool isNumber() const noexcept { return std::isfinite(m_now); }
+
+  /// ln(number then / number now); -infinity where it becomes 0.
+  double logFactor(std::size_t layer, int input, double to)
+  {
+    std::vector<fuzzy::InputValue> inputs = m_why.layers[layer].inputs;
+    inputs[static_cast<std::size_t>(input)] = to;
+    std::swap(m_layers[layer].logs, m_other);
+    m_layers[layer].logs = m_field.logsOf(m_field.engine().evaluate(inputs));
+    const double then = logOf(m_field.blended(m_layers));
+    std::swap(m_layers[layer].logs, m_other);
+    return then - m_now;
+  }
+
+  /// d ln(number)/d(input), by the engine's exact derivatives: the blend is linear in logarithms.
+  double slope(std::size_t layer, int input) const
+  {
+    const LayerReason& reason = m_why.layers[layer];
+    double sum = 0.0;
+    for (const OutputReason& output : reason.outputs) {
+      const auto power = m_powers[static_cast<std::size_t>(output.parameter)];
+      if (power == 0 || !(output.value > 0.0)) continue;
+      const auto slopes = m_field.engine().slopes(reason.inputs, output.output);
+      sum += power * slopes[static_cast<std::size_t>(input)] / output.value;
+    }
+    return reason.layer.share * sum;
+  }
+
+  /// Whether any rule of an output that counts speaks of the input.
+  bool mayMatter(int input) const
+  {
+    const fuzzy::RuleBase& rules = m_field.engine().ruleBase();
+    const std::string& id = rules.inputs[static_cast<std::size_t>(input)].id;
+    return std::any_of(rules.rules.begin(), rules.rules.end(), [&](const fuzzy::Rule& rule) {
+      return rule.enabled && concludesWhatCounts(rule) &&
+             std::any_of(rule.condition.nodes.begin(), rule.condition.nodes.end(),
+                         [&](const auto& node) { return node.proposition.variable == id; });
+    });
+  }
+
+private:
+  bool concludesWhatCounts(const fuzzy::Rule& rule) const
+  {
+    return std::any_of(rule.consequents.begin(), rule.consequents.end(), [&](const auto& consequent) {
+      for (std::size_t i = 0; i < m_powers.size(); ++i)
+        if (m_powers[i] != 0 && consequent.variable == kTissueOutputs[i].id) return true;
+      return false;
+    });
+  }
+  double logOf(const TissueParameters& tissue) const
+  {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < m_powers.size(); ++i)
+      if (m_powers[i] != 0) sum += m_powers[i] * std::log(tissue.*kTissueOutputs[i].value);
+    return sum;
+  }
+
+  const TissueField& m_field;
+  const TissueExplanation& m_why;
+  const std::array<std::int8_t, kTissueOutputCount>& m_powers;
+  std::vector<TissueLayer> m_layers;
+  LogParameters m_other;
+  double m_now = 0.0;
+};
+
+/// One input of one layer on its axis, and how far the number is from the wanted one there.
+class Search {
+public:
+  Search(WhatIf& whatIf, const fuzzy::Variable& variable, std::size_t layer, int input, double wanted)
+    : m_whatIf(whatIf), m_variable(variable), m_layer(layer), m_input(input), m_wanted(wanted)
+  {}
+
+  /// @param start on the axis. @return the plain value next to it that does it, or the one that comes
+  /// nearest.
+  double find(double start)
+  {
+    const fuzzy::Axis axis = axisOf(m_variable);
+    std::vector<double> places = {start};
+    for (int i = 0; i <= kGrid; ++i) places.push_back(axis.low + (axis.high - axis.low) * i / kGrid);
+    std::sort(places.begin(), places.end());
+    std::vector<double> misses;
+    for (const double place : places) misses.push_back(missAt(place));
+    double best = start, least = std::abs(missAt(start)), nearest = 2.0 * (axis.high - axis.low) + 1.0;
+    for (std::size_t i = 0; i < places.size(); ++i)
+      if (std::abs(misses[i]) < least) {
+        least = std::abs(misses[i]);
+        best = places[i];
+      }
+    for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+      if ((misses[i] < 0.0) == (misses[i + 1] < 0.0)) continue;
+      const double crossing = bisect(places[i], places[i + 1], misses[i] < 0.0);
+      if (std::abs(missAt(crossing)) > kReached || std::abs(crossing - start) >= nearest) continue;
+      nearest = std::abs(crossing - start);
+      best = crossing;
+    }
+    return withFewDigits(fromAxis(m_variable, best));
+  }
+  /// The most that the number moves over the range, as found by find().
+  double range() const noexcept { return m_high - m_low; }
+  double logFactor(double value) { return m_whatIf.logFactor(m_layer, m_input, value); }
+
+private:
+  /// ln(number / wanted number).
+  double missAt(double place)
+  {
+    const double log = logFactor(fromAxis(m_variable, place));
+    m_low = std::min(m_low, log);
+    m_high = std::max(m_high, log);
+    return log - m_wanted;
+  }
+  double bisect(double low, double high, bool lowIsBelow)
+  {
+    for (int i = 0; i < 60 && low < high; ++i) {
+      const double middle = 0.5 * (low + high);
+      if (middle <= low || middle >= high) break;
+      ((missAt(middle) < 0.0) == lowIsBelow ? low : high) = middle;
+    }
+    return std::abs(missAt(low)) < std::abs(missAt(high)) ? low : high;
+  }
+  /// 0.48 rather than 0.4793412: what is read is what is set.
+  double withFewDigits(double value)
+  {
+    const double exact = logFactor(value);
+    for (int digits = 1; digits < 6; ++digits) {
+      const double few = *parseDouble(formatDouble(value, digits));
+      if (few < m_variable.minimum || few > m_variable.maximum) continue;
+      if (std::abs(logFactor(few) - exact) <= kGoodEnough) return few;
+    }
+    return value;
+  }
+
+  WhatIf& m_whatIf;
+  const fuzzy::Variable& m_variable;
+  std::size_t m_layer;
+  int m_input;
+  double m_wanted;
+  double m_low = 0.0, m_high = 0.0;
+};
+
+/// Where a word is wholly true, on the axis: the middle of those places.
+double middleOf(const fuzzy::Word& word, const fuzzy::Variable& variable)
+{
+  const auto term = std::find_if(variable.terms.begin(), variable.terms.end(),
+                                 [&](const fuzzy::Term& candidate) { return candidate.id == word.term; });
+  const fuzzy::Axis axis = axisOf(variable);
+  double highest = -1.0, first = axis.low, last = axis.high;
+  for (int i = 0; i <= kGrid && term != variable.terms.end(); ++i) {
+    const double x = axis.low + (axis.high - axis.low) * i / kGrid;
+    const double degree = applyHedges(word.hedges, membership(*term, x));
+    if (degree > highest) {
+      highest = degree;
+      first = x;
+    }
+    if (degree == highest) last = x;
+  }
+  return 0.5 * (first + last);
+}
+
+} // namespace
+
+std::vector<InputChange> changesFor(const TissueField& field, const TissueExplanation& why,
+                                    const ExplainedValue& value, double factor)
+{
+  std::vector<InputChange> changes;
+  std::vector<double> efforts; ///< of each: how far the slider goes, as a share of its range
+  WhatIf whatIf(field, why, value);
+  if (!whatIf.isNumber() || !(factor > 0.0) || !std::isfinite(factor)) return changes;
+  for (std::size_t layer = 0; layer < why.layers.size(); ++layer) {
+    const LayerReason& reason = why.layers[layer];
+    if (!(reason.layer.share > 0.0)) continue;
+    for (int input = 0; input < static_cast<int>(reason.inputs.size()); ++input) {
+      if (!whatIf.mayMatter(input)) continue;
+      const auto place = static_cast<std::size_t>(input);
+      const fuzzy::Variable& variable = field.engine().ruleBase().inputs[place];
+      const fuzzy::InputValue& from = reason.inputs[place];
+      const double* number = std::get_if<double>(&from);
+      const double start =
+        number ? toAxis(variable, *number) : middleOf(std::get<fuzzy::Word>(from), variable);
+      Search search(whatIf, variable, layer, input, std::log(factor));
+      InputChange change;
+      change.to = search.find(start);
+      if (search.range() < kNoEffect) continue;
+      const double log = search.logFactor(change.to);
+      change.region = reason.layer.region;
+      change.input = input;
+      change.from = from;
+      change.factor = std::exp(log);
+      change.reached = std::abs(log - std::log(factor)) <= kReached;
+      if (number && *number > variable.minimum && *number < variable.maximum)
+        change.slope = whatIf.slope(layer, input);
+      change.locked = reason.locked;
+      const fuzzy::Axis axis = axisOf(variable);
+      efforts.push_back(change.reached
+                          ? std::abs(toAxis(variable, change.to) - start) / (axis.high - axis.low)
+                          : 1.0 + std::abs(log - std::log(factor)));
+      changes.push_back(std::move(change));
+    }
+  }
+  std::vector<std::size_t> order(changes.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return efforts[a] < efforts[b]; });
+  std::vector<InputChange> sorted;
+  for (const std::size_t i : order) sorted.push_back(std::move(changes[i]));
+  return sorted;
+}
+
+} // namespace esm
