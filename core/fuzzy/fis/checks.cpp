@@ -3,7 +3,7 @@
 #include "core/fuzzy/fis/checks.h"
 
 #include "core/base/text_number.h"
-#include "core/fuzzy/fis/evaluator.h"
+#include "core/fuzzy/fis/coverage.h"
 
 #include <algorithm>
 #include <array>
@@ -20,55 +20,6 @@ std::string ruleName(const System& system, RulePlace place)
   const RuleBlock& block = system.blocks[static_cast<std::size_t>(place.block)];
   return "rule " + std::to_string(place.rule + 1) +
          (system.blocks.size() > 1 ? " of block '" + block.name + "'" : "");
-}
-
-Curve curveOf(const Term& term)
-{
-  return {term.shape, term.parameters, term.height, nullptr, {}};
-}
-
-/// A finite stretch of a variable's axis: its range, or where its terms bend.
-struct Stretch {
-  double low = 0.0, high = 1.0;
-};
-template <class Variable>
-Stretch stretchOf(const Variable& variable)
-{
-  double low = HUGE_VAL, high = -HUGE_VAL;
-  for (const Term& term : variable.terms)
-    forEachCorner(curveOf(term), [&](const Corner& corner) {
-      low = std::min(low, corner.x), high = std::max(high, corner.x);
-    });
-  if (!(low < high)) low = low < HUGE_VAL ? low - 1.0 : 0.0, high = low + 2.0;
-  return {std::isfinite(variable.minimum) ? variable.minimum : low,
-          std::isfinite(variable.maximum) ? variable.maximum : high};
-}
-
-/// Places at which to try an input: ends, corners of its terms and the middles between.
-std::vector<double> triesOf(const InputVariable& input)
-{
-  const Stretch stretch = stretchOf(input);
-  std::set<double> places = {stretch.low, stretch.high};
-  for (const Term& term : input.terms)
-    forEachCorner(curveOf(term), [&](const Corner& corner) {
-      if (corner.x > stretch.low && corner.x < stretch.high && places.size() < 200) places.insert(corner.x);
-    });
-  std::vector<double> tries;
-  for (const double place : places) {
-    if (!tries.empty()) tries.push_back(0.5 * (tries.back() + place));
-    tries.push_back(place);
-  }
-  return tries;
-}
-
-double halton(int index, int base)
-{
-  double value = 0.0, share = 1.0;
-  for (; index > 0; index /= base) {
-    share /= base;
-    value += share * (index % base);
-  }
-  return value;
 }
 
 class Checker {
@@ -133,6 +84,7 @@ private:
     finding.variable = index;
     finding.term = static_cast<int>(a);
     finding.otherTerm = static_cast<int>(b);
+    finding.overlap = both / either;
   }
 
   /// The widest stretch where no term holds.
@@ -159,18 +111,9 @@ private:
                                                formatDouble(at(static_cast<double>(best)), 4) + " to " +
                                                formatDouble(at(static_cast<double>(bestEnd - 1)), 4));
     finding.variable = index;
-    finding.witness = middles();
+    finding.witness = middlesOf(m_system);
     finding.witness[static_cast<std::size_t>(index)] = middle;
-  }
-
-  std::vector<double> middles() const
-  {
-    std::vector<double> values;
-    for (const InputVariable& input : m_system.inputs) {
-      const Stretch stretch = stretchOf(input);
-      values.push_back(0.5 * (stretch.low + stretch.high));
-    }
-    return values;
+    finding.inputs = {index};
   }
 
   void checkTerms()
@@ -183,13 +126,13 @@ private:
 
   void checkOutputs()
   {
-    m_isSet.assign(m_system.outputs.size(), false);
+    std::vector<bool> isSet(m_system.outputs.size(), false);
     for (const RuleBlock& block : m_system.blocks)
       for (const Rule& rule : block.rules)
         for (const Proposition& consequent : rule.consequents)
-          if (block.enabled && rule.enabled) m_isSet[static_cast<std::size_t>(consequent.variable)] = true;
-    for (std::size_t i = 0; i < m_isSet.size(); ++i) {
-      if (m_isSet[i] || !m_system.outputs[i].enabled) continue;
+          if (block.enabled && rule.enabled) isSet[static_cast<std::size_t>(consequent.variable)] = true;
+    for (std::size_t i = 0; i < isSet.size(); ++i) {
+      if (isSet[i] || !m_system.outputs[i].enabled) continue;
       Finding& finding =
         add(FindingKind::OutputNeverSet, "no rule concludes on '" + m_system.outputs[i].name + "'");
       finding.onOutput = true;
@@ -311,107 +254,37 @@ private:
   {
     const auto evaluator = Evaluator::create(m_system, {Options::Area::Sampled, 1});
     if (!evaluator || m_system.inputs.empty()) return;
-    Workspace workspace = evaluator->makeWorkspace();
-    m_silent.assign(evaluator->ruleCount(), true);
-    m_uncovered.assign(m_system.outputs.size(), 0);
-    m_witness.assign(m_system.outputs.size(), {});
-    std::vector<std::vector<double>> tries;
-    double combinations = 1.0;
-    for (const InputVariable& input : m_system.inputs) {
-      tries.push_back(triesOf(input));
-      combinations *= static_cast<double>(tries.back().size());
-    }
-    if (combinations <= m_options.places)
-      tryAll(*evaluator, workspace, tries);
-    else
-      trySpread(*evaluator, workspace);
-    for (std::size_t o = 0; o < m_uncovered.size(); ++o) addUncovered(o);
+    const Coverage coverage = tryPlaces(*evaluator, m_options.places);
+    for (const Hole& hole : coverage.holes) addUncovered(hole);
     std::size_t flat = 0;
     for (std::size_t b = 0; b < m_system.blocks.size(); ++b)
       for (std::size_t r = 0; r < m_system.blocks[b].rules.size(); ++r, ++flat)
-        if (m_silent[flat])
-          checkSilent(*evaluator, workspace, tries, {static_cast<int>(b), static_cast<int>(r)}, flat);
+        if (coverage.silent[flat]) addSilent({static_cast<int>(b), static_cast<int>(r)});
   }
 
-  void tryPlace(const Evaluator& evaluator, Workspace& workspace, const std::vector<double>& place)
+  void addUncovered(const Hole& hole)
   {
-    workspace.restart();
-    evaluator.evaluate(place, workspace);
-    ++m_tried;
-    for (std::size_t r = 0; r < m_silent.size(); ++r)
-      if (workspace.degrees()[r] > Evaluator::kLeastDegree) m_silent[r] = false;
-    for (std::size_t o = 0; o < m_uncovered.size(); ++o) {
-      if (workspace.outputs()[o].origin != Origin::Default) continue;
-      if (m_uncovered[o]++ == 0) m_witness[o] = place;
-    }
-  }
-
-  void tryAll(const Evaluator& evaluator, Workspace& workspace, const std::vector<std::vector<double>>& tries)
-  {
-    std::vector<std::size_t> digit(tries.size(), 0);
-    std::vector<double> place(tries.size());
-    for (;;) {
-      for (std::size_t i = 0; i < tries.size(); ++i) place[i] = tries[i][digit[i]];
-      tryPlace(evaluator, workspace, place);
-      std::size_t i = 0;
-      while (i < digit.size() && ++digit[i] == tries[i].size()) digit[i++] = 0;
-      if (i == digit.size()) return;
-    }
-  }
-
-  void trySpread(const Evaluator& evaluator, Workspace& workspace)
-  {
-    constexpr std::array<int, 16> kBases = {2, 3, 5, 7, 11, 13, 17, 19, 23, 29, 31, 37, 41, 43, 47, 53};
-    std::vector<double> place(m_system.inputs.size());
-    for (int n = 1; n <= m_options.places; ++n) {
-      for (std::size_t i = 0; i < place.size(); ++i) {
-        const Stretch stretch = stretchOf(m_system.inputs[i]);
-        place[i] =
-          stretch.low + halton(n + static_cast<int>(i / kBases.size()) * 7919, kBases[i % kBases.size()]) *
-                          (stretch.high - stretch.low);
-      }
-      tryPlace(evaluator, workspace, place);
-    }
-  }
-
-  void addUncovered(std::size_t output)
-  {
-    if (m_uncovered[output] == 0 || !m_isSet[output]) return;
     std::string where;
-    for (std::size_t i = 0; i < m_system.inputs.size(); ++i)
-      where += (i == 0 ? "" : ", ") + m_system.inputs[i].name + " = " + formatDouble(m_witness[output][i], 4);
-    Finding& finding =
-      add(FindingKind::Uncovered, "no rule sets '" + m_system.outputs[output].name + "' at " + where +
-                                    " (and at " + formatDouble(100.0 * m_uncovered[output] / m_tried, 3) +
-                                    " per cent of the places tried)");
+    for (const int input : hole.inputs) {
+      const auto i = static_cast<std::size_t>(input);
+      where +=
+        (where.empty() ? " at " : ", ") + m_system.inputs[i].name + " = " + formatDouble(hole.place[i], 4);
+    }
+    Finding& finding = add(FindingKind::Uncovered,
+                           "no rule sets '" + m_system.outputs[static_cast<std::size_t>(hole.output)].name +
+                             "'" + (where.empty() ? " anywhere" : where) + " (in all at " +
+                             formatDouble(100.0 * hole.share, 3) + " per cent of the places tried)");
     finding.onOutput = true;
-    finding.variable = static_cast<int>(output);
-    finding.witness = m_witness[output];
+    finding.variable = hole.output;
+    finding.witness = hole.place;
+    finding.inputs = hole.inputs;
   }
 
-  /// Looks for a place that suits the rule, input by input.
-  void checkSilent(const Evaluator& evaluator, Workspace& workspace,
-                   const std::vector<std::vector<double>>& tries, RulePlace place, std::size_t flat)
+  void addSilent(RulePlace place)
   {
     const RuleBlock& block = m_system.blocks[static_cast<std::size_t>(place.block)];
     const Rule& rule = block.rules[static_cast<std::size_t>(place.rule)];
     if (!rule.enabled || !block.enabled) return;
-    for (int start = 0; start < 4; ++start) {
-      std::vector<double> values = middles();
-      for (std::size_t i = 0; i < values.size() && start > 0; ++i)
-        values[i] = tries[i][(static_cast<std::size_t>(start) * 7 + i * 3) % tries[i].size()];
-      for (int sweep = 0; sweep < 2; ++sweep)
-        for (std::size_t i = 0; i < values.size(); ++i) {
-          double bestValue = values[i], best = -1.0;
-          for (const double value : tries[i]) {
-            values[i] = value;
-            evaluator.evaluate(values, workspace);
-            if (workspace.degrees()[flat] > best) best = workspace.degrees()[flat], bestValue = value;
-          }
-          values[i] = bestValue;
-          if (best > Evaluator::kLeastDegree) return;
-        }
-    }
     Finding& finding =
       add(FindingKind::NeverFires, ruleName(m_system, place) + " fires nowhere: " + ruleText(m_system, rule));
     finding.rule = place;
@@ -420,11 +293,7 @@ private:
   const System& m_system;
   const CheckOptions& m_options;
   std::vector<Finding> m_findings;
-  std::vector<bool> m_isSet, m_silent;
   std::vector<Known> m_rules;
-  std::vector<int> m_uncovered;
-  std::vector<std::vector<double>> m_witness;
-  int m_tried = 0;
 };
 
 } // namespace

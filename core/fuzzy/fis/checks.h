@@ -35,18 +35,19 @@ struct Finding {
   RulePlace rule, otherRule;
   bool onOutput = false; ///< whose variable it is
   int variable = -1, term = -1, otherTerm = -1;
+  double overlap = 0.0;        ///< of two terms: area of the intersection by area of the union
   std::vector<double> witness; ///< one value per input, or empty
+  std::vector<int> inputs;     ///< those that the witness hangs on: the others may be anywhere
 };
 
 struct CheckOptions {
   double overlapLimit = 0.6; ///< area of the intersection by area of the union (Jaccard)
   double gapLimit = 0.05;    ///< the highest membership in a gap
-  int places = 20000;        ///< of input space that are tried
+  int places = 20000;        ///< of input space that are tried for one output, about
 };
 
-/// All findings, the same for the same system. Places are the corners and tops of the terms in all
-/// combinations where these are few, else spread evenly (Halton), and for rules that seemed silent the
-/// places that suit each of their conditions best.
+/// All findings, the same for the same system. Which places are tried: coverage.h. An output has up to four
+/// uncovered findings, one for each stretch of input space.
 /// @pre checkSystem(system)
 std::vector<Finding> checkRules(const System& system, const CheckOptions& options = {});
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/fuzzy/rule_findings.h"
 #include "core/fuzzy/rule_text.h"
 #include "core/tissue/tissue_model.h"
 
@@ -95,6 +96,27 @@ TEST_F(DefaultRules, CoverEveryInput)
       ASSERT_LE(result.outputs[o].value, rules.outputs[o].maximum);
     }
   }
+}
+
+// Nothing contradicts, repeats, hides or never fires, and the words neither gape nor overlap: the list of
+// problems of a new project is empty.
+TEST_F(DefaultRules, HaveNoOddities)
+{
+  for (const fuzzy::RuleFinding& finding : fuzzy::findOddities(rules))
+    ADD_FAILURE() << fis::nameOf(finding.kind) << " rule " << finding.rule + 1 << " variable "
+                  << finding.variable;
+}
+
+// Two rules of neighbouring words left out leave a hole between their peaks, and the list says where.
+TEST_F(DefaultRules, MissingRulesAreFound)
+{
+  rules.rules.erase(rules.rules.begin() + 3, rules.rules.begin() + 5); // hardness medium and firm
+  const auto findings = fuzzy::findOddities(rules);
+  ASSERT_EQ(findings.size(), 1U);
+  EXPECT_EQ(findings[0].kind, fis::FindingKind::Uncovered);
+  ASSERT_EQ(findings[0].place.size(), 1U);
+  EXPECT_EQ(findings[0].place[0].first, 0);
+  EXPECT_NEAR(findings[0].place[0].second, 3.5 / 6.0, 1e-12);
 }
 
 // Nor is there a word, plain or hedged, to which no rule answers.

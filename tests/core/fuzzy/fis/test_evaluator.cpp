@@ -191,11 +191,21 @@ TEST(Checks, WitnessesHold)
 {
   const System system = systemOf(" rule: if heat is hot and noise is loud then speed is high\n");
   const auto findings = checkRules(system);
-  ASSERT_EQ(findings.size(), 1U);
+  ASSERT_EQ(findings.size(), 2U); // nothing hot, whatever the noise; no noise, whatever the heat
   const auto evaluator = Evaluator::create(system);
   Workspace workspace = evaluator->makeWorkspace();
-  evaluator->evaluate(findings[0].witness, workspace);
-  EXPECT_EQ(workspace.outputs()[0].origin, Origin::Default);
+  for (const Finding& finding : findings) {
+    ASSERT_EQ(finding.inputs.size(), 1U);
+    const auto other = static_cast<std::size_t>(1 - finding.inputs[0]);
+    for (int i = 0; i <= 20; ++i) {
+      std::vector<double> place = finding.witness;
+      place[other] =
+        system.inputs[other].minimum + i * (system.inputs[other].maximum - system.inputs[other].minimum) / 20;
+      evaluator->evaluate(place, workspace);
+      EXPECT_EQ(workspace.outputs()[0].origin, Origin::Default) << place[0] << ' ' << place[1];
+    }
+  }
+  EXPECT_NE(findings[0].inputs, findings[1].inputs);
 }
 
 } // namespace esm::fis
