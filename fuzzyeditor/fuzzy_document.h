@@ -34,7 +34,8 @@ public:
   virtual void setInput(int input, fuzzy::InputValue value, int gesture) = 0;
   /// All inputs of the target at once, as one undo step: a preset, a place that a list points at.
   /// @param values one per input of the rule base.
-  virtual void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) = 0;
+  /// @param gesture values with the same gesture > 0 are one undo step (one drag over a surface).
+  virtual void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText, int gesture = 0) = 0;
 
 signals:
   void ruleBaseChanged();

@@ -11,6 +11,7 @@ enum CommandId {
   kSetTissueSettingsCommand = 3,
   kSetGravityCommand = 4,
   kSetRuleBaseCommand = 5,
+  kSetInputsCommand = 6,
 };
 
 } // namespace esm

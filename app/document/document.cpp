@@ -114,10 +114,10 @@ void Document::setInput(int input, fuzzy::InputValue value, int gesture)
   pushTissue(std::make_unique<SetInputCommand>(*this, m_target, input, std::move(value), gesture));
 }
 
-void Document::setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText)
+void Document::setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText, int gesture)
 {
   if (values.size() != inputs().size() || values == inputs()) return;
-  pushTissue(std::make_unique<SetInputsCommand>(*this, m_target, std::move(values), undoText));
+  pushTissue(std::make_unique<SetInputsCommand>(*this, m_target, std::move(values), undoText, gesture));
 }
 
 void Document::setInputTarget(int region)

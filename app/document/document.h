@@ -69,7 +69,7 @@ public:
   const fuzzy::RuleBase& savedRuleBase() const override { return m_savedRules; }
   void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, int gesture = 0) override;
   void setInput(int input, fuzzy::InputValue value, int gesture) override;
-  void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) override;
+  void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText, int gesture = 0) override;
 
   int inputTarget() const noexcept { return m_target; } ///< region, or -1 for the base tissue
   void setInputTarget(int region);

@@ -104,9 +104,27 @@ void SetInputCommand::announce(bool)
 }
 
 SetInputsCommand::SetInputsCommand(Document& document, int target, std::vector<fuzzy::InputValue> newValues,
-                                   const QString& text)
-  : TissueCommand(document, text), m_target(target), m_old(document.inputs()), m_new(std::move(newValues))
+                                   const QString& text, int gesture)
+  : TissueCommand(document, text),
+    m_target(target),
+    m_gesture(gesture),
+    m_old(document.inputs()),
+    m_new(std::move(newValues))
 {}
+
+int SetInputsCommand::id() const
+{
+  return kSetInputsCommand;
+}
+
+bool SetInputsCommand::mergeWith(const QUndoCommand* next)
+{
+  const auto* other = static_cast<const SetInputsCommand*>(next);
+  if (m_gesture == 0 || other->m_gesture != m_gesture || other->m_target != m_target) return false;
+  m_new = other->m_new;
+  setObsolete(m_new == m_old && isUndoneByTissue());
+  return true;
+}
 
 std::vector<fuzzy::InputValue>& SetInputsCommand::values(TissueModel& tissue) const
 {

@@ -47,8 +47,10 @@ private:
 class SetInputsCommand : public TissueCommand {
 public:
   SetInputsCommand(Document& document, int target, std::vector<fuzzy::InputValue> newValues,
-                   const QString& text);
+                   const QString& text, int gesture);
   void apply(TissueModel& tissue) const override { values(tissue) = m_new; }
+  int id() const override;
+  bool mergeWith(const QUndoCommand* next) override;
 
 protected:
   void revert(TissueModel& tissue) const override { values(tissue) = m_old; }
@@ -56,7 +58,7 @@ protected:
 
 private:
   std::vector<fuzzy::InputValue>& values(TissueModel& tissue) const;
-  int m_target;
+  int m_target, m_gesture;
   std::vector<fuzzy::InputValue> m_old, m_new;
 };
 

@@ -72,20 +72,35 @@ private:
 
 class InputsCommand : public QUndoCommand {
 public:
-  InputsCommand(FakeFuzzyDocument* document, std::vector<fuzzy::InputValue> values, const QString& text)
-    : QUndoCommand(text), m_document(document), m_other(std::move(values))
+  InputsCommand(FakeFuzzyDocument* document, std::vector<fuzzy::InputValue> values, const QString& text,
+                int gesture)
+    : QUndoCommand(text),
+      m_document(document),
+      m_gesture(gesture),
+      m_new(std::move(values)),
+      m_old(document->m_inputs)
   {}
-  void redo() override { swap(); }
-  void undo() override { swap(); }
+  int id() const override { return 3; }
+  void redo() override { set(m_new); }
+  void undo() override { set(m_old); }
+  bool mergeWith(const QUndoCommand* next) override
+  {
+    const auto* other = static_cast<const InputsCommand*>(next);
+    if (m_gesture == 0 || other->m_gesture != m_gesture) return false;
+    m_new = other->m_new;
+    setObsolete(m_new == m_old);
+    return true;
+  }
 
 private:
-  void swap()
+  void set(const std::vector<fuzzy::InputValue>& values)
   {
-    std::swap(m_document->m_inputs, m_other);
+    m_document->m_inputs = values;
     emit m_document->inputsChanged();
   }
   FakeFuzzyDocument* m_document;
-  std::vector<fuzzy::InputValue> m_other;
+  int m_gesture;
+  std::vector<fuzzy::InputValue> m_new, m_old;
 };
 
 FakeFuzzyDocument::FakeFuzzyDocument()
@@ -123,10 +138,10 @@ void FakeFuzzyDocument::setInput(int input, fuzzy::InputValue value, int gesture
   undo.push(new InputCommand(this, input, std::move(value), gesture));
 }
 
-void FakeFuzzyDocument::setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText)
+void FakeFuzzyDocument::setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText, int gesture)
 {
   ESM_ASSERT(values.size() == m_rules.inputs.size());
-  if (values != m_inputs) undo.push(new InputsCommand(this, std::move(values), undoText));
+  if (values != m_inputs) undo.push(new InputsCommand(this, std::move(values), undoText, gesture));
 }
 
 void FakeFuzzyDocument::setLanguage(Language language)

@@ -22,7 +22,7 @@ public:
   const fuzzy::RuleBase& savedRuleBase() const override { return m_saved; }
   void setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, int gesture = 0) override;
   void setInput(int input, fuzzy::InputValue value, int gesture) override;
-  void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText) override;
+  void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText, int gesture = 0) override;
 
   void setLanguage(Language language);
   void load(fuzzy::RuleBase ruleBase); ///< without undo, inputs at their defaults
