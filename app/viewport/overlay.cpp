@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport/overlay.h"
 
-#include "app/viewport/colour_map.h"
+#include "core/base/colour_map.h"
 
 #include <QLinearGradient>
 #include <QLocale>

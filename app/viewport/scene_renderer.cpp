@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport/scene_renderer.h"
 
-#include "app/viewport/colour_map.h"
 #include "app/viewport/region_wire.h"
 #include "app/viewport/shaders.h"
+#include "core/base/colour_map.h"
 
 #include <cstddef>
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/viewport/colour_map.h"
 #include "app/viewport/scene_view.h"
+#include "core/base/colour_map.h"
 #include "tests/app/viewport/sample_nets.h"
 
 #include <gtest/gtest.h>

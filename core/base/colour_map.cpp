@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
-// SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/viewport/colour_map.h"
+// SPDX-License-Identifier: MIT
+#include "core/base/colour_map.h"
 
 #include <algorithm>
 #include <cmath>
