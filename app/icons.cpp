@@ -155,6 +155,32 @@ Drawing toolDrawing(Symbol symbol)
   case Symbol::Select:
     polygon(d.areas, {{6, 3}, {6, 18.5}, {10, 15}, {12.6, 21}, {15.4, 19.8}, {12.8, 14}, {18, 13.6}});
     break;
+  case Symbol::Region: // an ellipsoid with handles
+    d.lines.addEllipse(QPointF(12, 12), 9, 6.5);
+    for (const QPointF& handle : {QPointF(3, 12), QPointF(21, 12), QPointF(12, 5.5), QPointF(12, 18.5)})
+      d.areas.addRect(handle.x() - 2.2, handle.y() - 2.2, 4.4, 4.4);
+    d.areas.addEllipse(QPointF(12, 12), 1.8, 1.8);
+    break;
+  case Symbol::FromSelection: // an ellipsoid around points
+    d.lines.addEllipse(QPointF(12, 12), 9.5, 7);
+    for (const QPointF& node : {QPointF(8, 10.5), QPointF(12.5, 15), QPointF(15.5, 9.5)})
+      d.areas.addEllipse(node, 1.9, 1.9);
+    break;
+  case Symbol::Eye:
+  case Symbol::EyeShut:
+    d.lines.moveTo(2.5, 12);
+    d.lines.cubicTo({7, 4.5}, {17, 4.5}, {21.5, 12});
+    d.lines.cubicTo({17, 19.5}, {7, 19.5}, {2.5, 12});
+    d.areas.addEllipse(QPointF(12, 12), 3.2, 3.2);
+    if (symbol == Symbol::EyeShut) polyline(d.lines, {{4.5, 20}, {19.5, 4}});
+    break;
+  case Symbol::Lock:
+  case Symbol::LockOpen:
+    d.areas.addRoundedRect(5, 11, 14, 10, 1.5, 1.5);
+    polyline(d.lines, {{8, 11}, {8, 7.5}});
+    d.lines.cubicTo({8, 2}, {16, 2}, {16, 7.5});
+    if (symbol == Symbol::Lock) d.lines.lineTo(16, 11);
+    break;
   case Symbol::Arm: // lightning: force on
     polygon(d.areas, {{13.5, 2}, {5, 13.5}, {11, 13.5}, {9.5, 22}, {19, 9.5}, {12.5, 9.5}});
     break;

@@ -90,6 +90,9 @@ void MainWindow::refreshToolHint()
   case Tool::Select:
     m_status->setTool(tr("Select: click a node to see why it is as it is"));
     break;
+  case Tool::Region:
+    m_status->setTool(tr("Region: drag its handles (Esc takes a drag back)"));
+    break;
   }
 }
 

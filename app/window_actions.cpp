@@ -118,6 +118,7 @@ void WindowActions::createActions()
   choice(colouring, "ColourStiffness", static_cast<int>(Colouring::Stiffness))->setChecked(true);
   choice(colouring, "ColourStrain", static_cast<int>(Colouring::Strain));
   choice(colouring, "ColourForce", static_cast<int>(Colouring::Force));
+  choice(colouring, "ColourRegionWeight", static_cast<int>(Colouring::RegionWeight));
   theme = new QActionGroup(this);
   choice(theme, "ThemeSystem", QStringLiteral("system"))->setChecked(true);
   choice(theme, "ThemeLight", QStringLiteral("light"));
@@ -139,6 +140,7 @@ void WindowActions::createActions()
   toolCamera = choice(tools, "ToolCamera", static_cast<int>(Tool::Camera));
   toolPull = choice(tools, "ToolPull", static_cast<int>(Tool::Pull));
   toolSelect = choice(tools, "ToolSelect", static_cast<int>(Tool::Select));
+  toolRegion = choice(tools, "ToolRegion", static_cast<int>(Tool::Region));
   toolCamera->setIcon(icon(Symbol::Camera));
   toolCamera->setShortcut(Qt::Key_Q);
   toolCamera->setChecked(true);
@@ -146,6 +148,8 @@ void WindowActions::createActions()
   toolPull->setShortcut(Qt::Key_E);
   toolSelect->setIcon(icon(Symbol::Select));
   toolSelect->setShortcut(Qt::Key_W);
+  toolRegion->setIcon(icon(Symbol::Region));
+  toolRegion->setShortcut(Qt::Key_G);
   realTime = add("RealTime");
   solver = new QActionGroup(this);
   solverAuto = choice(solver, "SolverAuto", QStringLiteral("auto"));
@@ -221,13 +225,16 @@ void WindowActions::createToolBar(QMainWindow* window)
   toolBar->setObjectName(QStringLiteral("toolBar"));
   toolBar->setMovable(false);
   toolBar->setIconSize(QSize(22, 22));
-  const QList<QList<QAction*>> groups = {
-    {import, open, save}, {undo, redo}, {play, step, reset}, {toolCamera, toolPull, toolSelect}, {fit}};
+  const QList<QList<QAction*>> groups = {{import, open, save},
+                                         {undo, redo},
+                                         {play, step, reset},
+                                         {toolCamera, toolPull, toolSelect, toolRegion},
+                                         {fit}};
   for (const QList<QAction*>& group : groups) {
     for (QAction* action : group) toolBar->addAction(action);
     toolBar->addSeparator();
   }
-  for (QAction* action : {play, toolCamera, toolPull, toolSelect, import}) {
+  for (QAction* action : {play, toolCamera, toolPull, toolSelect, toolRegion, import}) {
     auto* button = qobject_cast<QToolButton*>(toolBar->widgetForAction(action));
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   }
@@ -294,8 +301,9 @@ void WindowActions::retranslateViewAndTissue()
   say(showSprings, tr("S&prings"));
   say(defaultLayout, tr("&Default layout"));
   say(fullScreen, tr("F&ull screen"));
-  const QString colourings[] = {tr("Plain"), tr("Stiffness"), tr("Strain"), tr("Force")};
-  for (int i = 0; i < 4; ++i) {
+  const QString colourings[] = {tr("Plain"), tr("Stiffness"), tr("Strain"), tr("Force"),
+                                tr("Weight of the region")};
+  for (int i = 0; i < 5; ++i) {
     colouring->actions().at(i)->setText(colourings[i]);
     if (colouringBox != nullptr) colouringBox->setItemText(i, tr("Colour: %1").arg(colourings[i]));
   }
@@ -317,7 +325,9 @@ void WindowActions::retranslateRun()
   say(reset, tr("&Reset"), tr("Back to the shape at rest"));
   say(toolCamera, tr("&Camera"), tr("Camera: drag to turn, right button to move, wheel to zoom"));
   say(toolPull, tr("P&ull"), tr("Pull: drag a node and feel its force"));
-  say(toolSelect, tr("&Select"), tr("Select: click a node to see why it is as it is"));
+  say(toolSelect, tr("&Select"),
+      tr("Select: click a node to see why it is as it is, or drag a box around several"));
+  say(toolRegion, tr("Re&gion"), tr("Region: move, turn and resize the chosen region by its handles"));
   retranslateSolvers();
   say(realTime, tr("Real &time…"), tr("What gives way when the model is too heavy for real time"));
   say(arm, tr("&Force on the device"), tr("Let the device feel the force; it fades in"));

@@ -30,7 +30,7 @@ public:
   QAction *addRegion, *holdNode;
   QAction *play, *step, *reset, *solverAuto, *realTime;
   QActionGroup *tools, *solver; ///< data: Tool as int, solver name
-  QAction *toolCamera, *toolSelect, *toolPull;
+  QAction *toolCamera, *toolSelect, *toolPull, *toolRegion;
   QAction *arm, *stop;
   QAction *keys, *about, *aboutQt;
 

@@ -65,6 +65,9 @@ void GlView::paintGL()
   state.pulled = m_input->pulledNode();
   state.pullTarget = m_input->pullTarget();
   state.toolForce = m_toolForce;
+  state.handle = m_input->hoveredHandle();
+  state.drag = m_input->gizmoDrag();
+  state.selectionBox = m_input->selectionBox();
   state.keyboardFocus = m_input->keyboardFocus();
   QPainter painter(this);
   Overlay(painter, palette(), *m_model, state).draw();
@@ -81,6 +84,7 @@ Look GlView::look() const
   look.wire = look.dark ? QColor(0x8a, 0x4f, 0x48) : QColor(0x7c, 0x40, 0x3a);
   look.region = look.dark ? QColor(0x9c, 0xc7, 0xff) : QColor(0x2b, 0x5f, 0xa8);
   look.selectedRegion = QColor(0xf2, 0x6b, 0x21);
+  look.selectedNode = palette().color(QPalette::Highlight);
   look.pixelRatio = devicePixelRatioF();
   return look;
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport/overlay.h"
 
+#include "app/viewport/gizmo_painter.h"
 #include "core/base/colour_map.h"
 
 #include <QLinearGradient>
@@ -58,15 +59,24 @@ void drawArrow(QPainter& painter, const QPointF& a, const QPointF& b, const QCol
 
 } // namespace
 
-LegendText legendText(Colouring colouring)
+LegendText legendText(const SceneModel& model)
 {
-  switch (colouring) {
+  switch (model.colouring()) {
   case Colouring::Stiffness:
     return {QCoreApplication::translate("esm::Overlay", "Stiffness [N/m]"), 1.0};
   case Colouring::Strain:
     return {QCoreApplication::translate("esm::Overlay", "Strain [%]"), 100.0};
   case Colouring::Force:
     return {QCoreApplication::translate("esm::Overlay", "Force [mN]"), 1000.0};
+  case Colouring::RegionWeight: {
+    const Region* region = model.chosenRegion();
+    if (region == nullptr)
+      return {QCoreApplication::translate("esm::Overlay", "Weight: choose a region"), 100.0};
+    constexpr int kLongest = 24; // letters of a name
+    QString name = QString::fromStdString(region->name);
+    if (name.size() > kLongest) name = name.left(kLongest - 1) + QChar(0x2026);
+    return {QCoreApplication::translate("esm::Overlay", "Weight of %1 [%]").arg(name), 100.0};
+  }
   case Colouring::None:
     break;
   }
@@ -99,7 +109,9 @@ void Overlay::draw()
 {
   m_painter.setRenderHint(QPainter::Antialiasing);
   if (m_model.net()) {
+    drawRegion();
     drawPull();
+    drawSelectionBox();
     if (m_model.colouring() != Colouring::None) drawLegend();
     drawScaleBar();
   } else {
@@ -131,6 +143,26 @@ void Overlay::drawRing(Index node, double radius, const QColor& colour)
   m_painter.drawEllipse(at, radius, radius);
   m_painter.setPen(QPen(colour, 2.0));
   m_painter.drawEllipse(at, radius, radius);
+}
+
+void Overlay::drawRegion()
+{
+  const Region* region = m_model.chosenRegion();
+  if (m_state.tool != Tool::Region || region == nullptr || !region->visible) return;
+  GizmoPainter painter(m_painter, m_palette, m_model.camera);
+  if (region->locked)
+    painter.drawLock(region->ellipsoid);
+  else
+    painter.drawHandles({region->ellipsoid, region->falloff}, m_state.handle);
+}
+
+void Overlay::drawSelectionBox()
+{
+  if (!m_state.selectionBox) return;
+  const QColor colour = m_palette.color(QPalette::Highlight);
+  m_painter.setPen(QPen(colour, 1.5));
+  m_painter.setBrush(faded(colour, 0.15));
+  m_painter.drawRect(QRectF(toQt(m_state.selectionBox->min()), toQt(m_state.selectionBox->max())));
 }
 
 void Overlay::drawPull()
@@ -173,7 +205,7 @@ void Overlay::drawForce(Index node)
 
 void Overlay::drawLegend()
 {
-  const LegendText text = legendText(m_model.colouring());
+  const LegendText text = legendText(m_model);
   const ValueRange range = m_model.valueRange();
   const ValueRange shown{range.low * text.perSi, range.high * text.perSi, range.logarithmic};
   const double barHeight = std::min(220.0, m_height - 150.0), barWidth = 16.0;
@@ -254,22 +286,33 @@ void Overlay::drawScaleBar()
                      tr("%1 mm").arg(legendNumber(length)));
 }
 
-void Overlay::drawHint()
+QString Overlay::hint() const
 {
-  QString hint;
   switch (m_state.tool) {
   case Tool::Camera:
-    hint = tr("Camera: drag to turn, right button to move, wheel to zoom, F to fit");
-    break;
+    return tr("Camera: drag to turn, right button to move, wheel to zoom, F to fit");
   case Tool::Pull:
-    hint = m_state.pulled != kNoIndex
+    return m_state.pulled != kNoIndex
              ? tr("Pull: release or Esc lets go")
              : tr("Pull: drag a point of the organ; beside it, dragging turns the view");
-    break;
   case Tool::Select:
-    hint = tr("Select: click a point of the organ; beside it, dragging turns the view");
-    break;
+    if (!m_model.selection().empty())
+      return tr("Select: %n node(s); Shift adds, Ctrl takes away, Esc clears", nullptr,
+                static_cast<int>(m_model.selection().size()));
+    return tr("Select: click a point of the organ, or drag a box around what can be seen");
+  case Tool::Region:
+    if (m_state.drag != nullptr) return GizmoPainter::readout(*m_state.drag);
+    if (m_model.chosenRegion() == nullptr) return tr("Region: choose or add one in the dock Regions");
+    if (m_model.chosenRegion()->locked) return tr("Region: locked");
+    if (!m_model.chosenRegion()->visible) return tr("Region: hidden");
+    return GizmoPainter::help(m_state.handle);
   }
+  return {};
+}
+
+void Overlay::drawHint()
+{
+  QString hint = this->hint();
   const QFontMetricsF metrics(m_painter.font());
   hint = metrics.elidedText(hint, Qt::ElideRight, m_width - 2.0 * kMargin - 20.0);
   const QRectF box(kMargin, m_height - kMargin - metrics.height() - 6.0,

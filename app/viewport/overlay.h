@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/viewport/region_gizmo.h"
 #include "app/viewport/scene_model.h"
 
 #include <QCoreApplication>
@@ -17,10 +18,14 @@ struct OverlayState {
   Index hovered = kNoIndex, selected = kNoIndex, pulled = kNoIndex;
   Eigen::Vector3d pullTarget = Eigen::Vector3d::Zero(); ///< [m]
   Eigen::Vector3d toolForce = Eigen::Vector3d::Zero();  ///< [N]
+  GizmoHandle handle;                                   ///< under the mouse or dragged
+  const GizmoDrag* drag = nullptr;                      ///< of the gizmo, while it goes on; borrowed
+  std::optional<Eigen::AlignedBox2d> selectionBox;
   bool keyboardFocus = false;
 };
 
-/// The flat things over the 3D picture: legend, axes, scale bar, hint line, rings around nodes, force arrow.
+/// The flat things over the 3D picture: legend, axes, scale bar, hint line, rings around nodes, force arrow,
+/// the gizmo of the chosen region.
 /// Texts are translated and numbers written in the user's locale. Draws within the camera's width and height.
 class Overlay {
   Q_DECLARE_TR_FUNCTIONS(esm::Overlay)
@@ -31,6 +36,9 @@ public:
 
 private:
   void drawPull();
+  void drawRegion();
+  void drawSelectionBox();
+  QString hint() const;
   void drawForce(Index node);
   void drawRing(Index node, double radius, const QColor& colour);
   void drawLegend();
@@ -52,7 +60,7 @@ struct LegendText {
   QString title;
   double perSi = 1.0;
 };
-LegendText legendText(Colouring colouring);
+LegendText legendText(const SceneModel& model);
 
 /// A number for a legend: as short as its neighbours need, never in exponent form within [1e-4, 1e7).
 QString legendNumber(double value);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ranges>
 #include <vector>
 
 namespace esm {
@@ -38,15 +39,16 @@ std::vector<Candidate> candidates(const Camera& camera, const Eigen::Matrix3Xd& 
   return found;
 }
 
-/// Whether a triangle that does not own the node lies between it and the eye.
+/// Whether one of those triangles that does not own the node lies between it and the eye.
+template <class Range>
 bool hidden(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
-            Index node)
+            const Range& among, Index node)
 {
   const Eigen::Vector3d target = position.col(node);
   const Ray ray = camera.rayThrough(camera.project(target).pixel);
   const double reach = (target - ray.origin).norm();
   const double closest = reach - kSlack * camera.metresPerPixel(target);
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+  for (const Index t : among) {
     const Index a = triangles(0, t), b = triangles(1, t), c = triangles(2, t);
     if (a == node || b == node || c == node) continue;
     const auto hit = hitTriangle(ray, position.col(a), position.col(b), position.col(c));
@@ -54,6 +56,55 @@ bool hidden(const Camera& camera, const Eigen::Matrix3Xd& position, const Triang
   }
   return false;
 }
+
+/// Which triangles are seen in which square of the screen, within a box.
+class ScreenTiles {
+public:
+  ScreenTiles(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
+              const Eigen::AlignedBox2d& box)
+    : m_corner(box.min()), m_columns(countOf(box.sizes().x())), m_rows(countOf(box.sizes().y()))
+  {
+    m_tiles.resize(static_cast<std::size_t>(m_columns) * static_cast<std::size_t>(m_rows));
+    const Projector project = camera.projector();
+    for (Index t = 0; t < static_cast<Index>(triangles.cols()); ++t) {
+      Eigen::AlignedBox2d seen;
+      for (int corner = 0; corner < 3; ++corner) {
+        const Eigen::Vector2d pixel = project(position.col(triangles(corner, t))).pixel;
+        if (pixel.allFinite())
+          seen.extend(pixel);
+        else
+          seen.extend(box); // reaches behind the eye: may be anywhere
+      }
+      add(t, seen);
+    }
+  }
+  const std::vector<Index>& at(const Eigen::Vector2d& pixel) const
+  {
+    return m_tiles[tile(placeOf(pixel.x() - m_corner.x(), m_columns),
+                        placeOf(pixel.y() - m_corner.y(), m_rows))];
+  }
+
+private:
+  static constexpr double kSize = 16.0; ///< [pixels]
+  static int countOf(double size) { return static_cast<int>(std::clamp(size / kSize, 0.0, 1000.0)) + 1; }
+  static int placeOf(double from, int count)
+  {
+    return static_cast<int>(std::clamp(from / kSize, 0.0, static_cast<double>(count - 1)));
+  }
+  std::size_t tile(int column, int row) const { return static_cast<std::size_t>(row * m_columns + column); }
+  void add(Index triangle, const Eigen::AlignedBox2d& seen)
+  {
+    const Eigen::Vector2d low = seen.min() - m_corner, high = seen.max() - m_corner;
+    if (high.x() < 0.0 || high.y() < 0.0 || low.x() > kSize * m_columns || low.y() > kSize * m_rows) return;
+    for (int row = placeOf(low.y(), m_rows); row <= placeOf(high.y(), m_rows); ++row)
+      for (int column = placeOf(low.x(), m_columns); column <= placeOf(high.x(), m_columns); ++column)
+        m_tiles[tile(column, row)].push_back(triangle);
+  }
+
+  Eigen::Vector2d m_corner;
+  int m_columns, m_rows;
+  std::vector<std::vector<Index>> m_tiles;
+};
 
 } // namespace
 
@@ -79,8 +130,9 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
                const Eigen::Vector2d& pixel, double radius)
 {
   std::vector<Candidate> seen;
+  const auto all = std::views::iota(Index{0}, static_cast<Index>(triangles.cols()));
   for (const Candidate& candidate : candidates(camera, position, pixel, radius))
-    if (!hidden(camera, position, triangles, candidate.node)) seen.push_back(candidate);
+    if (!hidden(camera, position, triangles, all, candidate.node)) seen.push_back(candidate);
   if (seen.empty()) return kNoIndex;
 
   const auto front = std::min_element(
@@ -89,6 +141,21 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
   for (const Candidate& candidate : seen) // nearest to the click first
     if (candidate.depth <= limit) return candidate.node;
   return front->node;
+}
+
+std::vector<Index> nodesInBox(const Camera& camera, const Eigen::Matrix3Xd& position,
+                              const TriangleMatrix& triangles, const Eigen::AlignedBox2d& pixels)
+{
+  std::vector<Index> found;
+  if (pixels.isEmpty()) return found;
+  const ScreenTiles tiles(camera, position, triangles, pixels);
+  const Projector project = camera.projector();
+  for (Index node = 0; node < static_cast<Index>(position.cols()); ++node) {
+    const Eigen::Vector2d pixel = project(position.col(node)).pixel;
+    if (!pixel.allFinite() || !pixels.contains(pixel)) continue;
+    if (!hidden(camera, position, triangles, tiles.at(pixel), node)) found.push_back(node);
+  }
+  return found;
 }
 
 } // namespace esm

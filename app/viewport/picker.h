@@ -6,6 +6,7 @@
 #include "core/geometry/mesh.h"
 
 #include <optional>
+#include <vector>
 
 namespace esm {
 
@@ -20,5 +21,11 @@ std::optional<double> hitTriangle(const Ray& ray, const Eigen::Vector3d& a, cons
 /// Cost: O(N) projections and a few times O(F) ray tests.
 Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
                const Eigen::Vector2d& pixel, double radius);
+
+/// The nodes whose pixels lie in a box and that no triangle hides, in rising order.
+/// @param position 3 x N [m]. @param triangles what can hide; 3 x 0 for nothing.
+/// Cost: O(N + F), and each node in the box is tested only against triangles that are seen near it.
+std::vector<Index> nodesInBox(const Camera& camera, const Eigen::Matrix3Xd& position,
+                              const TriangleMatrix& triangles, const Eigen::AlignedBox2d& pixels);
 
 } // namespace esm

@@ -12,4 +12,10 @@ namespace esm {
 /// principal ellipses, two parallels and two further meridians. Adds nothing for a non-finite ellipsoid.
 void appendRegionWire(const Ellipsoid& ellipsoid, const Eigen::Vector3d& origin, std::vector<float>& lines);
 
+/// The three principal ellipses in dashes: the shell where the weight begins to fall.
+void appendRegionShell(const Ellipsoid& ellipsoid, const Eigen::Vector3d& origin, std::vector<float>& lines);
+
+/// Spines that stand outward on the principal ellipses: the region is what lies outside.
+void appendRegionSpines(const Ellipsoid& ellipsoid, const Eigen::Vector3d& origin, std::vector<float>& lines);
+
 } // namespace esm

@@ -17,7 +17,8 @@ constexpr double kPickRadius = 12.0; ///< [pixels]
 constexpr std::pair<Colouring, const char*> kColouringNames[] = {{Colouring::None, "none"},
                                                                  {Colouring::Stiffness, "stiffness"},
                                                                  {Colouring::Strain, "strain"},
-                                                                 {Colouring::Force, "force"}};
+                                                                 {Colouring::Force, "force"},
+                                                                 {Colouring::RegionWeight, "region_weight"}};
 
 Eigen::AlignedBox3d boxOf(const Eigen::Matrix3Xd& points)
 {
@@ -79,7 +80,9 @@ bool SceneModel::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t gene
     const Eigen::AlignedBox3d box = boxOf(m_net->restPosition);
     m_origin = box.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(box.center());
   }
-  dirty.topology = dirty.frame = true;
+  m_selection.clear();
+  weighSprings();
+  dirty = {};
   updateBounds();
   if (m_autoFit) fit();
   return true;
@@ -127,8 +130,46 @@ bool SceneModel::setRegions(const std::vector<Region>& regions, int selected)
   m_regions = regions;
   m_selectedRegion = selected;
   dirty.regions = true;
+  weighSprings();
   updateBounds();
   return true;
+}
+
+const Region* SceneModel::chosenRegion() const noexcept
+{
+  const bool there = m_selectedRegion >= 0 && static_cast<std::size_t>(m_selectedRegion) < m_regions.size();
+  return there ? &m_regions[static_cast<std::size_t>(m_selectedRegion)] : nullptr;
+}
+
+const Region* SceneModel::gizmoRegion() const noexcept
+{
+  const Region* region = chosenRegion();
+  return region != nullptr && region->visible && !region->locked ? region : nullptr;
+}
+
+bool SceneModel::setSelection(std::vector<Index> nodes)
+{
+  std::sort(nodes.begin(), nodes.end());
+  nodes.erase(std::unique(nodes.begin(), nodes.end()), nodes.end());
+  std::erase_if(nodes, [this](Index node) { return node < 0 || node >= m_position.cols(); });
+  if (nodes == m_selection) return false;
+  m_selection = std::move(nodes);
+  dirty.selection = true;
+  return true;
+}
+
+/// Weights belong to places at rest, as the tissue does.
+void SceneModel::weighSprings()
+{
+  if (m_colouring != Colouring::RegionWeight || !m_net) return;
+  m_weight.setConstant(m_net->springCount(), std::numeric_limits<double>::quiet_NaN());
+  dirty.frame = true;
+  const Region* region = chosenRegion();
+  if (region == nullptr) return;
+  const RegionShape shape(*region);
+  for (Index s = 0; s < m_net->springCount(); ++s)
+    m_weight(s) = shape.weight(
+      0.5 * (m_net->restPosition.col(m_net->ends(0, s)) + m_net->restPosition.col(m_net->ends(1, s))));
 }
 
 bool SceneModel::setColouring(Colouring colouring)
@@ -137,6 +178,7 @@ bool SceneModel::setColouring(Colouring colouring)
   m_colouring = colouring;
   m_strainRange.reset();
   m_forceRange.reset();
+  weighSprings();
   if (m_colouring == Colouring::Strain) m_strainRange.add(largest(springValues()), 0.0);
   if (m_colouring == Colouring::Force) m_forceRange.add(largest(springValues()), 0.0);
   dirty.frame = true;
@@ -196,6 +238,8 @@ ValueRange SceneModel::valueRange() const
     return m_strainRange.range();
   case Colouring::Force:
     return m_forceRange.range();
+  case Colouring::RegionWeight:
+    return {0.0, 1.0, false};
   case Colouring::None:
     break;
   }
@@ -212,6 +256,8 @@ Eigen::ArrayXd SceneModel::springValues() const
     return strains(*m_net, m_position);
   case Colouring::Force:
     return m_tension.abs();
+  case Colouring::RegionWeight:
+    return m_weight;
   case Colouring::None:
     break;
   }
@@ -284,14 +330,27 @@ Index SceneModel::nodeAt(const Eigen::Vector2d& pixel) const
   return pickNode(camera, m_position, m_surface ? m_net->triangles : kNone, pixel, kPickRadius);
 }
 
+std::vector<Index> SceneModel::nodesIn(const Eigen::AlignedBox2d& pixels) const
+{
+  if (!m_net) return {};
+  static const TriangleMatrix kNone(3, 0);
+  return nodesInBox(camera, m_position, m_surface ? m_net->triangles : kNone, pixels);
+}
+
 void SceneModel::updateBounds()
 {
   Eigen::AlignedBox3d box = boxOf(m_position);
+  const auto extendBy = [&box](const Ellipsoid& ellipsoid) {
+    constexpr double kSpines = 1.2; // of an inside-out one stand over
+    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(kSpines * ellipsoid.semiAxes.maxCoeff());
+    if (!ellipsoid.centre.allFinite() || !reach.allFinite()) return;
+    box.extend(Eigen::Vector3d(ellipsoid.centre - reach));
+    box.extend(Eigen::Vector3d(ellipsoid.centre + reach));
+  };
   for (const Region& region : m_regions) {
-    const Eigen::Vector3d reach = Eigen::Vector3d::Constant(region.ellipsoid.semiAxes.maxCoeff());
-    if (!region.ellipsoid.centre.allFinite() || !reach.allFinite()) continue;
-    box.extend(Eigen::Vector3d(region.ellipsoid.centre - reach));
-    box.extend(Eigen::Vector3d(region.ellipsoid.centre + reach));
+    if (!region.visible) continue;
+    extendBy(region.ellipsoid);
+    if (region.mirror) extendBy(mirrored(region.ellipsoid, *region.mirror));
   }
   if (box.isEmpty()) return;
   m_radius = std::max(box.diagonal().norm() / 2.0, 1e-6);

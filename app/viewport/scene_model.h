@@ -31,6 +31,7 @@ public:
     bool topology = true; ///< other net: index buffers
     bool frame = true;    ///< positions, normals, values
     bool regions = true;
+    bool selection = true;
   };
 
   // === What is shown (see SceneView). Each returns whether the picture changes.
@@ -45,10 +46,17 @@ public:
   const Eigen::Matrix3Xd& position() const noexcept { return m_position; }
   const std::vector<Region>& regions() const noexcept { return m_regions; }
   int selectedRegion() const noexcept { return m_selectedRegion; }
+  const Region* chosenRegion() const noexcept; ///< the selected one, or null
+  /// The selected one if it is visible and not locked, or null: what the gizmo changes.
+  const Region* gizmoRegion() const noexcept;
   Colouring colouring() const noexcept { return m_colouring; }
   bool surfaceShown() const noexcept { return m_surface; }
   bool springsShown() const noexcept { return m_springs; }
   Index grabbedNode() const noexcept { return m_grabbed; }
+
+  // === Selected nodes, rising; another net has none
+  const std::vector<Index>& selection() const noexcept { return m_selection; }
+  bool setSelection(std::vector<Index> nodes); ///< in any order; returns whether it changes
 
   // === Camera
   Camera camera;
@@ -72,8 +80,11 @@ public:
 
   /// The front-most node within 12 pixels that the shown surface does not hide, or kNoIndex.
   Index nodeAt(const Eigen::Vector2d& pixel) const;
+  /// The nodes in a box of the screen that the shown surface does not hide, rising.
+  std::vector<Index> nodesIn(const Eigen::AlignedBox2d& pixels) const;
 
 private:
+  void weighSprings();
   void updateBounds();
   Eigen::Matrix3Xd nodeNormals() const;
 
@@ -86,6 +97,7 @@ private:
   Index m_grabbed = kNoIndex;
   std::vector<Region> m_regions;
   int m_selectedRegion = -1;
+  std::vector<Index> m_selection;
   Colouring m_colouring = Colouring::Stiffness;
   bool m_surface = true, m_springs = true;
   bool m_autoFit = true;
@@ -93,6 +105,7 @@ private:
   Eigen::Vector3d m_origin = Eigen::Vector3d::Zero();
   double m_radius = 0.1;
   ValueRange m_stiffnessRange{1.0, 10.0, true};
+  Eigen::ArrayXd m_weight;         ///< S, of the selected region, for Colouring::RegionWeight [1]
   SteadyRange m_strainRange{0.01}; ///< 1 %: below that a colour would show noise
   SteadyRange m_forceRange{1e-3};  ///< 1 mN
 };

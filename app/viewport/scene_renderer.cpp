@@ -66,7 +66,7 @@ bool SceneRenderer::create(QString* why)
 
   for (GLuint* array : {&m_emptyArray, &m_netArray, &m_regionArray}) glGenVertexArrays(1, array);
   for (GLuint* buffer : {&m_nodeBuffer, &m_triangleIndices, &m_springIndices, &m_fixedIndices,
-                         &m_regionBuffer, &m_placeBuffer})
+                         &m_selectedIndices, &m_regionBuffer, &m_placeBuffer})
     glGenBuffers(1, buffer);
 
   glBindVertexArray(m_netArray);
@@ -101,7 +101,7 @@ void SceneRenderer::release()
   for (Program* program : {&m_background, &m_surface, &m_line, &m_point}) program->reset();
   for (GLuint* array : {&m_emptyArray, &m_netArray, &m_regionArray}) glDeleteVertexArrays(1, array);
   for (GLuint* buffer : {&m_nodeBuffer, &m_triangleIndices, &m_springIndices, &m_fixedIndices,
-                         &m_regionBuffer, &m_placeBuffer})
+                         &m_selectedIndices, &m_regionBuffer, &m_placeBuffer})
     glDeleteBuffers(1, buffer);
   for (GLuint* texture : {&m_placeTexture, &m_mapTexture}) glDeleteTextures(1, texture);
   m_created = false;
@@ -155,19 +155,45 @@ void SceneRenderer::uploadFrame(const SceneModel& model)
   glTexBuffer(GL_TEXTURE_BUFFER, GL_R32F, m_placeBuffer);
 }
 
+void SceneRenderer::uploadSelection(const SceneModel& model)
+{
+  std::vector<GLuint> nodes(model.selection().begin(), model.selection().end());
+  m_selected = static_cast<int>(nodes.size());
+  glBindVertexArray(0);
+  glBindBuffer(GL_ARRAY_BUFFER, m_selectedIndices);
+  glBufferData(GL_ARRAY_BUFFER, bytes(nodes), nodes.data(), GL_STATIC_DRAW);
+}
+
 void SceneRenderer::uploadRegions(const SceneModel& model)
 {
+  constexpr float kOff = 0.35f, kTwin = 0.45f, kShell = 0.8f;
   std::vector<float> vertices;
   m_regionLines.clear();
-  for (std::size_t i = 0; i < model.regions().size(); ++i) {
-    const Region& region = model.regions()[i];
+  const auto add = [&](bool selected, float strength, const auto& append) {
     RegionLines lines;
     lines.first = static_cast<int>(vertices.size() / 3);
-    appendRegionWire(region.ellipsoid, model.origin(), vertices);
+    append();
     lines.count = static_cast<int>(vertices.size() / 3) - lines.first;
-    lines.selected = static_cast<int>(i) == model.selectedRegion();
-    lines.enabled = region.enabled;
+    lines.selected = selected;
+    lines.strength = strength;
     m_regionLines.push_back(lines);
+  };
+  for (std::size_t i = 0; i < model.regions().size(); ++i) {
+    const Region& region = model.regions()[i];
+    if (!region.visible) continue;
+    const bool selected = static_cast<int>(i) == model.selectedRegion();
+    const float strength = region.enabled ? 1.0f : kOff;
+    const auto appendSolid = [&](const Ellipsoid& ellipsoid) {
+      appendRegionWire(ellipsoid, model.origin(), vertices);
+      if (region.insideOut) appendRegionSpines(ellipsoid, model.origin(), vertices);
+    };
+    add(selected, strength, [&] { appendSolid(region.ellipsoid); });
+    if (region.mirror)
+      add(selected, kTwin * strength, [&] { appendSolid(mirrored(region.ellipsoid, *region.mirror)); });
+    if (!selected || region.falloff <= 0.0 || region.falloff >= 1.0) continue;
+    Ellipsoid inner = region.ellipsoid;
+    inner.semiAxes *= 1.0 - region.falloff;
+    add(selected, kShell * strength, [&] { appendRegionShell(inner, model.origin(), vertices); });
   }
   glBindBuffer(GL_ARRAY_BUFFER, m_regionBuffer);
   glBufferData(GL_ARRAY_BUFFER, bytes(vertices), vertices.data(), GL_STATIC_DRAW);
@@ -186,7 +212,8 @@ void SceneRenderer::draw(SceneModel& model, const Look& look)
   if (model.dirty.topology) uploadTopology(model);
   if (model.dirty.topology || model.dirty.frame) uploadFrame(model);
   if (model.dirty.topology || model.dirty.regions) uploadRegions(model);
-  model.dirty = {false, false, false};
+  if (model.dirty.topology || model.dirty.selection) uploadSelection(model);
+  model.dirty = {false, false, false, false};
 
   // The overlay's QPainter shares this context and leaves its own state behind: set all that is used.
   glDisable(GL_CULL_FACE);
@@ -210,7 +237,7 @@ void SceneRenderer::draw(SceneModel& model, const Look& look)
   if (model.surfaceShown()) drawSurface(model, look);
   glEnable(GL_BLEND);
   if (model.springsShown()) drawSprings(model, look);
-  drawFixedNodes(model, look);
+  drawNodes(model, look);
   drawRegions(model, look);
 
   glDepthMask(GL_TRUE);
@@ -315,18 +342,23 @@ void SceneRenderer::drawSprings(const SceneModel& model, const Look& look)
   glDepthFunc(GL_LEQUAL);
 }
 
-void SceneRenderer::drawFixedNodes(const SceneModel& model, const Look& look)
+void SceneRenderer::drawNodes(const SceneModel& model, const Look& look)
 {
-  if (m_fixed == 0) return;
+  if (m_fixed + m_selected == 0) return;
   m_point->bind();
   setMatrices(*m_point, model);
-  m_point->setUniformValue("size", static_cast<float>(6.0 * look.pixelRatio));
   m_point->setUniformValue("bias", kPointBias);
-  m_point->setUniformValue("plain", rgb(look.dark ? QColor(0xd8, 0xdd, 0xe3) : QColor(0x3b, 0x42, 0x4a)));
   m_point->setUniformValue("rim", rgb(look.dark ? QColor(0x20, 0x24, 0x28) : QColor(0xf4, 0xf6, 0xf8)));
   glBindVertexArray(m_netArray);
-  glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_fixedIndices);
-  glDrawElements(GL_POINTS, m_fixed, GL_UNSIGNED_INT, nullptr);
+  const auto points = [&](GLuint indices, int count, const QColor& colour, double size) {
+    if (count == 0) return;
+    m_point->setUniformValue("size", static_cast<float>(size * look.pixelRatio));
+    m_point->setUniformValue("plain", rgb(colour));
+    glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, indices);
+    glDrawElements(GL_POINTS, count, GL_UNSIGNED_INT, nullptr);
+  };
+  points(m_selectedIndices, m_selected, look.selectedNode, 9.0); // a ring of it stays around a fixed one
+  points(m_fixedIndices, m_fixed, look.dark ? QColor(0xd8, 0xdd, 0xe3) : QColor(0x3b, 0x42, 0x4a), 6.0);
 }
 
 void SceneRenderer::drawRegions(const SceneModel& model, const Look& look)
@@ -337,7 +369,7 @@ void SceneRenderer::drawRegions(const SceneModel& model, const Look& look)
   for (const bool inFront : {false, true}) { // faint where the organ hides the wire
     glDepthFunc(inFront ? GL_LEQUAL : GL_GREATER);
     for (const RegionLines& lines : m_regionLines) {
-      const float strength = (inFront ? 1.0f : 0.3f) * (lines.enabled ? 1.0f : 0.35f);
+      const float strength = (inFront ? 1.0f : 0.3f) * lines.strength;
       m_line->setUniformValue("plain", rgb(lines.selected ? look.selectedRegion : look.region));
       const LineStyle style{lines.selected ? 1.8f : 1.1f, (lines.selected ? 1.0f : 0.65f) * strength};
       drawLines(style, static_cast<float>(look.pixelRatio),

@@ -19,6 +19,7 @@ struct Look {
   QColor tissue;      ///< surface without colouring
   QColor wire;        ///< springs without colouring
   QColor region, selectedRegion;
+  QColor selectedNode;
   bool dark = false;
   double pixelRatio = 1.0; ///< device pixels per logical pixel
 };
@@ -35,7 +36,8 @@ public:
 private:
   struct RegionLines {
     int first = 0, count = 0; ///< vertices in m_regionBuffer
-    bool selected = false, enabled = true;
+    bool selected = false;
+    float strength = 1.0f; ///< of alpha: paler for what is off and for twins
   };
   /// How a set of lines looks.
   struct LineStyle {
@@ -50,6 +52,7 @@ private:
   void uploadTopology(const SceneModel& model);
   void uploadFrame(const SceneModel& model);
   void uploadRegions(const SceneModel& model);
+  void uploadSelection(const SceneModel& model);
   void setMatrices(QOpenGLShaderProgram& program, const SceneModel& model);
   void bindLines(const SceneModel& model, const Look& look, bool mapped, float fog);
   /// Calls `draw` once, or twice for solid lines (core, then soft edge).
@@ -59,16 +62,17 @@ private:
   void drawBackground(const Look& look);
   void drawSurface(const SceneModel& model, const Look& look);
   void drawSprings(const SceneModel& model, const Look& look);
-  void drawFixedNodes(const SceneModel& model, const Look& look);
+  void drawNodes(const SceneModel& model, const Look& look);
   void drawRegions(const SceneModel& model, const Look& look);
 
   bool m_created = false;
   Program m_background, m_surface, m_line, m_point;
   GLuint m_emptyArray = 0, m_netArray = 0, m_regionArray = 0;
   GLuint m_nodeBuffer = 0, m_triangleIndices = 0, m_springIndices = 0, m_fixedIndices = 0, m_regionBuffer = 0;
+  GLuint m_selectedIndices = 0;
   GLuint m_placeBuffer = 0, m_placeTexture = 0; ///< per spring, read by the line shader
   GLuint m_mapTexture = 0;
-  int m_triangles = 0, m_edges = 0, m_struts = 0, m_fixed = 0;
+  int m_triangles = 0, m_edges = 0, m_struts = 0, m_fixed = 0, m_selected = 0;
   std::vector<Index> m_springOrder; ///< edges first, then lines: two draw calls
   std::vector<RegionLines> m_regionLines;
 };

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport/scene_view.h"
 
+#include "app/viewport/gizmo_painter.h"
 #include "app/viewport/gl_probe.h"
 #include "app/viewport/gl_view.h"
+#include "app/viewport/overlay.h"
 #include "app/viewport/scene_model.h"
 #include "app/viewport/view_input.h"
 
@@ -58,6 +60,9 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_impl(std::make_unique
   connect(m_impl->input, &ViewInput::pullMoved, this, &SceneView::pullMoved);
   connect(m_impl->input, &ViewInput::pullEnded, this, &SceneView::pullEnded);
   connect(m_impl->input, &ViewInput::nodeSelected, this, &SceneView::nodeSelected);
+  connect(m_impl->input, &ViewInput::selectionChanged, this, &SceneView::selectionChanged);
+  connect(m_impl->input, &ViewInput::regionDragStarted, this, &SceneView::regionDragStarted);
+  connect(m_impl->input, &ViewInput::regionDragged, this, &SceneView::regionDragged);
   connect(m_impl->canvas, &GlView::failed, this, [this](const QString& why) {
     m_impl->failure = why;
     removeEventFilter(m_impl->input);
@@ -110,7 +115,9 @@ bool SceneView::hasOpenGl() const
 void SceneView::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t generation)
 {
   if (m_impl->input) m_impl->input->netReplaced();
+  const bool hadSelection = !m_impl->model.selection().empty();
   m_impl->repaintIf(m_impl->model.setNet(std::move(net), generation));
+  if (hadSelection) emit selectionChanged();
 }
 
 void SceneView::setSnapshot(const SimSnapshot& snapshot)
@@ -126,6 +133,7 @@ void SceneView::setParameters(std::shared_ptr<const SpringNet> net)
 void SceneView::setRegions(const std::vector<Region>& regions, int selected)
 {
   m_impl->repaintIf(m_impl->model.setRegions(regions, selected));
+  if (m_impl->input) m_impl->input->regionsReplaced();
 }
 
 void SceneView::setColouring(Colouring colouring)
@@ -185,6 +193,23 @@ QPointF SceneView::project(const Eigen::Vector3d& point) const
 Index SceneView::nodeAt(const QPointF& pixel) const
 {
   return m_impl->model.nodeAt({pixel.x(), pixel.y()});
+}
+
+QMap<QString, QPointF> SceneView::gizmoHandles() const
+{
+  const Region* region = m_impl->model.gizmoRegion();
+  if (region == nullptr || m_impl->tool != Tool::Region) return {};
+  return gizmoPlaces(layoutGizmo(m_impl->model.camera, {region->ellipsoid, region->falloff}));
+}
+
+QString SceneView::legendTitle() const
+{
+  return m_impl->model.net() != nullptr ? legendText(m_impl->model).title : QString();
+}
+
+const std::vector<Index>& SceneView::selection() const
+{
+  return m_impl->model.selection();
 }
 
 void SceneView::resizeEvent(QResizeEvent* event)

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/viewport/region_gizmo.h"
 #include "core/net/spring_net.h"
 #include "core/project/project.h"
 #include "core/runtime/sim_thread.h"
 
 #include <QImage>
+#include <QMap>
 #include <QString>
 #include <QWidget>
 
@@ -15,8 +17,8 @@
 
 namespace esm {
 
-enum class Colouring { None, Stiffness, Strain, Force };
-enum class Tool { Camera, Pull, Select };
+enum class Colouring { None, Stiffness, Strain, Force, RegionWeight };
+enum class Tool { Camera, Pull, Select, Region };
 
 /// The 3D preview: the central widget. Holds a QOpenGLWidget where OpenGL 3.3 works, else a page that says
 /// so; all calls are then accepted and do nothing. GUI thread.
@@ -52,12 +54,22 @@ public:
   QPointF project(const Eigen::Vector3d& point) const;
   /// The front-most node within 12 pixels, or kNoIndex.
   Index nodeAt(const QPointF& pixel) const;
+  /// The handles of the chosen region's gizmo by name ("move", "falloff", "stretch x+", "slide x", "turn x");
+  /// empty unless the tool Region shows them.
+  QMap<QString, QPointF> gizmoHandles() const;
+  QString legendTitle() const; ///< empty while there is no legend
+
+  /// The nodes that the tool Select has chosen, rising.
+  const std::vector<Index>& selection() const;
 
 signals:
   void pullStarted(int node, double x, double y, double z); ///< target [m]
   void pullMoved(double x, double y, double z);
   void pullEnded();
   void nodeSelected(int node);
+  void selectionChanged();
+  void regionDragStarted(); ///< of the selected region, by its gizmo
+  void regionDragged(const esm::GizmoShape& shape);
   void viewChanged(); ///< camera moved by the user
 
 protected:

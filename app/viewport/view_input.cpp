@@ -7,7 +7,9 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <numbers>
 
 namespace esm {
@@ -17,6 +19,7 @@ namespace {
 constexpr double kKeyStep = 30.0;      ///< an arrow key turns like a drag of that many pixels
 constexpr double kKeyZoom = 1.15;      ///< factor of one press of + or -
 constexpr double kWheelZoom = 0.00125; ///< exponent per unit of wheel angle (an eighth of a degree)
+constexpr double kClick = 4.0;         ///< a press that moves less is a click [pixels]
 
 Eigen::Vector2d pixel(const QPointF& at)
 {
@@ -36,8 +39,10 @@ void ViewInput::setTool(Tool tool)
 {
   if (tool == m_tool) return;
   letGo();
+  endDrag();
   m_tool = tool;
   setHovered(kNoIndex);
+  setHoveredHandle({});
   updateCursor();
   emit repaintNeeded();
 }
@@ -45,7 +50,14 @@ void ViewInput::setTool(Tool tool)
 void ViewInput::netReplaced()
 {
   letGo();
+  endDrag();
   m_hovered = m_selected = kNoIndex;
+}
+
+void ViewInput::regionsReplaced()
+{
+  const bool same = m_model->selectedRegion() == m_gizmoRegion && m_model->gizmoRegion() != nullptr;
+  if (m_drag == Drag::Region && !same) endDrag();
 }
 
 void ViewInput::letGo()
@@ -57,6 +69,31 @@ void ViewInput::letGo()
   updateCursor();
   emit pullEnded();
   emit repaintNeeded();
+}
+
+void ViewInput::endDrag()
+{
+  m_gizmo.reset();
+  m_drag = Drag::None;
+  m_button = Qt::NoButton;
+  updateCursor();
+  emit repaintNeeded();
+}
+
+/// What Esc does.
+void ViewInput::cancel()
+{
+  if (m_drag == Drag::Region) {
+    const GizmoShape before = m_gizmo->start();
+    endDrag();
+    emit regionDragged(before);
+  } else if (m_drag == Drag::Box) {
+    endDrag();
+  } else if (m_pulled != kNoIndex) {
+    letGo();
+  } else {
+    select({});
+  }
 }
 
 bool ViewInput::eventFilter(QObject* watched, QEvent* event)
@@ -75,7 +112,7 @@ bool ViewInput::eventFilter(QObject* watched, QEvent* event)
     return key(*static_cast<QKeyEvent*>(event));
   case QEvent::ShortcutOverride: // our keys come to us and not to a shortcut of the window
     if (static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
-      letGo(); // and the window may stop the device with the same key
+      cancel(); // and the window may stop the device with the same key
       return false;
     }
     if (!wantsKey(*static_cast<QKeyEvent*>(event))) return false;
@@ -83,9 +120,11 @@ bool ViewInput::eventFilter(QObject* watched, QEvent* event)
     return true;
   case QEvent::Leave:
     setHovered(kNoIndex);
+    if (m_drag != Drag::Region) setHoveredHandle({});
     return false;
   case QEvent::Hide:
     letGo();
+    endDrag();
     return false;
   case QEvent::FocusIn: {
     const auto reason = static_cast<QFocusEvent*>(event)->reason();
@@ -107,7 +146,7 @@ bool ViewInput::press(const QMouseEvent& event)
 {
   if (m_drag != Drag::None) return true; // a second button during a drag changes nothing
   m_button = event.button();
-  m_last = event.position();
+  m_last = m_pressed = event.position();
   switch (event.button()) {
   case Qt::MiddleButton:
     m_drag = event.modifiers() & Qt::ShiftModifier ? Drag::Pan : Drag::Orbit;
@@ -115,25 +154,87 @@ bool ViewInput::press(const QMouseEvent& event)
   case Qt::RightButton:
     m_drag = Drag::Pan;
     break;
-  case Qt::LeftButton: {
-    m_drag = event.modifiers() & Qt::ShiftModifier ? Drag::Pan : Drag::Orbit;
-    if (m_tool == Tool::Camera) break;
-    const Index node = m_model->nodeAt(pixel(m_last));
-    if (m_tool == Tool::Pull && node != kNoIndex) startPull(node, m_last);
-    if (m_tool == Tool::Select && node != kNoIndex) {
-      m_drag = Drag::None;
-      m_selected = node;
-      emit nodeSelected(node);
-      emit repaintNeeded();
-    }
+  case Qt::LeftButton:
+    pressWithTool(event);
     break;
-  }
   default:
     m_drag = Drag::None;
     return false;
   }
   updateCursor();
   return true;
+}
+
+void ViewInput::pressWithTool(const QMouseEvent& event)
+{
+  m_drag = event.modifiers() & Qt::ShiftModifier ? Drag::Pan : Drag::Orbit;
+  if (m_tool == Tool::Pull) {
+    if (const Index node = m_model->nodeAt(pixel(m_last)); node != kNoIndex) startPull(node, m_last);
+  } else if (m_tool == Tool::Region) {
+    startRegionDrag(m_last);
+  } else if (m_tool == Tool::Select) {
+    m_drag = Drag::Box;
+    if (event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) return;
+    if (const Index node = m_model->nodeAt(pixel(m_last)); node != kNoIndex) {
+      m_selected = node;
+      emit nodeSelected(node);
+      emit repaintNeeded();
+    }
+  }
+}
+
+bool ViewInput::startRegionDrag(const QPointF& at)
+{
+  const GizmoHandle handle = handleAt(at);
+  if (!handle) return false;
+  const Region& region = *m_model->gizmoRegion();
+  m_drag = Drag::Region;
+  m_gizmoRegion = m_model->selectedRegion();
+  m_gizmo.emplace(m_model->camera, handle, GizmoShape{region.ellipsoid, region.falloff}, pixel(at));
+  setHoveredHandle(handle);
+  emit regionDragStarted();
+  emit repaintNeeded();
+  return true;
+}
+
+GizmoHandle ViewInput::handleAt(const QPointF& at) const
+{
+  const Region* region = m_model->gizmoRegion();
+  if (region == nullptr || m_tool != Tool::Region) return {};
+  return esm::handleAt(layoutGizmo(m_model->camera, {region->ellipsoid, region->falloff}), pixel(at));
+}
+
+std::optional<Eigen::AlignedBox2d> ViewInput::selectionBox() const
+{
+  const Eigen::Vector2d from = pixel(m_pressed), to = pixel(m_last);
+  if (m_drag != Drag::Box || (to - from).norm() < kClick) return std::nullopt;
+  return Eigen::AlignedBox2d(from.cwiseMin(to), from.cwiseMax(to));
+}
+
+/// A click is a box with one node in it, or none.
+void ViewInput::finishBox(Qt::KeyboardModifiers modifiers)
+{
+  std::vector<Index> nodes;
+  if (const auto box = selectionBox())
+    nodes = m_model->nodesIn(*box);
+  else if (const Index node = m_model->nodeAt(pixel(m_last)); node != kNoIndex)
+    nodes = {node};
+  const std::vector<Index>& before = m_model->selection();
+  if (modifiers & Qt::ControlModifier) {
+    std::vector<Index> rest;
+    std::set_difference(before.begin(), before.end(), nodes.begin(), nodes.end(), std::back_inserter(rest));
+    nodes = std::move(rest);
+  } else if (modifiers & Qt::ShiftModifier) {
+    nodes.insert(nodes.end(), before.begin(), before.end());
+  }
+  select(std::move(nodes));
+}
+
+void ViewInput::select(std::vector<Index> nodes)
+{
+  if (!m_model->setSelection(std::move(nodes))) return;
+  emit selectionChanged();
+  emit repaintNeeded();
 }
 
 void ViewInput::startPull(Index node, const QPointF& at)
@@ -166,6 +267,13 @@ bool ViewInput::move(const QMouseEvent& event)
     emit pullMoved(m_target.x(), m_target.y(), m_target.z());
     emit repaintNeeded();
     return true;
+  case Drag::Box:
+    emit repaintNeeded();
+    return true;
+  case Drag::Region:
+    emit regionDragged(m_gizmo->to(pixel(m_last), event.modifiers() & Qt::ShiftModifier));
+    emit repaintNeeded();
+    return true;
   }
   movedCamera();
   return true;
@@ -175,15 +283,15 @@ bool ViewInput::release(const QMouseEvent& event)
 {
   if (event.button() != m_button) return true;
   letGo();
-  m_drag = Drag::None;
-  m_button = Qt::NoButton;
-  updateCursor();
+  if (m_drag == Drag::Box) finishBox(event.modifiers());
+  endDrag();
   return true;
 }
 
 bool ViewInput::wheel(const QWheelEvent& event)
 {
-  if (m_drag == Drag::Pull) return true; // the plane of the pull must stay under the mouse
+  if (m_drag != Drag::None && m_drag != Drag::Orbit && m_drag != Drag::Pan)
+    return true; // what is dragged must stay under the mouse
   m_model->camera.zoomAt(pixel(event.position()), std::exp(-kWheelZoom * event.angleDelta().y()));
   movedCamera();
   return true;
@@ -193,8 +301,6 @@ bool ViewInput::wantsKey(const QKeyEvent& event) const
 {
   if (event.modifiers() & ~(Qt::KeypadModifier | Qt::ShiftModifier)) return false;
   switch (event.key()) {
-  case Qt::Key_Escape:
-    return m_pulled != kNoIndex;
   case Qt::Key_F:
   case Qt::Key_1:
   case Qt::Key_3:
@@ -215,11 +321,7 @@ bool ViewInput::wantsKey(const QKeyEvent& event) const
 bool ViewInput::key(const QKeyEvent& event)
 {
   if (!wantsKey(event)) return false;
-  if (event.key() == Qt::Key_Escape) {
-    letGo();
-    return true;
-  }
-  if (m_drag == Drag::Pull) return true;
+  if (m_drag == Drag::Pull || m_drag == Drag::Region) return true;
   Camera& camera = m_model->camera;
   const Eigen::Vector2d middle(camera.width() / 2.0, camera.height() / 2.0);
   switch (event.key()) {
@@ -270,7 +372,17 @@ bool ViewInput::key(const QKeyEvent& event)
 
 void ViewInput::hover(const QPointF& at)
 {
-  setHovered(m_tool == Tool::Camera ? kNoIndex : m_model->nodeAt(pixel(at)));
+  const bool takesNodes = m_tool == Tool::Pull || m_tool == Tool::Select;
+  setHovered(takesNodes ? m_model->nodeAt(pixel(at)) : kNoIndex);
+  setHoveredHandle(handleAt(at));
+}
+
+void ViewInput::setHoveredHandle(const GizmoHandle& handle)
+{
+  if (handle == m_handle) return;
+  m_handle = handle;
+  updateCursor();
+  emit repaintNeeded();
 }
 
 void ViewInput::setHovered(Index node)
@@ -283,12 +395,12 @@ void ViewInput::setHovered(Index node)
 
 void ViewInput::updateCursor()
 {
-  if (m_drag != Drag::None)
+  if (m_drag != Drag::None && m_drag != Drag::Box)
     m_view->setCursor(Qt::ClosedHandCursor);
   else if (m_tool == Tool::Select)
     m_view->setCursor(m_hovered != kNoIndex ? Qt::PointingHandCursor : Qt::CrossCursor);
-  else if (m_tool == Tool::Pull)
-    m_view->setCursor(m_hovered != kNoIndex ? Qt::OpenHandCursor : Qt::ArrowCursor);
+  else if (m_tool == Tool::Pull || m_tool == Tool::Region)
+    m_view->setCursor(m_hovered != kNoIndex || m_handle ? Qt::OpenHandCursor : Qt::ArrowCursor);
   else
     m_view->setCursor(Qt::ArrowCursor);
 }
