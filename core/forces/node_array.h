@@ -2,24 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/lanes.h"
 #include "core/base/types.h"
 
 #include <Eigen/Core>
 
-#include <cstdint>
 #include <new>
 #include <vector>
 
-// g++ notes that such a type is passed otherwise in code that is built for AVX as a whole. All of ESM is
-// built for plain x86-64, and the AVX2 versions of a kernel pass it only to what is inlined into them.
-#pragma GCC diagnostic ignored "-Wpsabi"
-
 namespace esm {
-
-/// Four doubles that the compiler keeps in one AVX register, or in two SSE2 ones: lane by lane the same
-/// arithmetic, so both give the same bits.
-using Lanes = double __attribute__((vector_size(32)));
-using LaneBits = std::int64_t __attribute__((vector_size(32)));
 
 /// Memory on cache line borders: std::allocator forgets the alignment of a vector type.
 template <class T>

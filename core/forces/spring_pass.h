@@ -4,16 +4,6 @@
 
 #include "core/forces/spring_law.h"
 
-/// Put before a function that deserves further versions for CPUs with AVX2 and with AVX-512 (whose 32
-/// registers spare the spills; lanes stay four wide); the loader chooses. Off under sanitizers, which cannot
-/// run before the choice is made, and where there is no such choice.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(ESM_SANITIZED) &&            \
-  !defined(ESM_NO_CLONES)
-#define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-#else
-#define ESM_CPU_CLONES
-#endif
-
 namespace esm::detail {
 
 #define ESM_INLINE [[gnu::always_inline]] inline

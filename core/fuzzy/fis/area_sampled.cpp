@@ -1,8 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/base/lanes.h"
 #include "core/fuzzy/fis/compiled.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace esm::fis {
 
@@ -80,6 +82,40 @@ void withJoin(SNorm norm, const Use& use)
   }
 }
 
+/// y = max(y, min(table, degree)): nearly every evaluation of nearly every rule base.
+ESM_CPU_CLONES void joinCut(double* y, const double* table, double degree, std::size_t count) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) {
+    const double cut = table[i] < degree ? table[i] : degree;
+    y[i] = y[i] > cut ? y[i] : cut;
+  }
+}
+
+struct Moments {
+  double area = 0.0, moment = 0.0;
+};
+/// Eight sums side by side: one alone waits for each addition before.
+ESM_CPU_CLONES Moments momentsOf(const double* x, const double* y, std::size_t count) noexcept
+{
+  Lanes area0{}, area1{}, moment0{}, moment1{};
+  std::size_t i = 0;
+  for (; i + 8 <= count; i += 8) {
+    const auto* xs = reinterpret_cast<const LooseLanes*>(x + i);
+    const auto* ys = reinterpret_cast<const LooseLanes*>(y + i);
+    area0 += ys[0];
+    area1 += ys[1];
+    moment0 += xs[0] * ys[0];
+    moment1 += xs[1] * ys[1];
+  }
+  const Lanes area = area0 + area1, moment = moment0 + moment1;
+  Moments sum{(area[0] + area[2]) + (area[1] + area[3]), (moment[0] + moment[2]) + (moment[1] + moment[3])};
+  for (; i < count; ++i) {
+    sum.area += y[i];
+    sum.moment += x[i] * y[i];
+  }
+  return sum;
+}
+
 /// The aggregated set at the middles of n equal steps.
 class Samples {
 public:
@@ -130,7 +166,11 @@ private:
       const std::size_t from = skips ? at(term.support.first) : 0,
                         to = skips ? at(term.support.end()) : m_count;
       m_first = std::min(m_first, from), m_end = std::max(m_end, to);
-      for (std::size_t i = from; i < to; ++i) y[i] = join(y[i], cut(table[i], degree));
+      if constexpr (std::is_same_v<CutNorm, Cut<TNorm::Minimum>> &&
+                    std::is_same_v<JoinNorm, Join<SNorm::Maximum>>)
+        joinCut(y + from, table + from, degree, to - from);
+      else
+        for (std::size_t i = from; i < to; ++i) y[i] = join(y[i], cut(table[i], degree));
       return;
     }
     m_first = 0, m_end = m_count;
@@ -147,22 +187,16 @@ private:
 
 double centroid(const Samples& samples)
 {
-  // Four sums side by side: one alone waits for each addition before.
-  double area[4] = {}, moment[4] = {};
-  std::size_t i = samples.first();
-  if (const double* x = samples.grid()) {
-    const double* y = samples.values();
-    for (; i + 4 <= samples.end(); i += 4)
-      for (std::size_t k = 0; k < 4; ++k) {
-        area[k] += y[i + k];
-        moment[k] += y[i + k] * x[i + k];
-      }
-  }
-  for (; i < samples.end(); ++i) {
-    area[0] += samples.y(i);
-    moment[0] += samples.y(i) * samples.x(i);
-  }
-  return ((moment[0] + moment[1]) + (moment[2] + moment[3])) / ((area[0] + area[1]) + (area[2] + area[3]));
+  const std::size_t first = samples.first(), count = samples.end() - first;
+  Moments sum;
+  if (const double* x = samples.grid())
+    sum = momentsOf(x + first, samples.values() + first, count);
+  else
+    for (std::size_t i = first; i < samples.end(); ++i) {
+      sum.area += samples.y(i);
+      sum.moment += samples.y(i) * samples.x(i);
+    }
+  return sum.moment / sum.area;
 }
 
 /// Grows the smaller of two areas from both ends until they meet, as fuzzylite does.

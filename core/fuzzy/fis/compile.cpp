@@ -3,8 +3,10 @@
 #include "core/fuzzy/fis/compiled.h"
 
 #include <algorithm>
+#include <limits>
 #include <map>
 #include <tuple>
+#include <utility>
 
 namespace esm::fis {
 
@@ -37,6 +39,7 @@ private:
       const Term& term = terms[t];
       FlatTerm flat;
       flat.shape = term.shape;
+      flat.straight = isPiecewiseLinear(term.shape);
       flat.parameters = {static_cast<int>(m_c.numbers.size()), static_cast<int>(term.parameters.size())};
       for (std::size_t i = 0; i <= term.parameters.size(); ++i) {
         const bool isHeight = i == term.parameters.size();
@@ -101,8 +104,24 @@ private:
         const Proposition& p = node.proposition;
         if (node.kind != Antecedent::Kind::Proposition || p.onOutput) continue;
         const auto [place, isNew] = m_facts.try_emplace(keyOf(p), static_cast<int>(m_c.inputFacts.size()));
-        if (isNew) m_c.inputFacts.push_back({p.variable, termOf(p), addHedges(p.hedges)});
+        if (!isNew) continue;
+        const auto [low, high] = supportOf(termOf(p));
+        m_c.inputFacts.push_back({p.variable, termOf(p), addHedges(p.hedges), low, high});
       }
+  }
+
+  /// Outside of it the curve is 0; all numbers if that is not known.
+  std::pair<double, double> supportOf(int term) const
+  {
+    constexpr double kInfinity = std::numeric_limits<double>::infinity();
+    if (term >= 0) {
+      const Curve curve = m_c.curve(term, {});
+      const auto& p = curve.parameters;
+      if ((curve.shape == Shape::Triangle || curve.shape == Shape::Trapezoid) &&
+          std::is_sorted(p.begin(), p.end()))
+        return {p.front(), p.back()};
+    }
+    return {-kInfinity, kInfinity};
   }
 
   int addNode(const Antecedent& antecedent, int index)
@@ -161,14 +180,13 @@ private:
     for (int r = block.rules.first; r < block.rules.end(); ++r)
       addNeeds(m_c.rules[static_cast<std::size_t>(r)].root, r, rulesOf);
     block.maskWords = (block.rules.count + 63) / 64;
+    block.masks.assign(static_cast<std::size_t>(block.maskWords) * rulesOf.size(), 0);
     for (const auto& [fact, rules] : rulesOf) {
-      const std::size_t first = block.masks.size();
-      block.needs.push_back(fact);
-      block.masks.resize(first + static_cast<std::size_t>(block.maskWords), 0);
       for (const int rule : rules) {
         const auto bit = static_cast<std::size_t>(rule - block.rules.first);
-        block.masks[first + bit / 64] |= std::uint64_t{1} << (bit % 64);
+        block.masks[bit / 64 * rulesOf.size() + block.needs.size()] |= std::uint64_t{1} << (bit % 64);
       }
+      block.needs.push_back(fact);
     }
   }
 

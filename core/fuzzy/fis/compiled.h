@@ -19,16 +19,18 @@ struct Range {
 struct FlatTerm {
   Shape shape = Shape::Triangle;
   Range parameters;
-  int formula = -1;   ///< into Compiled::formulas
-  int variables = 0;  ///< how many of Scratch::variables the formula, or Linear, sees
-  int tableFirst = 0; ///< sampled outputs: where its samples start in Compiled::tables
-  Range support;      ///< the samples that are not 0
+  int formula = -1;      ///< into Compiled::formulas
+  int variables = 0;     ///< how many of Scratch::variables the formula, or Linear, sees
+  int tableFirst = 0;    ///< sampled outputs: where its samples start in Compiled::tables
+  Range support;         ///< the samples that are not 0
+  bool straight = false; ///< between corners
 };
 
 /// A degree that conditions refer to: an input's term under hedges.
 struct InputFact {
   int input = -1, term = -1; ///< term: -1 for 'any', else into Compiled::terms
   Range hedges;
+  double low, high; ///< outside the curve is 0: most facts of a number end here
 };
 /// The same on an output; its degree depends on when it is asked for, so each occurrence is one.
 struct OutputFact {
@@ -67,7 +69,7 @@ struct FlatBlock {
   Range rules;
   int maskWords = 0;                ///< of 64 rules each
   std::vector<int> needs;           ///< input facts without which rules have degree 0
-  std::vector<std::uint64_t> masks; ///< per such fact: the rules that need it, maskWords each
+  std::vector<std::uint64_t> masks; ///< per word, per such fact: which of those 64 rules need it
 };
 
 struct FlatOutput {
@@ -169,10 +171,11 @@ struct Scratch {
   std::vector<double> slots, slotAdjoint;
   std::vector<double> prefix; ///< of folds
   std::vector<double> degrees, firings, ruleAdjoint;
-  std::vector<int> queue;          ///< of Highest and Lowest
-  std::vector<std::uint64_t> dead; ///< rules that lack a fact they need
-  std::vector<int> order;          ///< rules that fired, in the order they did
-  std::vector<double> blockSum;    ///< of Proportional
+  std::vector<int> queue;           ///< of Highest and Lowest
+  std::vector<std::uint64_t> dead;  ///< rules that lack a fact they need
+  std::vector<std::uint64_t> lacks; ///< per need: all bits if its fact is 0
+  std::vector<int> order;           ///< rules that fired, in the order they did
+  std::vector<double> blockSum;     ///< of Proportional
   std::vector<Activated> activated;
   std::vector<double> activatedAdjoint;
   std::vector<int> activatedCount; ///< per output

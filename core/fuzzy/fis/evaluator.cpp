@@ -52,15 +52,17 @@ private:
   {
     const InputVariable& variable = m_c.system.inputs[at(fact.input)];
     if (!variable.enabled) return 0.0;
+    const Input& input = m_s.inputs[at(fact.input)];
+    const double x = m_s.variables[at(fact.input)];
+    const bool isNumber = !input.set && !(input.low < input.high);
     double degree = 1.0; // of 'any'
-    if (fact.term >= 0) {
-      const Input& input = m_s.inputs[at(fact.input)];
-      const Curve curve = m_c.curve(fact.term, m_s.variables);
-      degree = !input.set && !(input.low < input.high)
-                 ? membership(curve, m_s.variables[at(fact.input)])
-                 : fuzzyDegree(curve, input, variable.minimum, variable.maximum);
-    }
-    return applyHedges(m_c.hedgesOf(fact.hedges), degree);
+    if (isNumber && (x < fact.low || x > fact.high))
+      degree = 0.0;
+    else if (fact.term >= 0)
+      degree = isNumber ? membership(m_c.curve(fact.term, m_s.variables), x)
+                        : fuzzyDegree(m_c.curve(fact.term, m_s.variables), input, variable.minimum,
+                                      variable.maximum);
+    return fact.hedges.count > 0 ? applyHedges(m_c.hedgesOf(fact.hedges), degree) : degree;
   }
 
   /// What rules before gave to an output's term.
@@ -93,6 +95,8 @@ private:
       double degree = slots[child[0]];
       if (node.kind == Antecedent::Kind::Not) {
         degree = 1.0 - degree;
+      } else if (node.kind == Antecedent::Kind::And && block.conjunction == TNorm::Minimum) {
+        for (int k = 1; k < node.children.count; ++k) degree = lesser(degree, slots[child[k]]);
       } else if (node.kind == Antecedent::Kind::And) {
         for (int k = 1; k < node.children.count; ++k)
           degree = apply(block.conjunction, degree, slots[child[k]], m_c.width);
@@ -156,13 +160,21 @@ private:
   /// Marks the rules that lack a fact they need: most of them, where terms are narrow.
   void findDead(const FlatBlock& block)
   {
-    const auto words = at(block.maskWords);
-    std::fill_n(m_s.dead.begin(), words, std::uint64_t{0});
+    const std::size_t count = block.needs.size();
     const std::uint64_t* mask = block.masks.data();
-    for (const int fact : block.needs) {
-      if (m_s.slots[at(fact)] == 0.0)
-        for (std::size_t w = 0; w < words; ++w) m_s.dead[w] |= mask[w];
-      mask += words;
+    std::uint64_t* lacks = m_s.lacks.data();
+    std::uint64_t dead = 0; // of the first 64 rules: small rule bases have no more
+    for (std::size_t k = 0; k < count; ++k) {
+      // Without a branch: whether a fact is 0 is a coin toss.
+      lacks[k] = m_s.slots[at(block.needs[k])] == 0.0 ? ~std::uint64_t{0} : std::uint64_t{0};
+      dead |= mask[k] & lacks[k];
+    }
+    m_s.dead[0] = dead;
+    for (std::size_t w = 1; w < at(block.maskWords); ++w) {
+      mask += count;
+      dead = 0;
+      for (std::size_t k = 0; k < count; ++k) dead |= mask[k] & lacks[k];
+      m_s.dead[w] = dead;
     }
     std::fill_n(m_s.degrees.begin() + block.rules.first, block.rules.count, 0.0);
   }
@@ -370,6 +382,7 @@ Workspace Evaluator::makeWorkspace() const
   s->ruleAdjoint.assign(rules, 0.0);
   s->queue.reserve(rules);
   s->dead.assign(rules / 64 + 1, 0);
+  s->lacks.assign(c.inputFacts.size(), 0);
   s->order.reserve(rules);
   s->blockSum.assign(c.blocks.size(), 0.0);
   s->activated.assign(activated, {});

@@ -13,11 +13,10 @@ std::size_t at(int index)
   return static_cast<std::size_t>(index);
 }
 
-bool isStraight(const ActiveSet& set)
+bool keepsStraight(TNorm implication)
 {
-  return isPiecewiseLinear(set.curve.shape) && set.hedges.empty() &&
-         (set.implication == TNorm::Minimum || set.implication == TNorm::AlgebraicProduct ||
-          set.implication == TNorm::BoundedDifference);
+  return implication == TNorm::Minimum || implication == TNorm::AlgebraicProduct ||
+         implication == TNorm::BoundedDifference;
 }
 
 } // namespace
@@ -49,7 +48,8 @@ void collectSets(const Compiled& c, const FlatOutput& output, int outputIndex, S
     set.implication = activated.implication;
     set.setHedges = activated.setHedges;
     set.hedges = c.hedgesOf(activated.setHedges);
-    set.straight = isStraight(set);
+    set.straight =
+      c.terms[at(activated.term)].straight && set.hedges.empty() && keepsStraight(set.implication);
     s.sets.push_back(set);
   }
 }

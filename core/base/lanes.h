@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+// Loops that deserve the CPU's wide registers: the same arithmetic lane by lane on every CPU, so that all
+// give the same bits (contraction is off in the whole build).
+
+// g++ notes that such a type is passed otherwise in code that is built for AVX as a whole. All of ESM is
+// built for plain x86-64, and the AVX2 versions of a kernel pass it only to what is inlined into them.
+#pragma GCC diagnostic ignored "-Wpsabi"
+
+/// Put before a function that deserves further versions for CPUs with AVX2 and with AVX-512 (whose 32
+/// registers spare the spills; lanes stay four wide); the loader chooses. Off under sanitizers, which cannot
+/// run before the choice is made, and where there is no such choice.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(ESM_SANITIZED) &&            \
+  !defined(ESM_NO_CLONES)
+#define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+#else
+#define ESM_CPU_CLONES
+#endif
+
+namespace esm {
+
+/// Four doubles that the compiler keeps in one AVX register, or in two SSE2 ones.
+using Lanes = double __attribute__((vector_size(32)));
+using LaneBits = std::int64_t __attribute__((vector_size(32)));
+/// The same where memory is aligned to single doubles only.
+using LooseLanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+
+} // namespace esm
