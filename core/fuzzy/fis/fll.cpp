@@ -4,7 +4,9 @@
 #include "core/fuzzy/fis/files.h"
 #include "core/fuzzy/fis/source_text.h"
 
+#include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
 
 namespace esm::fis {
@@ -290,6 +292,29 @@ private:
     line("lock-range: " + truth(variable.lockRange));
   }
 
+  /// A minus that subtracts from nothing; that of "1e-3" follows a letter, that of "x and -y" a blank.
+  static bool hasLeadingMinus(std::string_view formula)
+  {
+    std::string_view word;
+    for (std::size_t i = 0; i < formula.size(); ++i) {
+      const std::size_t end = std::min(formula.find_first_of(" \t+-*/%^(),!~", i), formula.size());
+      if (end > i) {
+        word = formula.substr(i, end - i);
+        i = end - 1;
+        continue;
+      }
+      const char c = formula[i];
+      const bool wantsOperand = word.empty() || word == "and" || word == "or";
+      if (c == '-' && wantsOperand) return true;
+      if (c == ' ' || c == '\t') continue;
+      const bool isExponent = (c == '-' || c == '+') &&
+                              std::isdigit(static_cast<unsigned char>(word[0])) != 0 &&
+                              (word.back() == 'e' || word.back() == 'E');
+      if (c != ')' && !isExponent) word = {};
+    }
+    return false;
+  }
+
   void writeTerm(const Term& term)
   {
     std::string text = "term: " + term.name + ' ' + std::string(nameOf(term.shape));
@@ -297,6 +322,8 @@ private:
     for (const double parameter : term.parameters) text += ' ' + formatDouble(parameter);
     if (term.height != 1.0) text += ' ' + formatDouble(term.height);
     line(text);
+    if (term.shape == Shape::Function && hasLeadingMinus(term.formula))
+      m_written.losses.push_back("term '" + term.name + "': fuzzylite cannot read '-' before an operand");
   }
 
   void writeOutput(const OutputVariable& output)

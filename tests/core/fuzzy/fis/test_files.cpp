@@ -137,6 +137,23 @@ TEST(Files, FllHoldsEverythingWithoutLoss)
   }
 }
 
+// fuzzylite has '~' for it and takes '-' as a subtraction that lacks a number.
+TEST(Files, FllNamesFormulasWithASignThatFuzzyliteCannotRead)
+{
+  const auto lossesOf = [](const std::string& formula) {
+    System system = readFll(kFan, "fan").value();
+    system.outputs[0].terms.push_back({"f", Shape::Function, {}, 1.0, formula});
+    const auto& losses = writeFll(system).losses;
+    return std::count_if(losses.begin(), losses.end(), [](const std::string& loss) {
+      return loss == "term 'f': fuzzylite cannot read '-' before an operand";
+    });
+  };
+  for (const char* formula : {"-x", "2*-x", "max(1, -x)", "(1 - 2)^-x", "x and -1", "- x", "1e-3 - -x"})
+    EXPECT_EQ(lossesOf(formula), 1) << formula;
+  for (const char* formula : {"1-x", "1e-3", "2.5E-3 - x", "(x)-1", "~x", "max(1,2)-x", "pi-x"})
+    EXPECT_EQ(lossesOf(formula), 0) << formula;
+}
+
 // What a writer does not list as lost is there when the file is read again: it computes the same.
 TEST(Files, OtherFormatsComputeTheSameWhereNothingIsLost)
 {
