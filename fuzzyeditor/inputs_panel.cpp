@@ -3,9 +3,11 @@
 #include "fuzzyeditor/inputs_panel.h"
 
 #include "core/base/text_number.h"
+#include "core/tissue/tissue_units.h"
 #include "fuzzyeditor/badge_label.h"
 #include "fuzzyeditor/fuzzy_evaluation.h"
 #include "fuzzyeditor/input_row.h"
+#include "fuzzyeditor/preset_bar.h"
 #include "fuzzyeditor/rule_display.h"
 
 #include <QEvent>
@@ -32,15 +34,27 @@ std::vector<std::string> shapeOf(const fuzzy::RuleBase& rules)
   return shape;
 }
 
+void styleValue(QLabel* label)
+{
+  QFont bold = label->font();
+  bold.setWeight(QFont::DemiBold);
+  label->setFont(bold);
+  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+}
+
 } // namespace
 
 InputsPanel::InputsPanel(FuzzyEvaluation* evaluation, QWidget* parent)
   : QWidget(parent),
     m_evaluation(evaluation),
     m_target(new QLabel),
+    m_presets(new PresetBar(evaluation->document())),
     m_outputsTitle(new QLabel),
     m_inputsLayout(new QVBoxLayout),
-    m_outputsLayout(new QGridLayout)
+    m_outputsLayout(new QGridLayout),
+    m_deflectionName(new QLabel),
+    m_deflection(new QLabel)
 {
   setObjectName("inputsPanel");
   m_target->setObjectName("inputsTarget");
@@ -58,6 +72,7 @@ InputsPanel::InputsPanel(FuzzyEvaluation* evaluation, QWidget* parent)
   layout->setContentsMargins(8, 8, 8, 8);
   layout->setSpacing(8);
   layout->addWidget(m_target);
+  layout->addWidget(m_presets);
   layout->addLayout(m_inputsLayout);
   auto* line = new QFrame;
   line->setFrameShape(QFrame::HLine);
@@ -66,6 +81,8 @@ InputsPanel::InputsPanel(FuzzyEvaluation* evaluation, QWidget* parent)
   layout->addWidget(m_outputsTitle);
   m_outputsLayout->setHorizontalSpacing(12);
   m_outputsLayout->setColumnStretch(0, 1);
+  m_deflection->setObjectName("valueDeflection");
+  styleValue(m_deflection);
   layout->addLayout(m_outputsLayout);
   layout->addStretch(1);
 
@@ -119,16 +136,15 @@ void InputsPanel::rebuildRows()
     row.value->setObjectName("value_" + id);
     row.defaultMark->setObjectName("default_" + id);
     row.defaultMark->setWordWrap(false);
-    QFont bold = font();
-    bold.setWeight(QFont::DemiBold);
-    row.value->setFont(bold);
-    row.value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-    row.value->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    styleValue(row.value);
     m_outputsLayout->addWidget(row.name, 2 * i, 0);
     m_outputsLayout->addWidget(row.value, 2 * i, 1);
     m_outputsLayout->addWidget(row.defaultMark, 2 * i + 1, 0, 1, 2);
     m_outputs.push_back(row);
   }
+  const int below = 2 * static_cast<int>(rules.outputs.size());
+  m_outputsLayout->addWidget(m_deflectionName, below, 0);
+  m_outputsLayout->addWidget(m_deflection, below, 1);
 }
 
 void InputsPanel::showInputs()
@@ -148,19 +164,43 @@ void InputsPanel::showOutputs()
     const fuzzy::Variable& variable = rules.outputs[i];
     const OutputRow& row = m_outputs[i];
     const QString name = RuleDisplay::title(variable, document->ruleLanguage());
-    const QString value = i < values.size() ? RuleDisplay::quantity(values[i].value, variable.unit, locale())
-                                            : QStringLiteral("–");
+    const QString value =
+      i < values.size() ? RuleDisplay::quantity(values[i].value, variable, locale()) : QStringLiteral("–");
     row.name->setText(name);
     row.value->setText(value);
     row.value->setAccessibleName(name + ' ' + value);
     row.defaultMark->setText(tr("No rule fires: this is the default."));
     row.defaultMark->setVisible(i < values.size() && !values[i].fromRules);
   }
+  showDeflection();
+}
+
+/// Where the rules speak of what it takes, stiffness and how well the volume is kept.
+void InputsPanel::showDeflection()
+{
+  const fuzzy::RuleBase& rules = m_evaluation->document()->ruleBase();
+  const std::vector<fuzzy::OutputValue>& values = m_evaluation->inference().outputs;
+  TissueParameters tissue;
+  for (const TissueOutput& output : kTissueOutputs)
+    for (std::size_t i = 0; i < rules.outputs.size() && i < values.size(); ++i)
+      if (rules.outputs[i].id == output.id) tissue.*output.value = values[i].value;
+  const bool known = tissue.youngsModulus > 0.0 && tissue.volumeRatio > 0.0;
+  m_deflectionName->setVisible(known);
+  m_deflection->setVisible(known);
+  if (!known) return;
+  m_deflectionName->setText(tr("Deflection under 1 N"));
+  m_deflection->setText(
+    toQt(shownDeflection(deflectionUnder1N(tissue), m_evaluation->document()->ruleLanguage())));
+  m_deflection->setAccessibleName(m_deflectionName->text() + ' ' + m_deflection->text());
+  for (QLabel* label : {m_deflectionName, m_deflection})
+    label->setToolTip(
+      tr("How far a flat round probe of 10 mm goes into thick tissue that is held in place."));
 }
 
 void InputsPanel::retranslate()
 {
   m_outputsTitle->setText(tr("Result"));
+  m_presets->retranslate();
   for (InputRow* row : m_inputs) row->retranslate();
   showInputs();
   showOutputs();

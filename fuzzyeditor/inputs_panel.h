@@ -16,9 +16,10 @@ namespace esm {
 class BadgeLabel;
 class FuzzyEvaluation;
 class InputRow;
+class PresetBar;
 
-/// The dock "Fuzzy Input": whose tissue it is, one row per input, and what the rules make of them in the
-/// units that physicians read.
+/// The dock "Fuzzy Input": whose tissue it is, presets, one row per input, and what the rules make of them in
+/// the units that physicians read, with what a finger can check: how far it goes in under 1 N.
 class InputsPanel : public QWidget {
   Q_OBJECT
 public:
@@ -42,16 +43,19 @@ private:
   void rebuildRows();
   void showInputs();
   void showOutputs();
+  void showDeflection();
   void retranslate();
 
   FuzzyEvaluation* m_evaluation;
   QLabel* m_target;
+  PresetBar* m_presets;
   QLabel* m_outputsTitle;
   QVBoxLayout* m_inputsLayout;
   QGridLayout* m_outputsLayout;
   std::vector<InputRow*> m_inputs;
   std::vector<OutputRow> m_outputs;
-  std::vector<std::string> m_shape; ///< what the rows were built from: ids, ranges and units
+  QLabel *m_deflectionName, *m_deflection; ///< below the outputs
+  std::vector<std::string> m_shape;        ///< what the rows were built from: ids, ranges and units
 };
 
 } // namespace esm

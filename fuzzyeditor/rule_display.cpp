@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzzyeditor/rule_display.h"
 
+#include "core/tissue/tissue_units.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -117,6 +119,7 @@ DisplayUnit RuleDisplay::displayUnit(const std::string& unit)
   if (unit == "Pa") return {1e3, QStringLiteral("kPa")};
   if (unit == "s") return {1e-3, QStringLiteral("ms")};
   if (unit == "Pa/m") return {1e6, QStringLiteral("kPa/mm")};
+  if (unit == "kg/m^3") return {1e3, QStringLiteral("g/cm³")};
   return {1.0, toQt(unit)};
 }
 
@@ -136,6 +139,14 @@ QString RuleDisplay::quantity(double value, const std::string& unit, const QLoca
   if (!shown.symbol.isEmpty()) return RuleDisplay::number(number, locale) + QChar(0x00a0) + shown.symbol;
   // Findings between 0 and 1: two decimals say all that a hand can tell.
   return std::abs(number) < 10 ? locale.toString(number, 'f', 2) : RuleDisplay::number(number, locale);
+}
+
+QString RuleDisplay::quantity(double value, const fuzzy::Variable& variable, const QLocale& locale)
+{
+  const Language language = locale.language() == QLocale::German ? Language::German : Language::English;
+  for (const TissueOutput& output : kTissueOutputs)
+    if (variable.id == output.id) return toQt(shownValue(value, output.value, language));
+  return quantity(value, variable.unit, locale);
 }
 
 QString RuleDisplay::inputs(const std::vector<fuzzy::InputValue>& values, const fuzzy::RuleBase& rules,

@@ -65,6 +65,8 @@ public:
   static QString number(double value, const QLocale& locale, int significant = 3);
   /// "48 kPa": an SI value in its display unit.
   static QString quantity(double value, const std::string& unit, const QLocale& locale);
+  /// The same for a variable; what tissue knows (core/tissue/tissue_units.h) as physicians read it: "55 %".
+  static QString quantity(double value, const fuzzy::Variable& variable, const QLocale& locale);
   /// "hardness 0.50, elasticity low": the present inputs, for messages.
   static QString inputs(const std::vector<fuzzy::InputValue>& values, const fuzzy::RuleBase& rules,
                         Language language, const QLocale& locale);

@@ -5,8 +5,10 @@
 #include "fuzzyeditor/badge_label.h"
 #include "fuzzyeditor/fuzzy_evaluation.h"
 #include "fuzzyeditor/mistake_bar.h"
+#include "fuzzyeditor/problems_view.h"
 #include "fuzzyeditor/rule_delegates.h"
 #include "fuzzyeditor/rule_display.h"
+#include "fuzzyeditor/rule_matrix_page.h"
 #include "fuzzyeditor/rule_table_model.h"
 #include "fuzzyeditor/rule_text_page.h"
 
@@ -15,6 +17,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QItemSelection>
+#include <QSplitter>
 #include <QTabWidget>
 #include <QTableView>
 #include <QToolButton>
@@ -30,12 +33,14 @@ RulesPanel::RulesPanel(FuzzyEvaluation* evaluation, QWidget* parent)
     m_model(new RuleTableModel(evaluation, this)),
     m_tabs(new QTabWidget),
     m_textPage(new RuleTextPage(evaluation->document())),
-    m_problems(new BadgeLabel)
+    m_matrixPage(new RuleMatrixPage(evaluation)),
+    m_problemsView(new ProblemsView(evaluation->document())),
+    m_silence(new BadgeLabel)
 {
   setObjectName("rulesPanel");
   m_tabs->setObjectName("rulesTabs");
   m_tabs->setDocumentMode(true);
-  m_problems->setObjectName("rulesProblems");
+  m_silence->setObjectName("rulesProblems");
   m_add = createAction("actRuleAdd", Qt::Key_Insert);
   m_duplicate = createAction("actRuleDuplicate", Qt::CTRL | Qt::Key_D);
   m_remove = createAction("actRuleRemove", QKeySequence::Delete);
@@ -45,19 +50,29 @@ RulesPanel::RulesPanel(FuzzyEvaluation* evaluation, QWidget* parent)
 
   m_tabs->addTab(createTablePage(), QString());
   m_tabs->addTab(m_textPage, QString());
+  m_tabs->addTab(m_matrixPage, QString());
+  auto* sides = new QSplitter(Qt::Horizontal);
+  sides->setObjectName("rulesSides");
+  sides->addWidget(m_tabs);
+  sides->addWidget(m_problemsView);
+  sides->setCollapsible(0, false);
+  sides->setStretchFactor(0, 3);
+  sides->setStretchFactor(1, 1);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->setSpacing(4);
-  layout->addWidget(m_tabs, 1);
-  layout->addWidget(m_problems);
+  layout->addWidget(sides, 1);
+  layout->addWidget(m_silence);
 
   connectActions();
   connect(m_model, &RuleTableModel::mistakeChanged, this, &RulesPanel::showTableMistake);
   connect(m_tableMistake, &MistakeBar::cureRequested, m_model, &RuleTableModel::cureMistake);
   connect(m_tableMistake, &MistakeBar::discardRequested, m_model, &RuleTableModel::discardMistake);
   connect(m_textPage, &RuleTextPage::mistakesChanged, this, &RulesPanel::retranslate);
-  connect(evaluation, &FuzzyEvaluation::changed, this, &RulesPanel::showProblems);
-  connect(evaluation->document(), &FuzzyDocument::ruleLanguageChanged, this, &RulesPanel::showProblems);
+  connect(m_problemsView, &ProblemsView::rulesRequested, this, &RulesPanel::showRules);
+  connect(m_problemsView, &ProblemsView::variableRequested, this, &RulesPanel::variableRequested);
+  connect(evaluation, &FuzzyEvaluation::changed, this, &RulesPanel::showSilence);
+  connect(evaluation->document(), &FuzzyDocument::ruleLanguageChanged, this, &RulesPanel::showSilence);
   m_model->setLocale(locale());
   retranslate();
 }
@@ -205,6 +220,15 @@ void RulesPanel::showRule(int rule)
   m_table->setFocus();
 }
 
+void RulesPanel::showRules(int rule, int otherRule)
+{
+  showRule(rule);
+  if (otherRule < 0 || otherRule >= m_model->rowCount()) return;
+  const QItemSelection other(m_model->index(otherRule, 0),
+                             m_model->index(otherRule, RuleTableModel::kColumnCount - 1));
+  m_table->selectionModel()->select(other, QItemSelectionModel::Select);
+}
+
 void RulesPanel::showTableMistake()
 {
   const auto& mistake = m_model->mistake();
@@ -219,7 +243,7 @@ void RulesPanel::showTableMistake()
 }
 
 /// One yellow line per output that no rule speaks about for these inputs.
-void RulesPanel::showProblems()
+void RulesPanel::showSilence()
 {
   if (!isVisible()) return;
   const FuzzyDocument* document = m_evaluation->document();
@@ -233,10 +257,10 @@ void RulesPanel::showProblems()
     problems << tr("No rule fired for %1 (%2); it takes its default %3.")
                   .arg(RuleDisplay::name(output, language),
                        RuleDisplay::inputs(document->inputs(), rules, language, locale()),
-                       RuleDisplay::quantity(outputs[i].value, output.unit, locale()));
+                       RuleDisplay::quantity(outputs[i].value, output, locale()));
   }
-  m_problems->setText(problems.join('\n'));
-  m_problems->setVisible(!problems.isEmpty());
+  m_silence->setText(problems.join('\n'));
+  m_silence->setVisible(!problems.isEmpty());
 }
 
 void RulesPanel::retranslate()
@@ -256,13 +280,14 @@ void RulesPanel::retranslate()
     if (button->defaultAction()) button->setAccessibleName(button->defaultAction()->toolTip());
   m_tabs->setTabText(0, tr("Table"));
   m_tabs->setTabText(1, m_textPage->hasMistakes() ? tr("Text (with mistakes)") : tr("Text"));
+  m_tabs->setTabText(2, tr("Matrix"));
   m_tabs->setAccessibleName(tr("Ways to show the rules"));
   if (auto* bar = m_tabs->findChild<QWidget*>("qt_tabwidget_tabbar"))
     bar->setAccessibleName(tr("Ways to show the rules"));
   m_table->setAccessibleName(tr("Rules as table"));
-  m_problems->setAccessibleName(tr("Gaps in the rules"));
+  m_silence->setAccessibleName(tr("Gaps in the rules"));
   showTableMistake();
-  showProblems();
+  showSilence();
 }
 
 void RulesPanel::changeEvent(QEvent* event)
@@ -275,14 +300,14 @@ void RulesPanel::changeEvent(QEvent* event)
     retranslate();
   } else if (event->type() == QEvent::LocaleChange) {
     m_model->setLocale(locale());
-    showProblems();
+    showSilence();
   }
 }
 
 void RulesPanel::showEvent(QShowEvent* event)
 {
   QWidget::showEvent(event);
-  showProblems();
+  showSilence();
 }
 
 } // namespace esm

@@ -15,11 +15,13 @@ namespace esm {
 
 class FuzzyEvaluation;
 class MistakeBar;
+class ProblemsView;
+class RuleMatrixPage;
 class RuleTableModel;
 class RuleTextPage;
 
-/// The dock "Fuzzy Rules": the rule base as table and as text, both live, and below what is missing in it for
-/// the current inputs.
+/// The dock "Fuzzy Rules": the rule base as table, as text and as matrix of two inputs, all live; beside it
+/// the list of its problems, below it what is missing for the current inputs.
 class RulesPanel : public QWidget {
   Q_OBJECT
 public:
@@ -28,7 +30,12 @@ public:
 
   RuleTableModel* tableModel() const { return m_model; }
   RuleTextPage* textPage() const { return m_textPage; }
+  RuleMatrixPage* matrixPage() const { return m_matrixPage; }
+  ProblemsView* problemsView() const { return m_problemsView; }
   void showRule(int rule); ///< opens the table at a rule
+
+signals:
+  void variableRequested(bool isOutput, int variable); ///< a problem of its words wants to be looked at
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -39,7 +46,8 @@ private:
   QAction* createAction(const QString& name, const QKeySequence& keys);
   void connectActions();
   void retranslate();
-  void showProblems();
+  void showSilence();
+  void showRules(int rule, int otherRule);
   void showTableMistake();
   void updateActions();
   std::vector<int> selectedRows() const;
@@ -51,7 +59,9 @@ private:
   QTableView* m_table = nullptr;
   MistakeBar* m_tableMistake = nullptr;
   RuleTextPage* m_textPage;
-  QLabel* m_problems;
+  RuleMatrixPage* m_matrixPage;
+  ProblemsView* m_problemsView;
+  QLabel* m_silence;
   QAction *m_add, *m_duplicate, *m_remove, *m_up, *m_down, *m_switch;
 };
 
