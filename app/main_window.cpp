@@ -16,6 +16,7 @@
 #include "fuzzyeditor/inputs_panel.h"
 #include "fuzzyeditor/membership_panel.h"
 #include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/surface_panel.h"
 #include "fuzzyeditor/why_panel.h"
 
 #include <QAbstractButton>
@@ -108,11 +109,12 @@ void MainWindow::createDocks()
   m_dockTissue = addDock("dockTissue", Qt::LeftDockWidgetArea, new TissuePanel(m_document));
   m_dockInputs = addDock("dockInputs", Qt::RightDockWidgetArea, inputs);
   m_dockMf = addDock("dockMf", Qt::RightDockWidgetArea, membership);
+  m_dockSurface = addDock("dockSurface", Qt::RightDockWidgetArea, new SurfacePanel(m_evaluation));
   m_dockWhy = addDock("dockWhy", Qt::RightDockWidgetArea, why);
   m_dockRules = addDock("dockRules", Qt::BottomDockWidgetArea, rules);
   m_dockHaptics = addDock("dockHaptics", Qt::BottomDockWidgetArea, new HapticsPanel(m_controller));
-  for (QDockWidget* dock :
-       {m_dockRules, m_dockInputs, m_dockMf, m_dockWhy, m_dockRegions, m_dockTissue, m_dockHaptics})
+  for (QDockWidget* dock : {m_dockRules, m_dockInputs, m_dockMf, m_dockSurface, m_dockWhy, m_dockRegions,
+                            m_dockTissue, m_dockHaptics})
     m_actions->docksMenu->addAction(dock->toggleViewAction());
 }
 
@@ -123,8 +125,8 @@ void MainWindow::applyDefaultLayout()
   const std::pair<QDockWidget*, Qt::DockWidgetArea> places[] = {
     {m_dockRegions, Qt::LeftDockWidgetArea},  {m_dockTissue, Qt::LeftDockWidgetArea},
     {m_dockInputs, Qt::RightDockWidgetArea},  {m_dockMf, Qt::RightDockWidgetArea},
-    {m_dockWhy, Qt::RightDockWidgetArea},     {m_dockRules, Qt::BottomDockWidgetArea},
-    {m_dockHaptics, Qt::BottomDockWidgetArea}};
+    {m_dockSurface, Qt::RightDockWidgetArea}, {m_dockWhy, Qt::RightDockWidgetArea},
+    {m_dockRules, Qt::BottomDockWidgetArea},  {m_dockHaptics, Qt::BottomDockWidgetArea}};
   for (const auto& [dock, area] : places) {
     dock->setFloating(false);
     addDockWidget(area, dock);
@@ -133,17 +135,19 @@ void MainWindow::applyDefaultLayout()
   splitDockWidget(m_dockRegions, m_dockTissue, Qt::Vertical);
   splitDockWidget(m_dockInputs, m_dockMf, Qt::Vertical);
   splitDockWidget(m_dockMf, m_dockWhy, Qt::Vertical);
+  tabifyDockWidget(m_dockMf, m_dockSurface);
   constexpr int kNarrow = 1450; // [pixel]: below, rules and haptics do not fit beside each other
   if (width() < kNarrow)
     tabifyDockWidget(m_dockRules, m_dockHaptics);
   else
     splitDockWidget(m_dockRules, m_dockHaptics, Qt::Horizontal);
   m_dockRules->raise();
+  m_dockMf->raise();
   const int w = width(), h = height();
   resizeDocks({m_dockRegions, m_dockInputs}, {w * 17 / 100, w * 25 / 100}, Qt::Horizontal);
   resizeDocks({m_dockRules, m_dockHaptics}, {w * 42 / 100, w * 33 / 100}, Qt::Horizontal);
   resizeDocks({m_dockRules}, {h * 30 / 100}, Qt::Vertical);
-  resizeDocks({m_dockInputs, m_dockMf, m_dockWhy}, {h * 24 / 100, h * 32 / 100, h * 34 / 100}, Qt::Vertical);
+  resizeDocks({m_dockInputs, m_dockMf, m_dockWhy}, {h * 22 / 100, h * 40 / 100, h * 32 / 100}, Qt::Vertical);
 }
 
 // === Document to window

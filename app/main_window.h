@@ -106,7 +106,8 @@ private:
   RegionsPanel* m_regions = nullptr;
   NodePanel* m_nodePanel = nullptr;
   QDockWidget *m_dockRegions = nullptr, *m_dockTissue = nullptr, *m_dockInputs = nullptr, *m_dockMf = nullptr,
-              *m_dockWhy = nullptr, *m_dockRules = nullptr, *m_dockHaptics = nullptr;
+              *m_dockSurface = nullptr, *m_dockWhy = nullptr, *m_dockRules = nullptr,
+              *m_dockHaptics = nullptr;
   Index m_selectedNode = kNoIndex;
   Stability m_lastStability = Stability::Idle;
   QElapsedTimer m_lastStatus;

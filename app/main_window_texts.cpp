@@ -43,7 +43,8 @@ void MainWindow::retranslateUi()
   m_dockRegions->setWindowTitle(tr("Regions"));
   m_dockTissue->setWindowTitle(tr("Tissue"));
   m_dockInputs->setWindowTitle(tr("Fuzzy Input"));
-  m_dockMf->setWindowTitle(tr("Membership"));
+  m_dockMf->setWindowTitle(tr("Terms"));
+  m_dockSurface->setWindowTitle(tr("Surface"));
   m_dockWhy->setWindowTitle(tr("Why?"));
   m_dockRules->setWindowTitle(tr("Fuzzy Rules"));
   m_dockHaptics->setWindowTitle(tr("Haptics"));

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/state_dump.h"
 
+#include "fuzzyeditor/plot_access.h"
+
 #include <QApplication>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -122,6 +124,24 @@ QJsonObject visibleWidgets()
   return places;
 }
 
+/// Movable points of the plots that can be seen: [name, x, y on the screen, value].
+QJsonObject plotPoints()
+{
+  QJsonObject plots;
+  for (QWidget* widget : QApplication::allWidgets()) {
+    const auto* plot = dynamic_cast<const PointedPlot*>(widget);
+    if (!plot || widget->visibleRegion().isEmpty()) continue;
+    QJsonArray points;
+    for (int i = 0; i < plot->pointCount(); ++i) {
+      const PlotPoint point = plot->point(i);
+      const QPoint place = widget->mapToGlobal(point.place.center());
+      points.append(QJsonArray{point.name, place.x(), place.y(), point.value});
+    }
+    plots[widget->objectName()] = points;
+  }
+  return plots;
+}
+
 } // namespace
 
 StateDump::StateDump(MainWindow* window, const QString& file)
@@ -146,6 +166,7 @@ void StateDump::write()
       ? (modal->objectName().isEmpty() ? QString(modal->metaObject()->className()) : modal->objectName())
       : QString();
   json["widgets"] = visibleWidgets();
+  json["points"] = plotPoints();
   QSaveFile file(m_file);
   if (!file.open(QIODevice::WriteOnly)) return;
   file.write(QJsonDocument(json).toJson());

@@ -13,6 +13,7 @@ namespace esm {
 ///
 ///   title modified path language nodes springs playing time undoCount undoIndex inputs ruleCount regions
 ///   target selectedNode toolForce stability solver message meanStiffness device pullPoint
+///   points { plot: [name, x, y, value] of its movable points }
 ///   widgets { objectName: [x, y, width, height] of those that can be seen }, dialog (its object name)
 class StateDump : public QObject {
   Q_OBJECT

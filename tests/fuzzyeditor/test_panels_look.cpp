@@ -4,6 +4,7 @@
 #include "fuzzyeditor/membership_panel.h"
 #include "fuzzyeditor/rule_table_model.h"
 #include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/surface_panel.h"
 #include "fuzzyeditor/term_plot.h"
 #include "fuzzyeditor/why_panel.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
@@ -50,14 +51,16 @@ struct PanelsLook : PanelTest {
   RulesPanel rules{&evaluation};
   InputsPanel inputs{&evaluation};
   MembershipPanel membership{&evaluation};
+  SurfacePanel surface{&evaluation};
   WhyPanel why{&evaluation};
-  std::vector<QWidget*> all{&rules, &inputs, &membership, &why};
+  std::vector<QWidget*> all{&rules, &inputs, &membership, &surface, &why};
 
   void showAll()
   {
     rules.resize(900, 300);
     inputs.resize(340, 400);
     membership.resize(420, 260);
+    surface.resize(420, 320);
     why.resize(620, 300);
     for (QWidget* panel : all) show(*panel);
     QTest::qWait(20);
@@ -196,6 +199,7 @@ TEST_F(PanelsLook, Screenshots)
         QTest::qWait(20);
         membership.grab().save(folder + QStringLiteral("/plot%1").arg(variable) + suffix);
       }
+      surface.grab().save(folder + "/surface" + suffix);
       inputs.grab().save(folder + "/inputs" + suffix);
       why.grab().save(folder + "/why" + suffix);
     }
