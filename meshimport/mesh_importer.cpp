@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/mesh_importer.h"
 
+#include "core/base/ascii_case.h"
 #include "core/base/file_io.h"
 #include "core/geometry/weld.h"
 #include "meshimport/assimp_reader.h"
@@ -11,7 +12,6 @@
 #include "meshimport/ply_reader.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/stl_reader.h"
-#include "meshimport/text_cursor.h"
 
 #include <algorithm>
 #include <new>
@@ -48,7 +48,7 @@ Error onOneLine(Error error)
 
 std::string endingOf(const std::filesystem::path& path)
 {
-  const std::string ending = lowerCase(path.extension().string());
+  const std::string ending = asciiLower(path.extension().string());
   return ending.empty() ? ending : ending.substr(1);
 }
 
@@ -77,7 +77,7 @@ Error unrecognised(std::string_view bytes, const std::string& origin)
 /// "scan.stl" with an OBJ inside is read as what it is, and that is said.
 void noteWrongName(const MeshReader& reader, const std::string& ending, std::vector<std::string>& notes)
 {
-  const std::string usual = lowerCase(reader.name);
+  const std::string usual = asciiLower(reader.name);
   const std::string_view known[] = {"obj", "stl", "ply", "off"};
   const bool claims = std::find(std::begin(known), std::end(known), ending) != std::end(known);
   if (claims && usual != ending)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/off_reader.h"
 
+#include "core/base/ascii_case.h"
 #include "meshimport/content.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/text_cursor.h"
@@ -49,7 +50,7 @@ private:
     skipToWord();
     m_cursor.word(); // the magic; the counts may follow it on the same line
     skipToWord();
-    if (equalsNoCase(m_cursor.rest().substr(0, 6), "binary"))
+    if (equalIgnoringCase(m_cursor.rest().substr(0, 6), "binary"))
       return fault(ErrorCode::Unsupported, m_origin, m_cursor.line(),
                    "binary OFF is not read; save it as text or as PLY");
     if (!m_cursor.integer(m_vertices) || !m_cursor.integer(m_faces) || m_vertices < 0 || m_faces < 0)

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/stl_reader.h"
 
+#include "core/base/ascii_case.h"
 #include "meshimport/byte_order.h"
 #include "meshimport/content.h"
 #include "meshimport/raw_mesh.h"
@@ -33,7 +34,7 @@ bool isAscii(std::string_view bytes)
   if (hasBinarySize(bytes) || !looksLikeText(bytes)) return false;
   TextCursor cursor(bytes);
   while (!cursor.atEnd() && cursor.atLineEnd()) cursor.nextLine();
-  return equalsNoCase(cursor.word(), "solid");
+  return equalIgnoringCase(cursor.word(), "solid");
 }
 
 bool recognises(std::string_view bytes, std::string_view ending)
@@ -116,7 +117,7 @@ private:
     const long line = m_cursor.line();
     TextCursor before = m_cursor;
     const std::string_view word = m_cursor.word();
-    const auto is = [word](std::string_view keyword) { return equalsNoCase(word, keyword); };
+    const auto is = [word](std::string_view keyword) { return equalIgnoringCase(word, keyword); };
     if (is("vertex")) return vertex(line);
     if (is("outer") || is("endfacet")) return {};
     if (is("loop")) {

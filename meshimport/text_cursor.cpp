@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/text_cursor.h"
 
-#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
@@ -35,11 +34,6 @@ bool isBlank(char c)
 bool isLineBreak(char c)
 {
   return classOf(c) == LineBreak;
-}
-
-char toLower(char c)
-{
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c + ('a' - 'A')) : c;
 }
 
 /// What std::from_chars found beyond the range of double: endless or nothing?
@@ -167,19 +161,6 @@ std::string TextCursor::wordForMessage()
   const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 32 || c == 127; };
   std::replace_if(text.begin(), text.end(), isControl, '?');
   return text;
-}
-
-std::string lowerCase(std::string_view text)
-{
-  std::string lower(text);
-  std::transform(lower.begin(), lower.end(), lower.begin(), toLower);
-  return lower;
-}
-
-bool equalsNoCase(std::string_view word, std::string_view keyword)
-{
-  return std::equal(word.begin(), word.end(), keyword.begin(), keyword.end(),
-                    [](char a, char b) { return toLower(a) == b; });
 }
 
 } // namespace esm

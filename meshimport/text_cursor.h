@@ -50,9 +50,4 @@ private:
   long m_line = 1;
 };
 
-/// ASCII lower case, whatever the locale.
-std::string lowerCase(std::string_view text);
-/// `word` equals the lower-case `keyword` when case is ignored.
-bool equalsNoCase(std::string_view word, std::string_view keyword);
-
 } // namespace esm

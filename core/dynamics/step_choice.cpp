@@ -59,6 +59,7 @@ void StepDriver::begin(System& system, const MotionState& state)
 {
   m_names.clear();
   m_start = state;
+  m_startEnergies.reset();
   m_coarse = state.x;
   m_gauge.begin(state.x, extentOf(system, state.x));
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one

@@ -114,7 +114,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   const double length = end - state.time;
   refreshBound(system, state);
   m_start = state;
-  m_startEnergies.time = -1.0;
+  m_startEnergies.reset();
   m_growth = m_grown;
   if (!m_auto && current().isUncontrolled()) {
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
@@ -276,10 +276,10 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
 /// than this share of what was there, has been worked and has fallen.
 bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share)
 {
-  if (m_startEnergies.time != m_start.time)
-    m_startEnergies = {m_start.time, system.kineticEnergy(m_start.v), system.elasticEnergy(m_start.x),
-                       system.forces().gravityEnergy(m_start.x.data())};
-  const auto& [time, kinetic, elastic, high] = m_startEnergies;
+  if (!m_startEnergies)
+    m_startEnergies = Energies{system.kineticEnergy(m_start.v), system.elasticEnergy(m_start.x),
+                               system.forces().gravityEnergy(m_start.x.data())};
+  const auto& [kinetic, elastic, high] = *m_startEnergies;
   const double fallen = high - system.forces().gravityEnergy(state.x.data());
   const double work = state.work - m_start.work;
   const double gained =

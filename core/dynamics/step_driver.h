@@ -7,6 +7,7 @@
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/simulation.h"
 
+#include <optional>
 #include <vector>
 
 namespace esm {
@@ -150,10 +151,10 @@ private:
   ErrorGauge m_gauge;
   MotionState m_start; ///< of the present stretch
   struct Energies {
-    double time = -1.0;                                ///< of m_start, else they are not known [s]
     double kinetic = 0.0, elastic = 0.0, height = 0.0; ///< [J]
-  } m_startEnergies;
-  NodeArray m_coarse, m_coarseV; ///< end of the first of two runs
+  };
+  std::optional<Energies> m_startEnergies; ///< of m_start, once somebody asked
+  NodeArray m_coarse, m_coarseV;           ///< end of the first of two runs
 };
 
 } // namespace esm

@@ -31,7 +31,7 @@ struct SpringTangent {
 /// springs, springs with neither stiffness nor viscosity, viscosity that is zero, gravity, mass damping.
 /// Holds no state; any thread may call the const functions at the same time.
 ///
-/// Large nets are divided (SpringParts, NodeRanges), and where a function takes workers they do the parts:
+/// Large nets are divided (NetDivision), and where a function takes workers they do the parts:
 /// with the same bits as one thread, since the parts depend on the net alone and their sums are added in
 /// order.
 class ForceModel {

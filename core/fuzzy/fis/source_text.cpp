@@ -13,11 +13,6 @@ namespace {
 
 constexpr std::string_view kBlanks = " \t\v\f\r\n";
 
-char lower(char c)
-{
-  return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-}
-
 } // namespace
 
 SourceText::SourceText(std::string_view text, std::string_view fileName) : m_text(text), m_fileName(fileName)
@@ -64,12 +59,6 @@ std::string_view takeWord(std::string_view& text)
   const std::string_view word = text.substr(0, end);
   text = trimmed(text.substr(end));
   return word;
-}
-
-bool equalIgnoringCase(std::string_view a, std::string_view b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](char x, char y) { return lower(x) == lower(y); });
 }
 
 std::string shown(std::string_view text)

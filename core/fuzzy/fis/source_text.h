@@ -3,6 +3,7 @@
 #pragma once
 
 // Internal to the readers of core/fuzzy/fis.
+#include "core/base/ascii_case.h"
 #include "core/fuzzy/fis/system.h"
 
 #include <string>
@@ -36,7 +37,6 @@ private:
 std::string_view trimmed(std::string_view text);
 /// Cuts the first word (up to a blank) off the text.
 std::string_view takeWord(std::string_view& text);
-bool equalIgnoringCase(std::string_view a, std::string_view b);
 /// A name in a message, not too long.
 std::string shown(std::string_view text);
 
