@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/text_cursor.h"
 
+#include <algorithm>
 #include <array>
 #include <charconv>
 #include <limits>
