@@ -68,6 +68,7 @@ void MembershipPlot::describe()
   const fuzzy::Variable* v = variable();
   if (!v) {
     setAccessibleName(tr("Plot of a variable's words"));
+    setAccessibleDescription(QString());
     return;
   }
   const Language language = m_evaluation->document()->ruleLanguage();

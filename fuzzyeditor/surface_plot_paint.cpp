@@ -250,7 +250,7 @@ void SurfacePlot::paintLegend(QPainter& painter, const Scale& colours) const
   number(colours.least, bar.bottom() - line / 2.0);
   if (bar.height() > 4 * line)
     number(colours.least + 0.5 * (colours.greatest - colours.least), bar.center().y());
-  painter.drawText(QRectF(bar.left(), bar.bottom() + 5, kLegendWidth, line), Qt::AlignLeft, unit.symbol);
+  painter.drawText(QRectF(bar.left(), bar.bottom() + line + 7, kLegendWidth, line), Qt::AlignLeft, unit.symbol);
 }
 
 /// Light on dark and dark on light at once, so that it stands out on every colour.
