@@ -26,11 +26,13 @@ ProblemsModel::ProblemsModel(FuzzyDocument* document, ProblemFinder* finder, QOb
 
 void ProblemsModel::follow()
 {
+  std::vector<fuzzy::RuleFinding> findings = m_finder->findings();
+  if (findings.size() > kMostShown) findings.resize(kMostShown);
   QStringList sentences;
-  for (const fuzzy::RuleFinding& finding : m_finder->findings()) sentences << sentence(finding);
-  if (sentences == m_sentences && m_finder->findings() == m_findings) return; // keeps the current row
+  for (const fuzzy::RuleFinding& finding : findings) sentences << sentence(finding);
+  if (sentences == m_sentences && findings == m_findings) return; // keeps the current row
   beginResetModel();
-  m_findings = m_finder->findings();
+  m_findings = std::move(findings);
   m_sentences = std::move(sentences);
   endResetModel();
 }
@@ -177,7 +179,7 @@ void ProblemsView::activate(const QModelIndex& index)
 
 void ProblemsView::showCount()
 {
-  const int count = m_model->rowCount();
+  const int count = static_cast<int>(m_finder->findings().size()); // those beyond the list's end included
   m_count->setText(QString::number(count));
   m_count->setAccessibleName(tr("%n problem(s)", "", count));
   m_count->setVisible(count > 0);

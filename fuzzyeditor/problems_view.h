@@ -16,7 +16,8 @@ namespace esm {
 class BadgeLabel;
 
 /// Findings as sentences in the user's language: "Gap: No rule speaks of stiffness where hardness is about
-/// 0.42." They are made when the findings come, so that they stay true to the rules that were looked at.
+/// 0.42." They are made when the findings come, so that they stay true to the rules that were looked at; the
+/// first kMostShown of them, since nobody reads more and a list of thousands would hold up the window.
 class ProblemsModel : public QAbstractListModel {
   Q_OBJECT
 public:
@@ -24,6 +25,7 @@ public:
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role = Qt::DisplayRole) const override;
+  static constexpr int kMostShown = 100;
   const fuzzy::RuleFinding& finding(int row) const { return m_findings[static_cast<std::size_t>(row)]; }
   void retranslate(const QLocale& locale);
 

@@ -117,6 +117,7 @@ RuleMatrixPage::RuleMatrixPage(FuzzyEvaluation* evaluation, QWidget* parent)
   for (const auto& [label, box] : {std::pair(m_rowsLabel, m_rows), std::pair(m_columnsLabel, m_columns),
                                    std::pair(m_outputLabel, m_output)}) {
     label->setBuddy(box);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents); // names change with the language
     choices->addWidget(label);
     choices->addWidget(box);
     connect(box, &QComboBox::activated, this, [this, box = box] { takeChoice(box); });

@@ -56,8 +56,8 @@ RulesPanel::RulesPanel(FuzzyEvaluation* evaluation, QWidget* parent)
   sides->addWidget(m_tabs);
   sides->addWidget(m_problemsView);
   sides->setCollapsible(0, false);
-  sides->setStretchFactor(0, 3);
-  sides->setStretchFactor(1, 1);
+  sides->setStretchFactor(0, 1);
+  sides->setSizes({700, 240});
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->setSpacing(4);

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <set>
+#include <tuple>
 #include <type_traits>
 
 namespace esm::fis {
@@ -219,8 +220,16 @@ private:
     });
   }
 
+  /// Of one kind a rule is named once, against the first that it clashes with: a thousand equal rules make a
+  /// thousand findings, not half a million.
+  bool isNew(FindingKind kind, const Known& rule)
+  {
+    return m_said.insert({kind, rule.place.block, rule.place.rule}).second;
+  }
+
   void addShadow(const Known& hidden, const Known& by)
   {
+    if (!isNew(FindingKind::Shadowed, hidden)) return;
     Finding& finding = add(FindingKind::Shadowed, ruleName(m_system, hidden.place) +
                                                     " never counts, because " + ruleName(m_system, by.place) +
                                                     " concludes the same on a weaker condition");
@@ -240,6 +249,7 @@ private:
       if (!contradicts) return;
       kind = FindingKind::Contradiction;
     }
+    if (!isNew(kind, b)) return;
     Finding& finding =
       add(kind, ruleName(m_system, a.place) + " and " + ruleName(m_system, b.place) +
                   (kind == FindingKind::Duplicate ? " say the same"
@@ -294,6 +304,7 @@ private:
   const CheckOptions& m_options;
   std::vector<Finding> m_findings;
   std::vector<Known> m_rules;
+  std::set<std::tuple<FindingKind, int, int>> m_said;
 };
 
 } // namespace

@@ -115,6 +115,16 @@ TEST(RuleFindings, NameRulesAndTerms)
   EXPECT_GT(findings[0].overlap, 0.6);
 }
 
+// Each copy is named once, against the first: a list that grows with the rules, not with their pairs.
+TEST(RuleFindings, ManyEqualRulesMakeOneFindingEach)
+{
+  RuleBase base = sevenWords();
+  for (int i = 0; i < 20; ++i) base.rules.push_back(base.rules[0]);
+  const auto findings = findOddities(base);
+  EXPECT_EQ(findings.size(), 20U);
+  for (const RuleFinding& finding : findings) EXPECT_EQ(finding.rule, 0);
+}
+
 TEST(RuleFindings, RulesThatAreOffDoNotCount)
 {
   RuleBase base = sevenWords();
