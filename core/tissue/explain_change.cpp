@@ -13,8 +13,10 @@ namespace esm {
 
 namespace {
 
-constexpr int kGrid = 64;               ///< steps of the range between which a way is looked for
-constexpr double kNoEffect = 1e-9;      ///< an input that moves ln(number) less has none
+constexpr int kGrid = 64;          ///< steps of the range between which a way is looked for
+constexpr double kNoEffect = 1e-9; ///< an input that moves ln(number) less has none
+constexpr double kBeside = 1e-7;   ///< so far from a kink its one side is looked at, as a share of the range
+constexpr double kKink = 1e-3;     ///< slopes that differ more have a kink between them
 constexpr double kReached = 0.00995;    ///< ln(1.01)
 constexpr double kGoodEnough = 0.00199; ///< ln(1.002): digits are dropped as long as this holds
 
@@ -41,18 +43,15 @@ public:
     return then - m_now;
   }
 
-  /// d ln(number)/d(input), by the engine's exact derivatives: the blend is linear in logarithms.
-  double slope(std::size_t layer, int input) const
+  /// d ln(number)/d(input) at `from`; at a kink that towards `to`.
+  double slopeTowards(std::size_t layer, int input, double from, double to) const
   {
-    const LayerReason& reason = m_why.layers[layer];
-    double sum = 0.0;
-    for (const OutputReason& output : reason.outputs) {
-      const auto power = m_powers[static_cast<std::size_t>(output.parameter)];
-      if (power == 0 || !(output.value > 0.0)) continue;
-      const auto slopes = m_field.engine().slopes(reason.inputs, output.output);
-      sum += power * slopes[static_cast<std::size_t>(input)] / output.value;
-    }
-    return reason.layer.share * sum;
+    const fuzzy::Variable& variable = m_field.engine().ruleBase().inputs[static_cast<std::size_t>(input)];
+    const double step = kBeside * (variable.maximum - variable.minimum);
+    const double here = slopeAt(layer, input, from);
+    const double beside = slopeAt(
+      layer, input, std::clamp(to < from ? from - step : from + step, variable.minimum, variable.maximum));
+    return std::abs(beside - here) <= kKink * std::abs(beside) ? here : beside;
   }
 
   /// Whether any rule of an output that counts speaks of the input.
@@ -68,6 +67,22 @@ public:
   }
 
 private:
+  /// By the engine's exact derivatives: the blend is linear in logarithms.
+  double slopeAt(std::size_t layer, int input, double at) const
+  {
+    const LayerReason& reason = m_why.layers[layer];
+    std::vector<fuzzy::InputValue> inputs = reason.inputs;
+    inputs[static_cast<std::size_t>(input)] = at;
+    const fuzzy::Inference inference = m_field.engine().evaluate(inputs);
+    double sum = 0.0;
+    for (const OutputReason& output : reason.outputs) {
+      const auto power = m_powers[static_cast<std::size_t>(output.parameter)];
+      const double value = inference.outputs[static_cast<std::size_t>(output.output)].value;
+      if (power == 0 || !(value > 0.0)) continue;
+      sum += power * m_field.engine().slopes(inputs, output.output)[static_cast<std::size_t>(input)] / value;
+    }
+    return reason.layer.share * sum;
+  }
   bool concludesWhatCounts(const fuzzy::Rule& rule) const
   {
     return std::any_of(rule.consequents.begin(), rule.consequents.end(), [&](const auto& consequent) {
@@ -215,8 +230,8 @@ std::vector<InputChange> changesFor(const TissueField& field, const TissueExplan
       change.from = from;
       change.factor = std::exp(log);
       change.reached = std::abs(log - std::log(factor)) <= kReached;
-      if (number && *number > variable.minimum && *number < variable.maximum)
-        change.slope = whatIf.slope(layer, input);
+      if (number && *number >= variable.minimum && *number <= variable.maximum)
+        change.slope = whatIf.slopeTowards(layer, input, *number, change.to);
       change.locked = reason.locked;
       const fuzzy::Axis axis = axisOf(variable);
       efforts.push_back(change.reached

@@ -4,6 +4,7 @@
 
 #include "core/base/text_number.h"
 #include "core/fuzzy/axis.h"
+#include "core/fuzzy/words.h"
 #include "core/tissue/tissue_units.h"
 
 #include <algorithm>
@@ -137,7 +138,9 @@ std::string tissueName(int region, const TissueModel& model, Language language)
 {
   if (region < 0) return say(language, "base tissue", "Grundgewebe");
   const std::string& name = model.regions[static_cast<std::size_t>(region)].name;
-  return say(language, "region ", "Region ") + (name.empty() ? std::to_string(region + 1) : name);
+  const std::string kind = say(language, "region", "Region");
+  if (name.empty()) return kind + ' ' + std::to_string(region + 1);
+  return fuzzy::foldCase(name).starts_with("region") ? name : kind + ' ' + name;
 }
 
 std::string shareText(double share)

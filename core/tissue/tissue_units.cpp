@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/tissue/tissue_units.h"
 
+#include "core/base/text_number.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -42,8 +44,10 @@ std::string threeDigits(double value, Language language)
 {
   if (!std::isfinite(value)) return "–";
   int decimals = 2;
-  if (value != 0.0)
-    decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(value)))), 0, 9);
+  if (value != 0.0) {
+    const double rounded = *parseDouble(formatDouble(value, 3)); // 99.96 is shown as 100
+    decimals = std::clamp(2 - static_cast<int>(std::floor(std::log10(std::abs(rounded)))), 0, 9);
+  }
   char buffer[400];
   const auto end = std::to_chars(buffer, buffer + sizeof buffer, value, std::chars_format::fixed, decimals);
   std::string text(buffer, end.ptr);

@@ -23,7 +23,7 @@ class Usage(ProgramTest):
     def test_help_and_version_are_done(self):
         self.assertRegex(self.run_program("--version").stdout, r"^esm \d+\.\d+\.\d+\n$")
         self.assertIn("Examples:", self.run_program("--help").stdout)
-        for command in "inspect import info validate apply simulate export solvers".split():
+        for command in "inspect import info validate apply explain simulate export solvers".split():
             self.assertIn("Usage", self.run_program(command, "--help").stdout)
 
     def test_wrong_usage_is_2_and_one_line(self):
