@@ -5,9 +5,9 @@
 #include "app/error_text.h"
 #include "app/icons.h"
 #include "app/panels/haptics_panel.h"
-#include "app/panels/node_panel.h"
 #include "app/panels/regions_panel.h"
 #include "app/panels/tissue_panel.h"
+#include "app/panels/why_selection.h"
 #include "app/real_time_dialog.h"
 #include "app/reason_text.h"
 #include "app/status_strip.h"
@@ -90,18 +90,11 @@ QDockWidget* MainWindow::addDock(const char* name, Qt::DockWidgetArea area, QWid
 void MainWindow::createDocks()
 {
   m_regions = new RegionsPanel(m_document);
-  m_nodePanel = new NodePanel(m_document);
-  auto* why = new QWidget;
-  auto* whyLayout = new QVBoxLayout(why);
-  whyLayout->setContentsMargins(0, 0, 0, 0);
-  whyLayout->addWidget(m_nodePanel);
-  auto* whyPanel = new WhyPanel(m_evaluation);
-  whyLayout->addWidget(whyPanel, 1);
+  m_why = new WhySelection(m_document, this);
+  auto* whyPanel = new WhyPanel(m_why);
   auto* inputs = new InputsPanel(m_evaluation);
   auto* membership = new MembershipPanel(m_evaluation);
   auto* rules = new RulesPanel(m_evaluation);
-  connect(m_nodePanel, &NodePanel::explained, whyPanel, &WhyPanel::showInference);
-  connect(m_nodePanel, &NodePanel::nothingSelected, whyPanel, &WhyPanel::showCurrentInputs);
   connect(inputs, &InputsPanel::inputFocused, membership, &MembershipPanel::showInput);
   connect(whyPanel, &WhyPanel::ruleActivated, rules, &RulesPanel::showRule);
 
@@ -110,7 +103,7 @@ void MainWindow::createDocks()
   m_dockInputs = addDock("dockInputs", Qt::RightDockWidgetArea, inputs);
   m_dockMf = addDock("dockMf", Qt::RightDockWidgetArea, membership);
   m_dockSurface = addDock("dockSurface", Qt::RightDockWidgetArea, new SurfacePanel(m_evaluation));
-  m_dockWhy = addDock("dockWhy", Qt::RightDockWidgetArea, why);
+  m_dockWhy = addDock("dockWhy", Qt::RightDockWidgetArea, whyPanel);
   m_dockRules = addDock("dockRules", Qt::BottomDockWidgetArea, rules);
   m_dockHaptics = addDock("dockHaptics", Qt::BottomDockWidgetArea, new HapticsPanel(m_controller));
   for (QDockWidget* dock : {m_dockRules, m_dockInputs, m_dockMf, m_dockSurface, m_dockWhy, m_dockRegions,
@@ -206,13 +199,25 @@ void MainWindow::refreshRegions()
 void MainWindow::selectNode(Index node)
 {
   m_selectedNode = node;
-  m_nodePanel->setNode(node);
+  m_why->selectNode(node);
   const SpringNet& net = m_document->project().net;
   if (node != kNoIndex)
     m_regions->setPlaceOfNew(Eigen::Vector3d(net.restPosition.col(node)));
   else
     m_regions->setPlaceOfNew(std::nullopt);
   refreshHoldAction();
+}
+
+void MainWindow::selectSpring(Index spring)
+{
+  selectNode(kNoIndex);
+  m_why->selectSpring(spring);
+}
+
+Index MainWindow::selectedSpring() const
+{
+  const ExplainedThing& thing = m_why->selected();
+  return thing.kind == ExplainedThing::Kind::Spring ? thing.index : kNoIndex;
 }
 
 void MainWindow::refreshHoldAction()
@@ -268,6 +273,7 @@ void MainWindow::connectActions()
   on(m_actions->about, [this] { showAbout(); });
   on(m_actions->aboutQt, [] { QApplication::aboutQt(); });
   connect(m_view, &SceneView::nodeSelected, this, &MainWindow::selectNode);
+  connect(m_view, &SceneView::springSelected, this, &MainWindow::selectSpring);
 }
 
 /// Numbers that change sixty times a second cannot be read: the status bar follows ten times.

@@ -17,9 +17,9 @@ class QDockWidget;
 namespace esm {
 
 class FuzzyEvaluation;
-class NodePanel;
 class RegionsPanel;
 class StatusStrip;
+class WhySelection;
 class WindowActions;
 
 /// The window of the modeler: the 3D preview in the middle, the panels in docks around it, tool bar, menus
@@ -48,6 +48,8 @@ public:
   void setLanguage(Language language);
   void selectNode(Index node);
   Index selectedNode() const noexcept { return m_selectedNode; }
+  void selectSpring(Index spring);
+  Index selectedSpring() const; ///< kNoIndex: none
   void applyDefaultLayout();
   void restoreLayout(); ///< of the last time, if there is one
 
@@ -104,7 +106,7 @@ private:
   WindowActions* m_actions;
   StatusStrip* m_status;
   RegionsPanel* m_regions = nullptr;
-  NodePanel* m_nodePanel = nullptr;
+  WhySelection* m_why = nullptr;
   QDockWidget *m_dockRegions = nullptr, *m_dockTissue = nullptr, *m_dockInputs = nullptr, *m_dockMf = nullptr,
               *m_dockSurface = nullptr, *m_dockWhy = nullptr, *m_dockRules = nullptr,
               *m_dockHaptics = nullptr;

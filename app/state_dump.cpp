@@ -5,11 +5,15 @@
 #include "fuzzyeditor/plot_access.h"
 
 #include <QApplication>
+#include <QClipboard>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QLabel>
 #include <QLocale>
 #include <QSaveFile>
+
+#include <optional>
 
 namespace esm {
 
@@ -96,19 +100,42 @@ void addRun(QJsonObject& json, SimulationController* run)
                                {"force", device.force.norm()}};
 }
 
-/// A pixel of the screen where the pull tool meets a node: the front-most one nearest the middle.
-QJsonArray pullPoint(SceneView* view, const SimSnapshot& snapshot)
+/// The pixel of the screen nearest the middle of the view for which `placeAt` finds a place to click.
+template <class PlaceAt>
+QJsonArray nearMiddle(SceneView* view, PlaceAt placeAt)
 {
   const QPointF middle(0.5 * view->width(), 0.5 * view->height());
   for (int ring = 0; ring < 40; ++ring)
-    for (const QPointF& way : {QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0)}) {
-      const QPointF pixel = middle + ring * way;
-      const Index node = view->nodeAt(pixel);
-      if (node == kNoIndex || node >= snapshot.position.cols()) continue;
-      const QPoint place = view->mapToGlobal(view->project(snapshot.position.col(node)).toPoint());
-      return {place.x(), place.y()};
-    }
+    for (const QPointF& way : {QPointF(0, -8), QPointF(8, 0), QPointF(0, 8), QPointF(-8, 0)})
+      if (const std::optional<QPointF> found = placeAt(middle + ring * way)) {
+        const QPoint place = view->mapToGlobal(found->toPoint());
+        return {place.x(), place.y()};
+      }
   return {};
+}
+
+/// Where the pull tool meets a node.
+QJsonArray pullPoint(SceneView* view, const SimSnapshot& snapshot)
+{
+  return nearMiddle(view, [&](const QPointF& pixel) -> std::optional<QPointF> {
+    const Index node = view->nodeAt(pixel);
+    if (node == kNoIndex || node >= snapshot.position.cols()) return std::nullopt;
+    return view->project(snapshot.position.col(node));
+  });
+}
+
+/// Where the tool Select meets a spring.
+QJsonArray springPoint(SceneView* view, const SpringNet& net, const SimSnapshot& snapshot)
+{
+  return nearMiddle(view, [&](const QPointF& pixel) -> std::optional<QPointF> {
+    const Index spring = view->springAt(pixel);
+    if (spring == kNoIndex || spring >= net.springCount() || snapshot.position.cols() != net.nodeCount())
+      return std::nullopt;
+    const QPointF middle = view->project(
+      0.5 * (snapshot.position.col(net.ends(0, spring)) + snapshot.position.col(net.ends(1, spring))));
+    if (view->springAt(middle.toPoint()) != spring) return std::nullopt;
+    return middle;
+  });
 }
 
 QJsonObject visibleWidgets()
@@ -156,9 +183,14 @@ void StateDump::write()
   QJsonObject json = documentJson(m_window->document());
   addRun(json, m_window->controller());
   json["selectedNode"] = m_window->selectedNode();
+  json["selectedSpring"] = m_window->selectedSpring();
+  if (const auto* sentence = m_window->findChild<QLabel*>("whySentence")) json["why"] = sentence->text();
+  json["clipboard"] = QApplication::clipboard()->text();
   json["title"] = m_window->windowTitle();
   json["language"] = QLocale().name().left(2);
   json["pullPoint"] = pullPoint(m_window->sceneView(), m_window->controller()->snapshot());
+  json["springPoint"] = springPoint(m_window->sceneView(), m_window->document()->project().net,
+                                    m_window->controller()->snapshot());
   json["openGl"] = m_window->sceneView()->hasOpenGl();
   const QWidget* modal = QApplication::activeModalWidget();
   json["dialog"] =

@@ -12,7 +12,8 @@ namespace esm {
 /// nothing. Journeys with real mouse and keys read it to find widgets (places on the screen) and to assert:
 ///
 ///   title modified path language nodes springs playing time undoCount undoIndex inputs ruleCount regions
-///   target selectedNode toolForce stability solver message meanStiffness device pullPoint
+///   target selectedNode selectedSpring why clipboard
+///   toolForce stability solver message meanStiffness device pullPoint springPoint
 ///   points { plot: [name, x, y, value] of its movable points }
 ///   widgets { objectName: [x, y, width, height] of those that can be seen }, dialog (its object name)
 class StateDump : public QObject {

@@ -2,164 +2,288 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzzyeditor/why_panel.h"
 
-#include "fuzzyeditor/fuzzy_evaluation.h"
+#include "core/base/file_io.h"
 #include "fuzzyeditor/rule_delegates.h"
 #include "fuzzyeditor/rule_display.h"
+#include "fuzzyeditor/why_tree.h"
 
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QComboBox>
 #include <QEvent>
+#include <QFileDialog>
+#include <QGridLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QMenu>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QSpinBox>
+#include <QToolButton>
 #include <QTreeWidget>
-#include <QVBoxLayout>
 
 #include <algorithm>
 
 namespace esm {
 namespace {
 
-enum Column { Number, Degree, Text };
-constexpr int kRuleRole = Qt::UserRole + 1;
-constexpr int kDegreeRole = Qt::UserRole + 2;
+constexpr std::size_t kMostRows = 5; ///< of changes; more would push the tree out of the dock
+enum Direction { Softer, Harder };
 
-bool concerns(const fuzzy::Rule& rule, const std::string& output)
-{
-  return std::any_of(rule.consequents.begin(), rule.consequents.end(),
-                     [&](const fuzzy::Proposition& consequent) { return consequent.variable == output; });
-}
+/// A bar where there is a share, else nothing.
+class ShareDelegate : public DegreeDelegate {
+public:
+  using DegreeDelegate::DegreeDelegate;
+  void paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const override
+  {
+    if (index.data(WhyTree::kShareRole).isValid())
+      DegreeDelegate::paint(painter, option, index);
+    else
+      QStyledItemDelegate::paint(painter, option, index);
+  }
+};
 
 } // namespace
 
-WhyPanel::WhyPanel(FuzzyEvaluation* evaluation, QWidget* parent)
+WhyPanel::WhyPanel(WhySource* source, QWidget* parent)
   : QWidget(parent),
-    m_evaluation(evaluation),
-    m_place(new QLabel),
-    m_sentences(new QLabel),
-    m_rules(new QTreeWidget),
-    m_silent(new QLabel)
+    m_source(source),
+    m_sentence(new QLabel),
+    m_question(new QLabel),
+    m_noChange(new QLabel),
+    m_menu(new QToolButton),
+    m_tree(new QTreeWidget),
+    m_percent(new QSpinBox),
+    m_direction(new QComboBox),
+    m_rows(new QGridLayout)
+{
+  build();
+  m_later.setSingleShot(true);
+  m_later.setInterval(0);
+  connect(&m_later, &QTimer::timeout, this, &WhyPanel::refresh);
+  connect(source, &WhySource::changed, this, [this] {
+    m_known = false;
+    if (isVisible()) m_later.start();
+  });
+  connect(m_percent, &QSpinBox::valueChanged, this, &WhyPanel::refreshChanges);
+  connect(m_direction, &QComboBox::currentIndexChanged, this, &WhyPanel::refreshChanges);
+  connect(m_tree, &QTreeWidget::itemActivated, this, [this](QTreeWidgetItem* item) {
+    const int rule = item->data(WhyTree::What, WhyTree::kRuleRole).toInt();
+    if (rule >= 0) emit ruleActivated(rule);
+  });
+  retranslate();
+}
+
+void WhyPanel::build()
 {
   setObjectName("whyPanel");
-  m_place->setObjectName("whyPlace");
-  m_sentences->setObjectName("whySentences");
-  m_rules->setObjectName("whyRules");
-  QFont bold = font();
-  bold.setBold(true);
-  m_place->setFont(bold);
-  for (QLabel* label : {m_place, m_sentences, m_silent}) {
-    label->setTextFormat(Qt::PlainText);
-    label->setWordWrap(true);
-  }
-  m_sentences->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_rules->setColumnCount(3);
-  m_rules->setRootIsDecorated(false);
-  m_rules->setUniformRowHeights(true);
-  m_rules->setAlternatingRowColors(true);
-  m_rules->setItemDelegateForColumn(Degree, new DegreeDelegate(kDegreeRole, m_rules));
-  m_rules->header()->setStretchLastSection(true);
-  m_rules->header()->setSectionResizeMode(Number, QHeaderView::ResizeToContents);
-  m_rules->header()->resizeSection(Degree, 92);
+  m_sentence->setObjectName("whySentence");
+  m_menu->setObjectName("whyMenu");
+  m_tree->setObjectName("whyTree");
+  m_percent->setObjectName("whyPercent");
+  m_direction->setObjectName("whyDirection");
+  m_noChange->setObjectName("whyNoChange");
+  for (QLabel* label : {m_sentence, m_question, m_noChange}) label->setTextFormat(Qt::PlainText);
+  m_sentence->setWordWrap(true);
+  m_noChange->setWordWrap(true);
+  m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  m_sentence->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Minimum);
 
+  auto* menu = new QMenu(m_menu);
+  m_menu->setMenu(menu);
+  m_menu->setPopupMode(QToolButton::InstantPopup);
+  m_menu->setText(QStringLiteral("…"));
+  m_copySentence = addExport("whyCopySentence", &WhyPanel::copySentence);
+  m_copyCsv = addExport("whyCopyCsv", &WhyPanel::copyCsv);
+  m_saveCsv = addExport("whySaveCsv", &WhyPanel::saveCsv);
+  m_saveJson = addExport("whySaveJson", &WhyPanel::saveJson);
+
+  m_tree->setColumnCount(3);
+  m_tree->setUniformRowHeights(true);
+  m_tree->setAlternatingRowColors(true);
+  m_tree->setItemDelegateForColumn(WhyTree::Share, new ShareDelegate(WhyTree::kShareRole, m_tree));
+  m_tree->header()->setStretchLastSection(false);
+  m_tree->header()->setMinimumSectionSize(40);
+  m_tree->header()->setSectionResizeMode(WhyTree::What, QHeaderView::Stretch);
+  m_tree->header()->resizeSection(WhyTree::Share, 64);
+  m_tree->header()->setSectionResizeMode(WhyTree::Value, QHeaderView::ResizeToContents);
+  m_tree->setIndentation(14);
+
+  m_percent->setRange(1, 95);
+  m_percent->setValue(20);
+  m_direction->addItems({QString(), QString()});
+
+  auto* head = new QHBoxLayout;
+  head->addWidget(m_sentence, 1);
+  head->addWidget(m_menu, 0, Qt::AlignTop);
+  auto* question = new QHBoxLayout;
+  question->addWidget(m_question);
+  question->addWidget(m_percent);
+  question->addWidget(m_direction);
+  question->addStretch(1);
+  m_rows->setColumnStretch(0, 1);
+  m_rows->setVerticalSpacing(2);
   auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(8, 8, 8, 8);
-  layout->setSpacing(6);
-  layout->addWidget(m_place);
-  layout->addWidget(m_sentences);
-  layout->addWidget(m_rules, 1);
-  layout->addWidget(m_silent);
-  connect(evaluation, &FuzzyEvaluation::changed, this, &WhyPanel::refresh);
-  connect(evaluation->document(), &FuzzyDocument::ruleLanguageChanged, this, &WhyPanel::refresh);
-  connect(evaluation->document(), &FuzzyDocument::ruleBaseChanged, this, [this] { m_ofPlace.reset(); });
-  connect(m_rules, &QTreeWidget::itemActivated, this,
-          [this](QTreeWidgetItem* item) { emit ruleActivated(item->data(Number, kRuleRole).toInt()); });
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->setSpacing(4);
+  layout->addLayout(head);
+  layout->addWidget(m_tree, 1);
+  layout->addLayout(question);
+  layout->addWidget(m_noChange);
+  layout->addLayout(m_rows);
 }
 
-void WhyPanel::showInference(const QString& place, fuzzy::Inference inference)
+QAction* WhyPanel::addExport(const char* name, void (WhyPanel::*slot)())
 {
-  m_placeName = place;
-  m_ofPlace = std::move(inference);
-  refresh();
+  QAction* action = m_menu->menu()->addAction(QString());
+  action->setObjectName(QLatin1String(name));
+  connect(action, &QAction::triggered, this, slot);
+  return action;
 }
 
-void WhyPanel::showCurrentInputs()
+double WhyPanel::factor() const
 {
-  m_ofPlace.reset();
-  refresh();
-}
-
-QString WhyPanel::sentence(const fuzzy::Inference& inference, int output) const
-{
-  const fuzzy::RuleBase& rules = m_evaluation->document()->ruleBase();
-  const Language language = m_evaluation->document()->ruleLanguage();
-  const fuzzy::Variable& variable = rules.outputs[static_cast<std::size_t>(output)];
-  const fuzzy::OutputValue& value = inference.outputs[static_cast<std::size_t>(output)];
-  const QString name = RuleDisplay::title(variable, language);
-  const QString number = RuleDisplay::quantity(value.value, variable.unit, locale());
-
-  const fuzzy::RuleFiring* main = nullptr;
-  for (const fuzzy::RuleFiring& firing : inference.firings)
-    if (concerns(rules.rules[static_cast<std::size_t>(firing.rule)], variable.id) &&
-        (!main || firing.degree > main->degree))
-      main = &firing;
-  if (!value.fromRules || !main || main->degree <= 0)
-    return tr("%1 is %2, the default, because no rule fired for it.").arg(name, number);
-  const QString text =
-    RuleDisplay::sentence(rules.rules[static_cast<std::size_t>(main->rule)], rules, language);
-  return tr("%1 is %2, mainly because of rule %3: %4 (%5).")
-    .arg(name, number)
-    .arg(main->rule + 1)
-    .arg(text, locale().toString(main->degree, 'f', 2));
-}
-
-void WhyPanel::fillRules(const fuzzy::Inference& inference)
-{
-  const fuzzy::RuleBase& rules = m_evaluation->document()->ruleBase();
-  const Language language = m_evaluation->document()->ruleLanguage();
-  std::vector<fuzzy::RuleFiring> fired;
-  std::copy_if(inference.firings.begin(), inference.firings.end(), std::back_inserter(fired),
-               [](const fuzzy::RuleFiring& firing) { return firing.degree > 0; });
-  std::stable_sort(fired.begin(), fired.end(),
-                   [](const auto& a, const auto& b) { return a.degree > b.degree; });
-  // Items are reused: a slider drag comes here sixty times a second.
-  while (m_rules->topLevelItemCount() > static_cast<int>(fired.size()))
-    delete m_rules->takeTopLevelItem(m_rules->topLevelItemCount() - 1);
-  while (m_rules->topLevelItemCount() < static_cast<int>(fired.size())) new QTreeWidgetItem(m_rules);
-  for (int i = 0; i < static_cast<int>(fired.size()); ++i) {
-    const fuzzy::RuleFiring& firing = fired[static_cast<std::size_t>(i)];
-    const QString text =
-      RuleDisplay::sentence(rules.rules[static_cast<std::size_t>(firing.rule)], rules, language);
-    QTreeWidgetItem* item = m_rules->topLevelItem(i);
-    item->setText(Number, QString::number(firing.rule + 1));
-    item->setData(Number, kRuleRole, firing.rule);
-    item->setText(Degree, locale().toString(firing.degree, 'f', 2));
-    item->setData(Degree, kDegreeRole, firing.degree);
-    item->setText(Text, text);
-    item->setToolTip(Text, text);
-  }
-  const std::size_t silent = inference.firings.size() - fired.size();
-  m_silent->setText(silent == 1 ? tr("One further rule did not fire.")
-                                : tr("%1 further rules did not fire.").arg(silent));
-  m_silent->setVisible(silent > 0);
+  const double part = 0.01 * m_percent->value();
+  return m_direction->currentIndex() == Softer ? 1.0 - part : 1.0 + part;
 }
 
 void WhyPanel::refresh()
 {
   if (!isVisible()) return;
-  const fuzzy::Inference& inference = m_ofPlace ? *m_ofPlace : m_evaluation->inference();
-  m_place->setText(m_ofPlace ? m_placeName
-                             : tr("Tissue: %1").arg(m_evaluation->document()->inputTargetName()));
-  QStringList sentences;
-  for (int i = 0; i < static_cast<int>(inference.outputs.size()); ++i) sentences << sentence(inference, i);
-  m_sentences->setText(sentences.join('\n'));
-  m_rules->setHeaderLabels({tr("Rule"), tr("Fires"), tr("Text")});
-  m_rules->setAccessibleName(tr("Rules that fired, the strongest first"));
-  fillRules(inference);
+  const TissueField* field = m_source->field();
+  m_known = field != nullptr;
+  m_tree->setEnabled(m_known);
+  m_menu->setEnabled(m_known);
+  if (!field) {
+    m_sentence->setText(tr("The rules cannot be evaluated now, so nothing can be explained."));
+    m_changes.changes.clear();
+    showChanges();
+    return;
+  }
+  ++m_explanations;
+  m_why = m_source->explanation();
+  m_sentence->setText(toQt(sentenceOf(m_why, field->model(), m_source->language())));
+  WhyTree::show(WhyTree::rows(m_why, field->model(), m_source->language()), m_tree);
+  refreshChanges();
+}
+
+void WhyPanel::refreshChanges()
+{
+  const TissueField* field = m_source->field();
+  if (!isVisible() || !m_known || !field) return;
+  m_changes = {m_why.main().kind->id, factor(), changesFor(*field, m_why, m_why.main(), factor())};
+  showChanges();
+}
+
+WhyPanel::ChangeRow& WhyPanel::changeRow(std::size_t row)
+{
+  if (row < m_changeRows.size()) return m_changeRows[row];
+  ChangeRow made{new QLabel, new QPushButton};
+  made.text->setObjectName(QStringLiteral("whyChange%1").arg(row));
+  made.text->setTextFormat(Qt::PlainText);
+  made.text->setWordWrap(true);
+  made.apply->setObjectName(QStringLiteral("whyApply%1").arg(row));
+  connect(made.apply, &QPushButton::clicked, this, [this, row] {
+    if (row < m_changes.changes.size()) m_source->apply(InputChange(m_changes.changes[row]));
+  });
+  m_rows->addWidget(made.text, static_cast<int>(row), 0);
+  m_rows->addWidget(made.apply, static_cast<int>(row), 1);
+  m_changeRows.push_back(made);
+  return m_changeRows.back();
+}
+
+void WhyPanel::showChanges()
+{
+  const TissueField* field = m_source->field();
+  const std::size_t count = std::min(m_changes.changes.size(), kMostRows);
+  m_noChange->setVisible(count == 0);
+  for (std::size_t i = 0; i < count; ++i) {
+    const InputChange& change = m_changes.changes[i];
+    ChangeRow& row = changeRow(i);
+    const QString text = toQt(changeText(change, field->model(), m_source->language()));
+    row.text->setText(text);
+    row.apply->setText(tr("Apply"));
+    row.apply->setAccessibleName(tr("Apply: %1").arg(text));
+    const double* from = std::get_if<double>(&change.from);
+    row.apply->setEnabled(!change.locked && !(from && *from == change.to));
+    row.apply->setToolTip(change.locked ? tr("The region is locked.") : QString());
+  }
+  for (std::size_t i = 0; i < m_changeRows.size(); ++i) {
+    m_changeRows[i].text->setVisible(i < count);
+    m_changeRows[i].apply->setVisible(i < count);
+  }
+}
+
+// === Out of the panel
+
+void WhyPanel::copySentence()
+{
+  QApplication::clipboard()->setText(m_sentence->text());
+}
+
+void WhyPanel::copyCsv()
+{
+  if (const TissueField* field = m_source->field())
+    QApplication::clipboard()->setText(
+      toQt(explanationCsv(m_why, field->model(), &m_changes, m_source->language())));
+}
+
+void WhyPanel::saveCsv()
+{
+  if (const TissueField* field = m_source->field())
+    save(tr("Table (*.csv)"), QStringLiteral("csv"),
+         explanationCsv(m_why, field->model(), &m_changes, m_source->language()));
+}
+
+void WhyPanel::saveJson()
+{
+  if (const TissueField* field = m_source->field())
+    save(tr("JSON (*.json)"), QStringLiteral("json"),
+         explanationJson(m_why, field->model(), &m_changes, m_source->language()) + '\n');
+}
+
+void WhyPanel::save(const QString& filter, const QString& suffix, const std::string& bytes)
+{
+  QFileDialog dialog(this, tr("Save the explanation"), QString(), filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix);
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return;
+  const QString path = dialog.selectedFiles().constFirst();
+  if (Status saved = writeFileAtomically(path.toStdString(), bytes); !saved)
+    QMessageBox::warning(this, tr("Save the explanation"), toQt(saved.error().detail));
+}
+
+// === Texts
+
+void WhyPanel::retranslate()
+{
+  m_sentence->setAccessibleName(tr("Explanation in one sentence"));
+  m_menu->setAccessibleName(tr("Copy and save the explanation"));
+  m_menu->setToolTip(m_menu->accessibleName());
+  m_copySentence->setText(tr("Copy sentence"));
+  m_copyCsv->setText(tr("Copy as CSV"));
+  m_saveCsv->setText(tr("Save as CSV…"));
+  m_saveJson->setText(tr("Save as JSON…"));
+  m_tree->setHeaderLabels({tr("Reason"), tr("Share"), tr("Value")});
+  m_tree->setAccessibleName(tr("Reasons: geometry, regions, rules and inputs, the strongest first"));
+  m_question->setText(tr("What would make it"));
+  m_percent->setSuffix(tr(" %"));
+  m_percent->setAccessibleName(tr("By how many per cent"));
+  m_direction->setItemText(Softer, tr("softer?"));
+  m_direction->setItemText(Harder, tr("harder?"));
+  m_direction->setAccessibleName(tr("Softer or harder"));
+  m_noChange->setText(tr("No input changes it."));
+  m_later.start();
 }
 
 void WhyPanel::changeEvent(QEvent* event)
 {
   QWidget::changeEvent(event);
-  // The program's numbers change with its language; widgets keep the locale that they were born with.
-  if (event->type() == QEvent::LanguageChange) setLocale(QLocale());
-  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) refresh();
+  if (event->type() == QEvent::LanguageChange) {
+    setLocale(QLocale()); // widgets keep the locale that they were born with
+    retranslate();
+  }
 }
 
 void WhyPanel::showEvent(QShowEvent* event)

@@ -2,32 +2,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/fuzzy/inference.h"
+#include "core/tissue/explain_text.h"
+#include "fuzzyeditor/why_source.h"
 
+#include <QTimer>
 #include <QWidget>
 
-#include <optional>
+#include <vector>
 
+class QAction;
+class QComboBox;
+class QGridLayout;
 class QLabel;
+class QPushButton;
+class QSpinBox;
+class QToolButton;
 class QTreeWidget;
 
 namespace esm {
 
-class FuzzyEvaluation;
-
-/// "Why is it stiff?": one sentence per output with the rule that speaks loudest, then all rules that fired,
-/// the strongest first. Shows the current inputs' inference, or that of a place (a node picked in the
-/// preview).
+/// "Why is it stiff?": one sentence; the tree number <- geometry <- regions <- rules <- inputs, the largest
+/// share and the strongest rule first; and what would make it softer or harder, each with a button that does
+/// it. Follows the source once per turn of the event loop; hidden it asks nothing. GUI thread.
 class WhyPanel : public QWidget {
   Q_OBJECT
 public:
-  /// @param evaluation not owned, outlives this.
-  explicit WhyPanel(FuzzyEvaluation* evaluation, QWidget* parent = nullptr);
+  /// @param source not owned, outlives this.
+  explicit WhyPanel(WhySource* source, QWidget* parent = nullptr);
 
-  /// @param place what the inference is of, translated ("Node 812, region Wall"); shown as heading.
-  /// @pre it was made by the document's present rules; it is dropped when those change.
-  void showInference(const QString& place, fuzzy::Inference inference);
-  void showCurrentInputs();
+  double factor() const;                              ///< that is asked for, 0.8 for 20 % softer
+  int explanations() const { return m_explanations; } ///< so that a test can prove the laziness
 
 signals:
   void ruleActivated(int rule); ///< double click or Return, connect to RulesPanel::showRule
@@ -37,17 +41,38 @@ protected:
   void showEvent(QShowEvent* event) override;
 
 private:
+  struct ChangeRow {
+    QLabel* text;
+    QPushButton* apply;
+  };
+  void build();
+  void retranslate();
   void refresh();
-  void fillRules(const fuzzy::Inference& inference);
-  QString sentence(const fuzzy::Inference& inference, int output) const;
+  void refreshChanges();
+  void showChanges();
+  ChangeRow& changeRow(std::size_t row);
+  QAction* addExport(const char* name, void (WhyPanel::*slot)());
+  void copySentence();
+  void copyCsv();
+  void saveCsv();
+  void saveJson();
+  void save(const QString& filter, const QString& suffix, const std::string& bytes);
 
-  FuzzyEvaluation* m_evaluation;
-  QLabel* m_place;
-  QLabel* m_sentences;
-  QTreeWidget* m_rules;
-  QLabel* m_silent;
-  QString m_placeName;
-  std::optional<fuzzy::Inference> m_ofPlace;
+  WhySource* m_source;
+  QTimer m_later;
+  int m_explanations = 0;
+  TissueExplanation m_why;
+  ChangeList m_changes;
+  bool m_known = false; ///< m_why is of the source's present tissue
+
+  QLabel *m_sentence, *m_question, *m_noChange;
+  QToolButton* m_menu;
+  QAction *m_copySentence, *m_copyCsv, *m_saveJson, *m_saveCsv;
+  QTreeWidget* m_tree;
+  QSpinBox* m_percent;
+  QComboBox* m_direction;
+  QGridLayout* m_rows;
+  std::vector<ChangeRow> m_changeRows;
 };
 
 } // namespace esm

@@ -106,7 +106,7 @@ void TissuePanel::offer(GestureSpinBox* field, const QString& label, const QStri
 {
   const TissueModel& tissue = m_document->project().tissue;
   const bool given = comesFromRules(tissue.rules, value);
-  if (const Result<TissueField> compiled = TissueField::create(tissue))
+  if (const TissueField* compiled = m_document->tissueField())
     field->display(compiled->base().*value); // the model's own number if no rule gives it
   field->setEnabled(applies && !given);
   describe(field, label, given ? tr("The rules give this per place: change the words of the inputs") : help);

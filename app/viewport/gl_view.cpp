@@ -62,6 +62,7 @@ void GlView::paintGL()
   state.tool = m_input->tool();
   state.hovered = m_input->hoveredNode();
   state.selected = m_input->selectedNode();
+  state.selectedSpring = m_input->selectedSpring();
   state.pulled = m_input->pulledNode();
   state.pullTarget = m_input->pullTarget();
   state.toolForce = m_toolForce;

@@ -133,6 +133,20 @@ void Overlay::panel(const QRectF& rect)
   m_painter.drawRoundedRect(rect, 5.0, 5.0);
 }
 
+void Overlay::drawSelectedSpring()
+{
+  if (m_state.selectedSpring < 0 || !m_model.net() || m_state.selectedSpring >= m_model.net()->springCount())
+    return;
+  const auto ends = m_model.net()->ends.col(m_state.selectedSpring);
+  const QPointF a = toQt(m_model.camera.project(m_model.position().col(ends[0])).pixel),
+                b = toQt(m_model.camera.project(m_model.position().col(ends[1])).pixel);
+  if (std::isnan(a.x()) || std::isnan(b.x())) return;
+  m_painter.setPen(QPen(QColor(255, 255, 255, 200), 6.0, Qt::SolidLine, Qt::RoundCap));
+  m_painter.drawLine(a, b);
+  m_painter.setPen(QPen(m_palette.color(QPalette::Highlight), 3.0, Qt::SolidLine, Qt::RoundCap));
+  m_painter.drawLine(a, b);
+}
+
 void Overlay::drawRing(Index node, double radius, const QColor& colour)
 {
   if (node < 0 || node >= m_model.position().cols()) return;
@@ -168,6 +182,7 @@ void Overlay::drawSelectionBox()
 void Overlay::drawPull()
 {
   drawRing(m_state.selected, 7.0, m_palette.color(QPalette::Highlight));
+  drawSelectedSpring();
   drawRing(m_state.hovered, 5.0, kAccent);
   const Index grabbed = m_state.pulled != kNoIndex ? m_state.pulled : m_model.grabbedNode();
   if (grabbed < 0 || grabbed >= m_model.position().cols()) return;

@@ -15,7 +15,7 @@ namespace esm {
 /// What the overlay shows beside the model.
 struct OverlayState {
   Tool tool = Tool::Camera;
-  Index hovered = kNoIndex, selected = kNoIndex, pulled = kNoIndex;
+  Index hovered = kNoIndex, selected = kNoIndex, selectedSpring = kNoIndex, pulled = kNoIndex;
   Eigen::Vector3d pullTarget = Eigen::Vector3d::Zero(); ///< [m]
   Eigen::Vector3d toolForce = Eigen::Vector3d::Zero();  ///< [N]
   GizmoHandle handle;                                   ///< under the mouse or dragged
@@ -40,6 +40,7 @@ private:
   void drawSelectionBox();
   QString hint() const;
   void drawForce(Index node);
+  void drawSelectedSpring();
   void drawRing(Index node, double radius, const QColor& colour);
   void drawLegend();
   void drawAxes();

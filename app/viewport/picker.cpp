@@ -12,9 +12,9 @@ namespace esm {
 namespace {
 
 struct Candidate {
-  Index node = kNoIndex;
-  double pixels = 0.0; ///< from the click
-  double depth = 0.0;  ///< [m]
+  Index node = kNoIndex; ///< or spring, by its middle
+  double pixels = 0.0;   ///< from the click
+  double depth = 0.0;    ///< [m]
 };
 
 constexpr std::size_t kMaxTested = 64; ///< nearest candidates; more are there only when zoomed far out
@@ -39,22 +39,40 @@ std::vector<Candidate> candidates(const Camera& camera, const Eigen::Matrix3Xd& 
   return found;
 }
 
-/// Whether one of those triangles that does not own the node lies between it and the eye.
-template <class Range>
+/// Whether one of those triangles lies between the target and the eye. `owns` says by its three nodes which
+/// ones do not count.
+template <class Range, class Owns>
 bool hidden(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
-            const Range& among, Index node)
+            const Range& among, const Eigen::Vector3d& target, Owns&& owns)
 {
-  const Eigen::Vector3d target = position.col(node);
   const Ray ray = camera.rayThrough(camera.project(target).pixel);
   const double reach = (target - ray.origin).norm();
   const double closest = reach - kSlack * camera.metresPerPixel(target);
   for (const Index t : among) {
-    const Index a = triangles(0, t), b = triangles(1, t), c = triangles(2, t);
-    if (a == node || b == node || c == node) continue;
-    const auto hit = hitTriangle(ray, position.col(a), position.col(b), position.col(c));
+    if (owns(triangles.col(t))) continue;
+    const auto hit = hitTriangle(ray, position.col(triangles(0, t)), position.col(triangles(1, t)),
+                                 position.col(triangles(2, t)));
     if (hit && *hit < closest) return true;
   }
   return false;
+}
+
+bool holds(const Eigen::Ref<const Eigen::Vector3<Index>>& triangle, Index node)
+{
+  return (triangle.array() == node).any();
+}
+
+/// Of those that are seen the one nearest to the click, if it belongs to what is in front there.
+Index frontMost(const Camera& camera, const Eigen::Matrix3Xd& position, const std::vector<Candidate>& seen,
+                double radius)
+{
+  if (seen.empty()) return kNoIndex;
+  const auto front = std::min_element(
+    seen.begin(), seen.end(), [](const Candidate& a, const Candidate& b) { return a.depth < b.depth; });
+  const double limit = front->depth + kSameFront * radius * camera.metresPerPixel(position.col(front->node));
+  for (const Candidate& candidate : seen) // nearest to the click first
+    if (candidate.depth <= limit) return candidate.node;
+  return front->node;
 }
 
 /// Which triangles are seen in which square of the screen, within a box.
@@ -132,15 +150,27 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
   std::vector<Candidate> seen;
   const auto all = std::views::iota(Index{0}, static_cast<Index>(triangles.cols()));
   for (const Candidate& candidate : candidates(camera, position, pixel, radius))
-    if (!hidden(camera, position, triangles, all, candidate.node)) seen.push_back(candidate);
-  if (seen.empty()) return kNoIndex;
+    if (!hidden(camera, position, triangles, all, position.col(candidate.node),
+                [&](const auto& triangle) { return holds(triangle, candidate.node); }))
+      seen.push_back(candidate);
+  return frontMost(camera, position, seen, radius);
+}
 
-  const auto front = std::min_element(
-    seen.begin(), seen.end(), [](const Candidate& a, const Candidate& b) { return a.depth < b.depth; });
-  const double limit = front->depth + kSameFront * radius * camera.metresPerPixel(position.col(front->node));
-  for (const Candidate& candidate : seen) // nearest to the click first
-    if (candidate.depth <= limit) return candidate.node;
-  return front->node;
+Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const SegmentMatrix& ends,
+                 const TriangleMatrix& triangles, const Eigen::Vector2d& pixel, double radius)
+{
+  Eigen::Matrix3Xd middle(3, ends.cols());
+  for (Eigen::Index s = 0; s < ends.cols(); ++s)
+    middle.col(s) = 0.5 * (position.col(ends(0, s)) + position.col(ends(1, s)));
+  std::vector<Candidate> seen;
+  const auto all = std::views::iota(Index{0}, static_cast<Index>(triangles.cols()));
+  for (const Candidate& candidate : candidates(camera, middle, pixel, radius)) {
+    const Index a = ends(0, candidate.node), b = ends(1, candidate.node);
+    const auto owns = [&](const auto& triangle) { return holds(triangle, a) && holds(triangle, b); };
+    if (!hidden(camera, position, triangles, all, middle.col(candidate.node), owns))
+      seen.push_back(candidate);
+  }
+  return frontMost(camera, middle, seen, radius);
 }
 
 std::vector<Index> nodesInBox(const Camera& camera, const Eigen::Matrix3Xd& position,
@@ -153,7 +183,9 @@ std::vector<Index> nodesInBox(const Camera& camera, const Eigen::Matrix3Xd& posi
   for (Index node = 0; node < static_cast<Index>(position.cols()); ++node) {
     const Eigen::Vector2d pixel = project(position.col(node)).pixel;
     if (!pixel.allFinite() || !pixels.contains(pixel)) continue;
-    if (!hidden(camera, position, triangles, tiles.at(pixel), node)) found.push_back(node);
+    if (!hidden(camera, position, triangles, tiles.at(pixel), position.col(node),
+                [&](const auto& triangle) { return holds(triangle, node); }))
+      found.push_back(node);
   }
   return found;
 }

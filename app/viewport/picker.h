@@ -22,6 +22,11 @@ std::optional<double> hitTriangle(const Ray& ray, const Eigen::Vector3d& a, cons
 Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
                const Eigen::Vector2d& pixel, double radius);
 
+/// The same for springs, by their middles. A triangle at whose edge a spring lies does not hide it.
+/// @param ends 2 x S, columns of `position`.
+Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const SegmentMatrix& ends,
+                 const TriangleMatrix& triangles, const Eigen::Vector2d& pixel, double radius);
+
 /// The nodes whose pixels lie in a box and that no triangle hides, in rising order.
 /// @param position 3 x N [m]. @param triangles what can hide; 3 x 0 for nothing.
 /// Cost: O(N + F), and each node in the box is tested only against triangles that are seen near it.

@@ -330,6 +330,25 @@ Index SceneModel::nodeAt(const Eigen::Vector2d& pixel) const
   return pickNode(camera, m_position, m_surface ? m_net->triangles : kNone, pixel, kPickRadius);
 }
 
+Index SceneModel::springAt(const Eigen::Vector2d& pixel) const
+{
+  if (!m_net) return kNoIndex;
+  static const TriangleMatrix kNone(3, 0);
+  const Index spring =
+    pickSpring(camera, m_position, m_net->ends, m_surface ? m_net->triangles : kNone, pixel, kPickRadius);
+  const Index node = nodeAt(pixel);
+  if (spring == kNoIndex || node == kNoIndex) return spring;
+  const auto distance = [&](const Eigen::Vector3d& point) {
+    return (camera.project(point).pixel - pixel).norm();
+  };
+  return distance(middleOf(spring)) < distance(m_position.col(node)) ? spring : kNoIndex;
+}
+
+Eigen::Vector3d SceneModel::middleOf(Index spring) const
+{
+  return 0.5 * (m_position.col(m_net->ends(0, spring)) + m_position.col(m_net->ends(1, spring)));
+}
+
 std::vector<Index> SceneModel::nodesIn(const Eigen::AlignedBox2d& pixels) const
 {
   if (!m_net) return {};

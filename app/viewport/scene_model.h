@@ -80,6 +80,9 @@ public:
 
   /// The front-most node within 12 pixels that the shown surface does not hide, or kNoIndex.
   Index nodeAt(const Eigen::Vector2d& pixel) const;
+  /// The front-most spring whose middle is nearer to the pixel than any such node, or kNoIndex.
+  Index springAt(const Eigen::Vector2d& pixel) const;
+  Eigen::Vector3d middleOf(Index spring) const; ///< where it is now [m]
   /// The nodes in a box of the screen that the shown surface does not hide, rising.
   std::vector<Index> nodesIn(const Eigen::AlignedBox2d& pixels) const;
 

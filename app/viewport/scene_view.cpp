@@ -60,6 +60,7 @@ SceneView::SceneView(QWidget* parent) : QWidget(parent), m_impl(std::make_unique
   connect(m_impl->input, &ViewInput::pullMoved, this, &SceneView::pullMoved);
   connect(m_impl->input, &ViewInput::pullEnded, this, &SceneView::pullEnded);
   connect(m_impl->input, &ViewInput::nodeSelected, this, &SceneView::nodeSelected);
+  connect(m_impl->input, &ViewInput::springSelected, this, &SceneView::springSelected);
   connect(m_impl->input, &ViewInput::selectionChanged, this, &SceneView::selectionChanged);
   connect(m_impl->input, &ViewInput::regionDragStarted, this, &SceneView::regionDragStarted);
   connect(m_impl->input, &ViewInput::regionDragged, this, &SceneView::regionDragged);
@@ -188,6 +189,11 @@ QPointF SceneView::project(const Eigen::Vector3d& point) const
 {
   const Eigen::Vector2d pixel = m_impl->model.camera.project(point).pixel;
   return {pixel.x(), pixel.y()};
+}
+
+Index SceneView::springAt(const QPointF& pixel) const
+{
+  return m_impl->model.springAt({pixel.x(), pixel.y()});
 }
 
 Index SceneView::nodeAt(const QPointF& pixel) const

@@ -54,6 +54,8 @@ public:
   QPointF project(const Eigen::Vector3d& point) const;
   /// The front-most node within 12 pixels, or kNoIndex.
   Index nodeAt(const QPointF& pixel) const;
+  /// The front-most spring whose middle is nearer to the pixel than any such node, or kNoIndex.
+  Index springAt(const QPointF& pixel) const;
   /// The handles of the chosen region's gizmo by name ("move", "falloff", "stretch x+", "slide x", "turn x");
   /// empty unless the tool Region shows them.
   QMap<QString, QPointF> gizmoHandles() const;
@@ -67,6 +69,7 @@ signals:
   void pullMoved(double x, double y, double z);
   void pullEnded();
   void nodeSelected(int node);
+  void springSelected(int spring);
   void selectionChanged();
   void regionDragStarted(); ///< of the selected region, by its gizmo
   void regionDragged(const esm::GizmoShape& shape);

@@ -51,7 +51,7 @@ void ViewInput::netReplaced()
 {
   letGo();
   endDrag();
-  m_hovered = m_selected = kNoIndex;
+  m_hovered = m_selected = m_selectedSpring = kNoIndex;
 }
 
 void ViewInput::regionsReplaced()
@@ -175,11 +175,16 @@ void ViewInput::pressWithTool(const QMouseEvent& event)
   } else if (m_tool == Tool::Select) {
     m_drag = Drag::Box;
     if (event.modifiers() & (Qt::ShiftModifier | Qt::ControlModifier)) return;
-    if (const Index node = m_model->nodeAt(pixel(m_last)); node != kNoIndex) {
-      m_selected = node;
+    const Index spring = m_model->springAt(pixel(m_last));
+    const Index node = spring == kNoIndex ? m_model->nodeAt(pixel(m_last)) : kNoIndex;
+    if (spring == kNoIndex && node == kNoIndex) return;
+    m_selected = node;
+    m_selectedSpring = spring;
+    if (spring == kNoIndex)
       emit nodeSelected(node);
-      emit repaintNeeded();
-    }
+    else
+      emit springSelected(spring);
+    emit repaintNeeded();
   }
 }
 
@@ -217,7 +222,8 @@ void ViewInput::finishBox(Qt::KeyboardModifiers modifiers)
   std::vector<Index> nodes;
   if (const auto box = selectionBox())
     nodes = m_model->nodesIn(*box);
-  else if (const Index node = m_model->nodeAt(pixel(m_last)); node != kNoIndex)
+  else if (const Index node = m_model->nodeAt(pixel(m_last));
+           node != kNoIndex && m_model->springAt(pixel(m_last)) == kNoIndex)
     nodes = {node};
   const std::vector<Index>& before = m_model->selection();
   if (modifiers & Qt::ControlModifier) {

@@ -23,8 +23,9 @@ namespace esm {
 ///     left button              the tool: Camera turns; Pull takes the front-most node and drags it in the
 ///                              plane through it that is parallel to the screen; Region drags a handle of
 ///                              the chosen region's gizmo. Pull and Region beside them turn the camera.
-///                              Select names the front-most node; a drag selects the visible nodes in its
-///                              box, with Shift these too, with Ctrl without these.
+///                              Select names the front-most node, or the spring whose middle is nearer; a
+///                              drag selects the visible nodes in its box, with Shift these too, with Ctrl
+///                              without these.
 ///     Esc                      lets go; takes back the drag of a region; else selects no node
 ///     F fit · 1 front · 3 right · 7 top · 5 parallel projection · arrows turn · + - zoom
 ///
@@ -44,6 +45,7 @@ public:
   // === For the overlay
   Index hoveredNode() const noexcept { return m_hovered; }
   Index selectedNode() const noexcept { return m_selected; }
+  Index selectedSpring() const noexcept { return m_selectedSpring; }
   Index pulledNode() const noexcept { return m_pulled; }
   const Eigen::Vector3d& pullTarget() const noexcept { return m_target; } ///< [m], while pulledNode() is one
   GizmoHandle hoveredHandle() const noexcept { return m_handle; }         ///< under the mouse or dragged
@@ -56,6 +58,7 @@ signals:
   void pullMoved(double x, double y, double z);
   void pullEnded();
   void nodeSelected(int node);
+  void springSelected(int spring);
   void selectionChanged();
   void regionDragStarted();
   void
@@ -95,7 +98,7 @@ private:
   Drag m_drag = Drag::None;
   Qt::MouseButton m_button = Qt::NoButton; ///< that began the drag and will end it
   QPointF m_last, m_pressed;               ///< of the mouse: now, and where the drag began
-  Index m_hovered = kNoIndex, m_selected = kNoIndex, m_pulled = kNoIndex;
+  Index m_hovered = kNoIndex, m_selected = kNoIndex, m_selectedSpring = kNoIndex, m_pulled = kNoIndex;
   Eigen::Vector3d m_target = Eigen::Vector3d::Zero();
   Eigen::Vector3d m_plane = Eigen::Vector3d::Zero();      ///< a point of the plane of the pull [m]
   Eigen::Vector2d m_grabOffset = Eigen::Vector2d::Zero(); ///< from the mouse to the node [pixels]

@@ -133,7 +133,7 @@ struct InputChange {
 
 /// For each input of each layer that the number hangs on: the value, next to the present one, that changes
 /// the number by `factor`. Found by bisection on the whole chain (inference, blend, formula), between places
-/// 1/64 of the range apart, and given with as few digits as keep the factor within 0.2 %. Those that reach
+/// 1/64 of the range apart, and given with as few digits as keep the factor within 0.5 %. Those that reach
 /// the factor come first, the smallest change first; then the others, the nearest first.
 /// Empty if the number is 0 or does not come from the rules.
 std::vector<InputChange> changesFor(const TissueField& field, const TissueExplanation& why,

@@ -18,7 +18,7 @@ constexpr double kNoEffect = 1e-9; ///< an input that moves ln(number) less has 
 constexpr double kBeside = 1e-7;   ///< so far from a kink its one side is looked at, as a share of the range
 constexpr double kKink = 1e-3;     ///< slopes that differ more have a kink between them
 constexpr double kReached = 0.00995;    ///< ln(1.01)
-constexpr double kGoodEnough = 0.00199; ///< ln(1.002): digits are dropped as long as this holds
+constexpr double kGoodEnough = 0.00498; ///< ln(1.005): digits are dropped as long as this holds
 
 /// How one number of an explanation answers other inputs of one layer, everything else as it is.
 class WhatIf {

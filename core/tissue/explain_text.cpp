@@ -185,7 +185,7 @@ std::string changeText(const InputChange& change, const TissueModel& model, Lang
   const std::string from =
     number ? numberText(*number, language) : "“" + formatInput(change.from, variable, language) + "”";
   const std::string to = withMark(formatDouble(change.to, 6), language);
-  const std::string head = filled(say(language, "%1 of %2", "%1 von %2"),
+  const std::string head = filled(say(language, "%1 of %2", "%1 (%2)"),
                                   {variable.name.in(language), tissueName(change.region, model, language)});
   if (change.reached) return head + ": " + from + " → " + to;
   if (number && *number == change.to)

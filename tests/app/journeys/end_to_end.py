@@ -72,7 +72,7 @@ def journey():
     point = until("there is something to select", lambda s: len(s["pullPoint"]) == 2)["pullPoint"]
     xdo("mousemove", *point)
     xdo("click", 1)
-    until("the node is explained", lambda s: s["selectedNode"] >= 0 and "nodeWhy" in s["widgets"])
+    until("the node is explained", lambda s: s["selectedNode"] >= 0 and s["why"].startswith("Node "))
     picture("why")
 
     # Play and pull: the force can be read

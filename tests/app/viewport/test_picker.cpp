@@ -75,3 +75,26 @@ TEST(PickNode, BareSpringsPreferTheFront)
   position.col(1) = Vector3d(0.001, -0.04, 0.0); // in front, a few pixels beside
   EXPECT_EQ(pickNode(fromTheFront(), position, TriangleMatrix(3, 0), {400, 300}, 12.0), 1);
 }
+
+// Every spring that faces the eye can be picked at its own middle, none that looks away: a surface's own edge
+// does not hide it.
+TEST(PickSpring, EachSpringOfTheFrontAndNoneOfTheBack)
+{
+  const auto net = samples::sphere(1, 0.04);
+  const Camera camera = fromTheFront();
+  int front = 0;
+  for (Index s = 0; s < net->springCount(); ++s) {
+    const Vector3d at =
+      0.5 * (net->restPosition.col(net->ends(0, s)) + net->restPosition.col(net->ends(1, s)));
+    const double facing = at.normalized().dot((camera.eye() - at).normalized());
+    const Index picked =
+      pickSpring(camera, net->restPosition, net->ends, net->triangles, camera.project(at).pixel, 12.0);
+    if (facing > 0.3) {
+      EXPECT_EQ(picked, s);
+      ++front;
+    } else if (facing < -0.3) {
+      EXPECT_NE(picked, s);
+    }
+  }
+  EXPECT_GT(front, 5);
+}

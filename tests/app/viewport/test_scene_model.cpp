@@ -223,3 +223,18 @@ TEST(LegendNumber, IsShortAndLocal)
   EXPECT_EQ(legendNumber(2000.0), "2.000");
   QLocale::setDefault(QLocale::c());
 }
+
+// A click means what is nearer to it: the node at an end, the spring around its middle.
+TEST(SceneModel, ClicksNearASpringsMiddleMeanTheSpring)
+{
+  const auto net = samples::sphere(0, 0.05);
+  const SceneModel model = modelOf(net);
+  int meant = 0;
+  for (Index s = 0; s < net->springCount(); ++s) {
+    const Eigen::Vector2d middle = model.camera.project(model.middleOf(s)).pixel;
+    const Eigen::Vector2d end = model.camera.project(net->restPosition.col(net->ends(0, s))).pixel;
+    meant += model.springAt(middle) == s ? 1 : 0;
+    EXPECT_EQ(model.springAt(end), kNoIndex) << "at its end";
+  }
+  EXPECT_GE(meant, 5) << "of the twelve edges of an octahedron those in front";
+}
