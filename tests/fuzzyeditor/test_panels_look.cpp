@@ -6,7 +6,6 @@
 #include "fuzzyeditor/rules_panel.h"
 #include "fuzzyeditor/surface_panel.h"
 #include "fuzzyeditor/term_plot.h"
-#include "fuzzyeditor/why_panel.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
 #include <QAbstractButton>
@@ -52,8 +51,7 @@ struct PanelsLook : PanelTest {
   InputsPanel inputs{&evaluation};
   MembershipPanel membership{&evaluation};
   SurfacePanel surface{&evaluation};
-  WhyPanel why{&evaluation};
-  std::vector<QWidget*> all{&rules, &inputs, &membership, &surface, &why};
+  std::vector<QWidget*> all{&rules, &inputs, &membership, &surface};
 
   void showAll()
   {
@@ -61,7 +59,6 @@ struct PanelsLook : PanelTest {
     inputs.resize(340, 400);
     membership.resize(420, 260);
     surface.resize(420, 320);
-    why.resize(620, 300);
     for (QWidget* panel : all) show(*panel);
     QTest::qWait(20);
   }
@@ -103,35 +100,6 @@ TEST_F(PanelsLook, TabReachesEveryFieldOfAnInputInReadingOrder)
             (QStringList{"spin_hardness", "word_hardness", "slider_elasticity"})); // nothing to reset
 }
 
-TEST_F(PanelsLook, WhySaysTheStrongestRuleAndListsTheOthers)
-{
-  speak(Language::German);
-  showAll();
-  const QString sentences = why.findChild<QLabel*>("whySentences")->text();
-  EXPECT_TRUE(
-    sentences.startsWith("Steifigkeit ist 31,6\u00a0kPa, vor allem wegen Regel 2: WENN Härte IST mittel"))
-    << qPrintable(sentences);
-  EXPECT_TRUE(sentences.contains("Zähigkeit ist 4,00\u00a0ms, die Voreinstellung")) << qPrintable(sentences);
-  auto* list = why.findChild<QTreeWidget*>("whyRules");
-  ASSERT_EQ(list->topLevelItemCount(), 1);
-  document.setInput(0, 0.75, 0); // hard and medium one half each; very hard is 0.25
-  EXPECT_TRUE(QTest::qWaitFor([&] { return list->topLevelItemCount() == 2; }, 2000));
-  EXPECT_EQ(list->topLevelItem(0)->text(0), "2");
-  EXPECT_EQ(list->topLevelItem(1)->text(0), "1");
-}
-
-TEST_F(PanelsLook, WhyOfAPlaceIsDroppedWhenTheRulesChange)
-{
-  showAll();
-  fuzzy::Inference other = evaluation.inference();
-  other.outputs[0].value = 2e5;
-  why.showInference("Node 812", other);
-  EXPECT_TRUE(why.findChild<QLabel*>("whySentences")->text().startsWith("Stiffness is 200\u00a0kPa"));
-  rules.tableModel()->removeRules({2});
-  QTest::qWait(5);
-  EXPECT_EQ(why.findChild<QLabel*>("whyPlace")->text(), "Tissue: Uterus");
-}
-
 // Hidden panels cost nothing, and many shown ones one computation for however many moves of a slider.
 TEST_F(PanelsLook, RulesAreEvaluatedOncePerTurnAndOnlyForVisiblePanels)
 {
@@ -167,7 +135,6 @@ TEST_F(PanelsLook, LongTextsWrapInsteadOfWideningADock)
   speak(Language::German);
   showAll();
   EXPECT_LE(inputs.minimumSizeHint().width(), 340);
-  EXPECT_LE(why.minimumSizeHint().width(), 340);
 }
 
 // Pictures for people to look at: ESM_SCREENSHOTS=folder test_fuzzyeditor --gtest_filter=*Screenshots*
@@ -201,7 +168,6 @@ TEST_F(PanelsLook, Screenshots)
       }
       surface.grab().save(folder + "/surface" + suffix);
       inputs.grab().save(folder + "/inputs" + suffix);
-      why.grab().save(folder + "/why" + suffix);
     }
   QApplication::setPalette(light);
 }
