@@ -11,6 +11,7 @@
 #include "app/real_time_dialog.h"
 #include "app/reason_text.h"
 #include "app/status_strip.h"
+#include "app/viewport/scene_model.h"
 #include "app/window_actions.h"
 #include "fuzzyeditor/fuzzy_evaluation.h"
 #include "fuzzyeditor/inputs_panel.h"
@@ -160,6 +161,8 @@ void MainWindow::connectDocument()
     selectNode(kNoIndex);
     m_view->fit();
   });
+  connect(m_document, &Document::parametersChanged, this,
+          [this] { m_status->setDerived(m_document->lastApply(), m_document->lastApplyTime()); });
   connect(m_document, &Document::problem, this, [this](const Error& error) {
     statusBar()->showMessage(errorLead(error.code) + QLatin1Char(' ') + QString::fromStdString(error.detail),
                              12000);
@@ -175,15 +178,16 @@ void MainWindow::showProject()
   const Project& project = m_document->project();
   selectNode(kNoIndex);
   m_status->setNet(project.net.nodeCount(), project.net.springCount());
+  m_status->clearDerived();
   m_view->setViewSettings(project.view);
   m_actions->showSurface->setChecked(project.view.showSurface);
   m_actions->showSprings->setChecked(project.view.showSprings);
-  const std::string names[] = {"none", "stiffness", "strain", "force"};
-  for (int i = 0; i < 4; ++i)
-    if (project.view.colouring == names[i]) {
-      m_actions->colouring->actions().at(i)->setChecked(true);
-      m_view->setColouring(static_cast<Colouring>(i));
-    }
+  for (QAction* action : m_actions->colouring->actions()) {
+    const auto colouring = static_cast<Colouring>(action->data().toInt());
+    if (colouringName(colouring).toStdString() != project.view.colouring) continue;
+    action->setChecked(true);
+    m_view->setColouring(colouring);
+  }
   for (QAction* action : m_actions->solver->actions())
     action->setChecked(action->data().toString().toStdString() == project.simulation.solver.solver);
   refreshRegions();
@@ -274,6 +278,10 @@ void MainWindow::connectActions()
   on(m_actions->aboutQt, [] { QApplication::aboutQt(); });
   connect(m_view, &SceneView::nodeSelected, this, &MainWindow::selectNode);
   connect(m_view, &SceneView::springSelected, this, &MainWindow::selectSpring);
+  connect(m_view, &SceneView::selectionChanged, this,
+          [this] { m_regions->setSelection(m_view->selection()); });
+  connect(m_view, &SceneView::regionDragStarted, m_regions, &RegionsPanel::beginDrag);
+  connect(m_view, &SceneView::regionDragged, m_regions, &RegionsPanel::drag);
 }
 
 /// Numbers that change sixty times a second cannot be read: the status bar follows ten times.

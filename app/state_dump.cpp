@@ -54,6 +54,7 @@ QJsonObject documentJson(Document* document)
   json["meanStiffness"] = project.net.springCount() > 0 ? project.net.stiffness.mean() : 0.0;
   json["undoCount"] = document->undoStack()->count();
   json["undoIndex"] = document->undoStack()->index();
+  json["springsDerived"] = document->lastApply().springsChanged;
   json["undoText"] = document->undoStack()->undoText();
   json["ruleCount"] = static_cast<int>(project.tissue.rules.rules.size());
   json["target"] = document->inputTarget();
@@ -71,6 +72,9 @@ QJsonObject documentJson(Document* document)
     QJsonObject entry{{"name", QString::fromStdString(region.name)}, {"enabled", region.enabled}};
     entry["centre"] = vectorJson(region.ellipsoid.centre);
     entry["semiAxes"] = vectorJson(region.ellipsoid.semiAxes);
+    entry["falloff"] = region.falloff;
+    entry["insideOut"] = region.insideOut;
+    entry["locked"] = region.locked;
     regions.append(entry);
   }
   json["rules"] = rules;
@@ -138,6 +142,18 @@ QJsonArray springPoint(SceneView* view, const SpringNet& net, const SimSnapshot&
   });
 }
 
+/// Handles of the gizmo by name, as pixels of the screen.
+QJsonObject gizmoJson(const SceneView* view)
+{
+  QJsonObject places;
+  const QMap<QString, QPointF> handles = view->gizmoHandles();
+  for (auto handle = handles.begin(); handle != handles.end(); ++handle) {
+    const QPoint pixel = view->mapToGlobal(handle.value().toPoint());
+    places[handle.key()] = QJsonArray{pixel.x(), pixel.y()};
+  }
+  return places;
+}
+
 QJsonObject visibleWidgets()
 {
   QJsonObject places;
@@ -183,6 +199,9 @@ void StateDump::write()
   QJsonObject json = documentJson(m_window->document());
   addRun(json, m_window->controller());
   json["selectedNode"] = m_window->selectedNode();
+  json["selectedNodes"] = static_cast<int>(m_window->sceneView()->selection().size());
+  json["gizmo"] = gizmoJson(m_window->sceneView());
+  json["legend"] = m_window->sceneView()->legendTitle();
   json["selectedSpring"] = m_window->selectedSpring();
   if (const auto* sentence = m_window->findChild<QLabel*>("whySentence")) json["why"] = sentence->text();
   json["clipboard"] = QApplication::clipboard()->text();

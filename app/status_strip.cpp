@@ -134,6 +134,7 @@ StatusStrip::StatusStrip(QStatusBar* bar)
   bar->setSizeGripEnabled(false);
   m_tool->setObjectName(QStringLiteral("lblTool"));
   bar->addWidget(m_tool, 1);
+  m_derived = add("lblDerived");
   m_nodes = add("lblNodes");
   m_springs = add("lblSprings");
   m_realTime = add("lblRealTime");
@@ -160,8 +161,28 @@ void StatusStrip::setNet(Index nodes, Index springs)
   retranslate();
 }
 
+void StatusStrip::setDerived(const ApplyReport& report, double time)
+{
+  m_lastApply.emplace(report.springsChanged, time);
+  retranslate();
+}
+
+void StatusStrip::clearDerived()
+{
+  m_lastApply.reset();
+  retranslate();
+}
+
 void StatusStrip::retranslate()
 {
+  const QLocale locale;
+  m_derived->setVisible(m_lastApply.has_value());
+  m_derived->setToolTip(
+    tr("Springs that the last edit of the tissue gave new numbers, and how long it took"));
+  if (m_lastApply)
+    m_derived->setText(tr("%1 of %2 springs derived, %3 ms")
+                         .arg(locale.toString(m_lastApply->first), locale.toString(m_springCount),
+                              locale.toString(1e3 * m_lastApply->second, 'f', 1)));
   const QString nodes = tr("%n node(s)", nullptr, m_nodeCount);
   const bool someRest = m_awakeCount >= 0 && m_awakeCount < m_nodeCount;
   m_nodes->setText(someRest ? tr("%1 of %2 awake").arg(m_awakeCount).arg(nodes) : nodes);

@@ -3,9 +3,13 @@
 #pragma once
 
 #include "core/runtime/sim_thread.h"
+#include "core/tissue/tissue_model.h"
 #include "haptics/haptic_session.h"
 
 #include <QLabel>
+
+#include <optional>
+#include <utility>
 
 class QStatusBar;
 
@@ -34,14 +38,18 @@ private:
   std::string m_message; ///< the engine's, English
 };
 
-/// The fields of the status bar: tool, nodes (and how many are awake), springs (and the work on them), real
-/// time with the accuracy in force, solver and why it was chosen, stability, device, language.
+/// The fields of the status bar: tool, what the last edit derived, nodes (and how many are awake), springs
+/// (and the work on them), real time with the accuracy in force, solver and why it was chosen, stability,
+/// device, language.
 class StatusStrip : public QObject {
   Q_OBJECT
 public:
   explicit StatusStrip(QStatusBar* bar);
   void setTool(const QString& hint) { m_tool->setText(hint); }
   void setNet(Index nodes, Index springs);
+  /// What the last edit of the tissue cost. @param time [s].
+  void setDerived(const ApplyReport& report, double time);
+  void clearDerived();
   void setRun(const SimSnapshot& snapshot);
   void setDevice(const HapticStatus& status);
   void setLanguage(const QString& code);
@@ -50,10 +58,11 @@ public:
 private:
   QLabel* add(const char* name);
   void showWork(const SimSnapshot& snapshot);
-  QLabel *m_tool, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
+  QLabel *m_tool, *m_derived, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
   StabilityLight* m_light;
   Index m_nodeCount = 0, m_springCount = 0;
-  Index m_awakeCount = -1; ///< -1: nothing runs
+  std::optional<std::pair<Index, double>> m_lastApply; ///< springs, time [s]
+  Index m_awakeCount = -1;                             ///< -1: nothing runs
 };
 
 } // namespace esm

@@ -7,7 +7,7 @@ namespace esm {
 /// QUndoCommand::id() of the commands that merge; one number per class, never used twice.
 enum CommandId {
   kSetInputCommand = 1,
-  kSetRegionCommand = 2,
+  kEditRegionsCommand = 2,
   kSetTissueSettingsCommand = 3,
   kSetGravityCommand = 4,
   kSetRuleBaseCommand = 5,

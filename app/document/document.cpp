@@ -9,6 +9,7 @@
 #include "core/base/assert.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"
+#include "core/tissue/region_edit.h"
 
 #include <QFileInfo>
 
@@ -110,14 +111,23 @@ void Document::setRuleBase(fuzzy::RuleBase ruleBase, const QString& undoText, in
 void Document::setInput(int input, fuzzy::InputValue value, int gesture)
 {
   if (input < 0 || static_cast<std::size_t>(input) >= inputs().size()) return;
-  if (inputs()[static_cast<std::size_t>(input)] == value) return;
+  if (inputs()[static_cast<std::size_t>(input)] == value || !mayEditInputs()) return;
   pushTissue(std::make_unique<SetInputCommand>(*this, m_target, input, std::move(value), gesture));
 }
 
 void Document::setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText, int gesture)
 {
-  if (values.size() != inputs().size() || values == inputs()) return;
+  if (values.size() != inputs().size() || values == inputs() || !mayEditInputs()) return;
   pushTissue(std::make_unique<SetInputsCommand>(*this, m_target, std::move(values), undoText, gesture));
+}
+
+/// The words of a locked region are locked too.
+bool Document::mayEditInputs()
+{
+  if (m_target < 0) return true;
+  const Status status = mayEditRegion(m_project.tissue, static_cast<std::size_t>(m_target));
+  if (!status) refuse(status.error());
+  return status.hasValue();
 }
 
 void Document::setInputTarget(int region)
@@ -140,30 +150,65 @@ void Document::setRuleLanguage(Language language)
 
 // === Tissue and regions
 
+/// Of what region_edit.h has made of a copy of the tissue.
+void Document::pushRegions(const Status& edited, TissueModel tissue, int chosenBefore, int chosen,
+                           const QString& text, int gesture)
+{
+  if (!edited) return refuse(edited.error());
+  if (tissue.regions == m_project.tissue.regions) return;
+  pushTissue(std::make_unique<EditRegionsCommand>(*this, std::move(tissue.regions), chosenBefore, chosen,
+                                                  text, gesture));
+}
+
 void Document::addRegion(Region region)
 {
-  region.inputs.resize(m_project.tissue.rules.inputs.size());
-  const int index = static_cast<int>(m_project.tissue.regions.size());
-  pushTissue(std::make_unique<AddRegionCommand>(*this, index, std::move(region)));
+  TissueModel tissue = m_project.tissue;
+  region.inputs.resize(tissue.rules.inputs.size());
+  const std::size_t place = tissue.regions.size();
+  const Status edited = esm::insertRegion(tissue, place, std::move(region));
+  pushRegions(edited, std::move(tissue), m_target, static_cast<int>(place), tr("add region"));
 }
 
 void Document::removeRegion(int index)
 {
-  if (index < 0 || static_cast<std::size_t>(index) >= m_project.tissue.regions.size()) return;
-  pushTissue(std::make_unique<RemoveRegionCommand>(*this, index));
+  TissueModel tissue = m_project.tissue;
+  const Status edited = esm::removeRegion(tissue, static_cast<std::size_t>(index));
+  pushRegions(edited, std::move(tissue), index, index - 1, tr("remove region"));
 }
 
 void Document::moveRegion(int from, int to)
 {
-  const int count = static_cast<int>(m_project.tissue.regions.size());
-  if (from == to || from < 0 || to < 0 || from >= count || to >= count) return;
-  pushTissue(std::make_unique<MoveRegionCommand>(*this, from, to));
+  TissueModel tissue = m_project.tissue;
+  const Status edited = esm::moveRegion(tissue, static_cast<std::size_t>(from), static_cast<std::size_t>(to));
+  pushRegions(edited, std::move(tissue), from, to, tr("reorder regions"));
 }
 
 void Document::setRegion(int index, Region region, const QString& undoText, int gesture)
 {
-  if (index < 0 || static_cast<std::size_t>(index) >= m_project.tissue.regions.size()) return;
-  pushTissue(std::make_unique<SetRegionCommand>(*this, index, std::move(region), undoText, gesture));
+  TissueModel tissue = m_project.tissue;
+  const Status edited = esm::replaceRegion(tissue, static_cast<std::size_t>(index), std::move(region));
+  pushRegions(edited, std::move(tissue), index, index, undoText, gesture);
+}
+
+void Document::lockRegion(int index, bool locked)
+{
+  TissueModel tissue = m_project.tissue;
+  const Status edited = esm::lockRegion(tissue, static_cast<std::size_t>(index), locked);
+  pushRegions(edited, std::move(tissue), index, index, locked ? tr("lock region") : tr("unlock region"));
+}
+
+void Document::showRegion(int index, bool visible)
+{
+  TissueModel tissue = m_project.tissue;
+  const Status edited = esm::showRegion(tissue, static_cast<std::size_t>(index), visible);
+  pushRegions(edited, std::move(tissue), index, index, visible ? tr("show region") : tr("hide region"));
+}
+
+void Document::detachTwin(int index)
+{
+  TissueModel tissue = m_project.tissue;
+  const Status edited = esm::detachTwin(tissue, static_cast<std::size_t>(index));
+  pushRegions(edited, std::move(tissue), index, index, tr("make the twin a region of its own"));
 }
 
 void Document::setTissueSettings(const TissueSettings& settings, int gesture)
@@ -201,14 +246,19 @@ bool Document::pushTissue(std::unique_ptr<TissueCommand> command)
   TissueModel tissue = m_project.tissue;
   command->apply(tissue);
   if (auto prepared = prepare(tissue); !prepared) {
-    emit problem(prepared.error());
-    emit inputsChanged(); // widgets go back to what holds
-    emit regionsChanged();
-    emit tissueSettingsChanged();
+    refuse(prepared.error());
     return false;
   }
   m_undo.push(command.release()); // runs redo()
   return true;
+}
+
+void Document::refuse(const Error& error)
+{
+  emit problem(error);
+  emit inputsChanged(); // widgets go back to what holds
+  emit regionsChanged();
+  emit tissueSettingsChanged();
 }
 
 /// Does what can fail of deriving the springs from `tissue`; the project stays as it is.

@@ -81,10 +81,14 @@ public:
   /// What the last edit of the tissue derived anew, and its time [s].
   const ApplyReport& lastApply() const noexcept { return m_lastApply; }
   double lastApplyTime() const noexcept { return m_lastApplyTime; }
+  // What a lock forbids (core/tissue/region_edit.h) is refused: problem() says so.
   void addRegion(Region region); ///< at the end: it covers the others
   void removeRegion(int index);
   void moveRegion(int from, int to);
   void setRegion(int index, Region region, const QString& undoText, int gesture = 0);
+  void lockRegion(int index, bool locked);
+  void showRegion(int index, bool visible);
+  void detachTwin(int index); ///< the twin becomes a region of its own, right above
   void setTissueSettings(const TissueSettings& settings, int gesture = 0);
   void setParametersFromTissue(bool on);
 
@@ -118,6 +122,10 @@ private:
   };
 
   bool pushTissue(std::unique_ptr<TissueCommand> command);
+  void refuse(const Error& error);
+  bool mayEditInputs();
+  void pushRegions(const Status& edited, TissueModel tissue, int chosenBefore, int chosen,
+                   const QString& text, int gesture = 0);
   bool derivesSprings() const;
   Status prepare(const TissueModel& tissue);
   bool isPrepared() const { return m_preparedNet || m_preparedField; }

@@ -44,4 +44,12 @@ void TissueCommand::undo()
   if (project().parametersFromTissue) emit target.parametersChanged();
 }
 
+void TissueCommand::becomeVoid()
+{
+  setObsolete(true);
+  if (!m_before) return;
+  document().putNet(m_before, false); // the numbers of the file, which the first edit of the gesture replaced
+  emit document().parametersChanged();
+}
+
 } // namespace esm

@@ -36,6 +36,7 @@ public:
 
 protected:
   using DocumentCommand::DocumentCommand;
+  void becomeVoid(); ///< call from mergeWith() when nothing is left to undo: the step leaves the stack
   virtual void revert(TissueModel& tissue) const = 0;
   virtual void announce(bool undone) = 0;
   /// Nothing but the tissue is needed to undo this.

@@ -6,53 +6,15 @@
 
 namespace esm {
 
-/// Puts a region in at a place of the order.
-class AddRegionCommand : public TissueCommand {
+/// Every edit of the list of regions: the list before and after it. What may be done to a list, and what a
+/// lock forbids, is said in core/tissue/region_edit.h; the document asks there first. Edits of one gesture
+/// merge; a gesture that ends where it began leaves no step.
+class EditRegionsCommand : public TissueCommand {
 public:
-  AddRegionCommand(Document& document, int index, Region region);
-  void apply(TissueModel& tissue) const override;
-
-protected:
-  void revert(TissueModel& tissue) const override;
-  void announce(bool undone) override;
-
-private:
-  int m_index;
-  Region m_region;
-};
-
-class RemoveRegionCommand : public TissueCommand {
-public:
-  RemoveRegionCommand(Document& document, int index);
-  void apply(TissueModel& tissue) const override;
-
-protected:
-  void revert(TissueModel& tissue) const override;
-  void announce(bool undone) override;
-
-private:
-  int m_index;
-  Region m_region;
-};
-
-/// Another place in the order: a later region covers an earlier one.
-class MoveRegionCommand : public TissueCommand {
-public:
-  MoveRegionCommand(Document& document, int from, int to);
-  void apply(TissueModel& tissue) const override;
-
-protected:
-  void revert(TissueModel& tissue) const override;
-  void announce(bool undone) override;
-
-private:
-  int m_from, m_to;
-};
-
-/// Name, place, shape, falloff or on/off of a region. Values of one gesture merge.
-class SetRegionCommand : public TissueCommand {
-public:
-  SetRegionCommand(Document& document, int index, Region region, const QString& text, int gesture);
+  /// @param chosen the region that the edit is about, as place after it (-1: none).
+  /// @param chosenBefore as place before it.
+  EditRegionsCommand(Document& document, std::vector<Region> regions, int chosenBefore, int chosen,
+                     const QString& text, int gesture);
   void apply(TissueModel& tissue) const override;
   int id() const override;
   bool mergeWith(const QUndoCommand* next) override;
@@ -62,8 +24,8 @@ protected:
   void announce(bool undone) override;
 
 private:
-  int m_index, m_gesture;
-  Region m_old, m_new;
+  std::vector<Region> m_before, m_after;
+  int m_chosenBefore, m_chosenAfter, m_gesture;
 };
 
 } // namespace esm

@@ -56,8 +56,13 @@ void GestureSpinBox::focusInEvent(QFocusEvent* event)
 
 void GestureSpinBox::beginGesture()
 {
-  static int last = 0; // over all fields, so that no two gestures share a number
-  m_gesture = ++last;
+  m_gesture = newGesture();
+}
+
+int GestureSpinBox::newGesture()
+{
+  static int last = 0;
+  return ++last;
 }
 
 } // namespace esm

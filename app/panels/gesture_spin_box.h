@@ -18,6 +18,9 @@ public:
   /// Shows a value of the document without announcing it.
   void display(double value);
 
+  /// A number for a gesture of one's own; shared by all, so that no two gestures have the same one.
+  static int newGesture();
+
 signals:
   void edited(double value, int gesture);
 

@@ -3,36 +3,21 @@
 #include "app/panels/regions_panel.h"
 
 #include "app/icons.h"
+#include "app/panels/region_list.h"
 
 #include <QEvent>
-#include <QGridLayout>
 #include <QHBoxLayout>
-#include <QLabel>
-#include <QLineEdit>
-#include <QListWidget>
-#include <QLocale>
-#include <QSignalBlocker>
+#include <QScrollArea>
+#include <QStyle>
 #include <QToolButton>
 #include <QVBoxLayout>
 
+#include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace esm {
 
 namespace {
-
-constexpr double kMetre = 1000.0; // [mm]
-constexpr double kDegree = 180.0 / std::numbers::pi;
-
-QToolButton* toolButton(Symbol symbol, const QString& name, QWidget* parent)
-{
-  auto* button = new QToolButton(parent);
-  button->setObjectName(name);
-  button->setIcon(icon(symbol));
-  button->setAutoRaise(true);
-  return button;
-}
 
 void describe(QWidget* widget, const QString& text)
 {
@@ -42,136 +27,81 @@ void describe(QWidget* widget, const QString& text)
 
 } // namespace
 
-Eigen::Vector3d turnsOf(const Eigen::Quaterniond& rotation)
-{
-  const Eigen::Matrix3d r = rotation.toRotationMatrix();
-  return kDegree * Eigen::Vector3d(std::atan2(r(2, 1), r(2, 2)), std::asin(std::clamp(-r(2, 0), -1.0, 1.0)),
-                                   std::atan2(r(1, 0), r(0, 0)));
-}
-
-Eigen::Quaterniond rotationOf(const Eigen::Vector3d& turns)
-{
-  const Eigen::Vector3d angle = turns / kDegree;
-  return Eigen::AngleAxisd(angle.z(), Eigen::Vector3d::UnitZ()) *
-         Eigen::AngleAxisd(angle.y(), Eigen::Vector3d::UnitY()) *
-         Eigen::AngleAxisd(angle.x(), Eigen::Vector3d::UnitX());
-}
-
 RegionsPanel::RegionsPanel(Document* document, QWidget* parent) : QWidget(parent), m_document(document)
 {
   buildList();
-  buildFields();
-  connect(document, &Document::projectReset, this, &RegionsPanel::refreshList);
-  connect(document, &Document::regionsChanged, this, &RegionsPanel::refreshList);
-  connect(document, &Document::inputTargetChanged, this, &RegionsPanel::refreshList);
-  connect(document, &Document::netChanged, this, &RegionsPanel::refreshCount);
+  buildButtons();
+  m_fields = new RegionFields(document);
+  m_scroll = new QScrollArea(this);
+  m_scroll->setObjectName(QStringLiteral("regionFieldsArea"));
+  m_scroll->setFrameShape(QFrame::NoFrame);
+  m_scroll->setWidgetResizable(true);
+  m_scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  m_scroll->setFocusPolicy(Qt::NoFocus);
+  m_scroll->setWidget(m_fields);
+
+  auto* buttons = new QHBoxLayout;
+  buttons->setSpacing(0);
+  for (QToolButton* each : {m_add, m_fromSelection, m_copy, m_remove, m_up, m_down}) buttons->addWidget(each);
+  buttons->addStretch();
+  for (QToolButton* each : {m_visible, m_locked}) buttons->addWidget(each);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 6, 6, 6);
+  layout->addWidget(m_list, 1);
+  layout->addLayout(buttons);
+  layout->addWidget(m_scroll, 3);
+
+  connect(document, &Document::projectReset, this, &RegionsPanel::refresh);
+  connect(document, &Document::regionsChanged, this, &RegionsPanel::refresh);
+  connect(document, &Document::inputTargetChanged, this, &RegionsPanel::refresh);
+  connect(document, &Document::netChanged, m_fields, &RegionFields::refreshCount);
   retranslateUi();
 }
 
 void RegionsPanel::buildList()
 {
-  m_list = new QListWidget(this);
+  m_list = new RegionList(this);
   m_list->setObjectName(QStringLiteral("regionsList"));
   m_list->setMinimumHeight(70);
-  connect(m_list, &QListWidget::currentRowChanged, this, [this](int row) {
-    if (!m_refreshing && row >= 0) m_document->setInputTarget(row - 1); // row 0 is the base tissue
-  });
-  connect(m_list, &QListWidget::itemChanged, this, [this](QListWidgetItem* item) {
-    const int index = m_list->row(item) - 1;
-    if (m_refreshing || index < 0) return;
+  connect(m_list, &RegionList::chosen, m_document, &Document::setInputTarget);
+  connect(m_list, &RegionList::visibleAsked, m_document, &Document::showRegion);
+  connect(m_list, &RegionList::lockAsked, m_document, &Document::lockRegion);
+  connect(m_list, &RegionList::moveAsked, m_document, &Document::moveRegion);
+  connect(m_list, &RegionList::enabledAsked, this, [this](int index, bool on) {
     Region region = m_document->project().tissue.regions[static_cast<std::size_t>(index)];
-    region.enabled = item->checkState() == Qt::Checked;
-    const QString what = region.enabled ? tr("switch region on") : tr("switch region off");
-    m_document->setRegion(index, std::move(region), what);
+    region.enabled = on;
+    m_document->setRegion(index, std::move(region), on ? tr("switch region on") : tr("switch region off"));
   });
-
-  m_add = toolButton(Symbol::Plus, QStringLiteral("regionAdd"), this);
-  m_copy = toolButton(Symbol::Copy, QStringLiteral("regionDuplicate"), this);
-  m_remove = toolButton(Symbol::Minus, QStringLiteral("regionRemove"), this);
-  m_up = toolButton(Symbol::Up, QStringLiteral("regionUp"), this);
-  m_down = toolButton(Symbol::Down, QStringLiteral("regionDown"), this);
-  connect(m_add, &QToolButton::clicked, this, &RegionsPanel::addRegion);
-  connect(m_copy, &QToolButton::clicked, this, [this] {
-    if (const Region* region = currentRegion()) {
-      Region copy = *region;
-      copy.name = tr("%1 copy").arg(QString::fromStdString(copy.name)).toStdString();
-      m_document->addRegion(std::move(copy));
-    }
-  });
-  connect(m_remove, &QToolButton::clicked, this, [this] { m_document->removeRegion(current()); });
-  connect(m_up, &QToolButton::clicked, this, [this] { m_document->moveRegion(current(), current() - 1); });
-  connect(m_down, &QToolButton::clicked, this, [this] { m_document->moveRegion(current(), current() + 1); });
 }
 
-void RegionsPanel::buildFields()
+QToolButton* RegionsPanel::button(const char* name)
 {
-  m_fields = new QWidget(this);
-  auto* grid = new QGridLayout(m_fields);
-  grid->setContentsMargins(0, 0, 0, 0);
-  grid->setHorizontalSpacing(4);
-  grid->setVerticalSpacing(4);
+  auto* made = new QToolButton(this);
+  made->setObjectName(QLatin1String(name));
+  made->setAutoRaise(true);
+  return made;
+}
 
-  m_name = new QLineEdit(m_fields);
-  m_name->setObjectName(QStringLiteral("regionName"));
-  connect(m_name, &QLineEdit::editingFinished, this, [this] {
-    const Region* region = currentRegion();
-    if (region == nullptr || m_name->text().trimmed().isEmpty()) return refreshFields();
-    if (m_name->text().toStdString() == region->name) return;
-    Region renamed = *region;
-    renamed.name = m_name->text().trimmed().toStdString();
-    m_document->setRegion(current(), std::move(renamed), tr("rename region"));
-  });
-
-  for (int i = 0; i < kFieldCount; ++i) {
-    static const char* const kNames[] = {"regionCentreX", "regionCentreY", "regionCentreZ", "regionAxisX",
-                                         "regionAxisY",   "regionAxisZ",   "regionTurnX",   "regionTurnY",
-                                         "regionTurnZ",   "regionFalloff"};
-    auto* number = new GestureSpinBox(m_fields);
-    m_numbers[static_cast<std::size_t>(i)] = number;
-    number->setObjectName(QLatin1String(kNames[i]));
-    number->setButtonSymbols(i == Falloff ? QAbstractSpinBox::UpDownArrows : QAbstractSpinBox::NoButtons);
-    number->setMinimumWidth(58);
-    number->setDecimals(i >= TurnX ? 0 : 1);
-    if (i <= CentreZ)
-      number->setRange(-5000.0, 5000.0);
-    else if (i <= AxisZ)
-      number->setRange(0.1, 5000.0);
-    else if (i <= TurnZ)
-      number->setRange(-180.0, 180.0);
-    else
-      number->setRange(0.0, 100.0);
-    number->setSingleStep(i >= TurnX ? 5.0 : 1.0);
-    connect(number, &GestureSpinBox::edited, this,
-            [this, i](double value, int gesture) { editNumber(i, value, gesture); });
-  }
-
-  const auto label = [this] { return new QLabel(m_fields); };
-  m_nameLabel = label(), m_centreLabel = label(), m_axesLabel = label(), m_turnLabel = label();
-  m_falloffLabel = label();
-  m_nameLabel->setBuddy(m_name);
-  grid->addWidget(m_nameLabel, 0, 0);
-  grid->addWidget(m_name, 0, 1, 1, 3);
-  QLabel* const rows[] = {m_centreLabel, m_axesLabel, m_turnLabel};
-  for (int row = 0; row < 3; ++row) {
-    grid->addWidget(rows[row], row + 1, 0);
-    for (int axis = 0; axis < 3; ++axis)
-      grid->addWidget(m_numbers[static_cast<std::size_t>(3 * row + axis)], row + 1, axis + 1);
-  }
-  grid->addWidget(m_falloffLabel, 4, 0);
-  grid->addWidget(m_numbers[Falloff], 4, 1);
-  m_count = new QLabel(m_fields);
-  m_count->setObjectName(QStringLiteral("regionSpringCount"));
-  grid->addWidget(m_count, 4, 2, 1, 2);
-
-  auto* buttons = new QHBoxLayout;
-  buttons->setSpacing(2);
-  for (QToolButton* button : {m_add, m_copy, m_remove, m_up, m_down}) buttons->addWidget(button);
-  buttons->addStretch();
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(6, 6, 6, 6);
-  layout->addWidget(m_list, 1);
-  layout->addLayout(buttons);
-  layout->addWidget(m_fields);
+void RegionsPanel::buildButtons()
+{
+  const auto action = [this](const char* name, Symbol symbol, auto slot) {
+    QToolButton* made = button(name);
+    made->setIcon(icon(symbol));
+    connect(made, &QToolButton::clicked, this, slot);
+    return made;
+  };
+  m_add = action("regionAdd", Symbol::Plus, &RegionsPanel::addRegion);
+  m_fromSelection = action("regionFromSelection", Symbol::FromSelection, &RegionsPanel::addFromSelection);
+  m_copy = action("regionDuplicate", Symbol::Copy, &RegionsPanel::duplicate);
+  m_remove = action("regionRemove", Symbol::Minus, [this] { m_document->removeRegion(current()); });
+  m_up = action("regionUp", Symbol::Up, [this] { m_document->moveRegion(current(), current() - 1); });
+  m_down = action("regionDown", Symbol::Down, [this] { m_document->moveRegion(current(), current() + 1); });
+  m_visible = action("regionVisible", Symbol::Eye,
+                     [this] { m_document->showRegion(current(), m_visible->isChecked()); });
+  m_locked = action("regionLocked", Symbol::LockOpen,
+                    [this] { m_document->lockRegion(current(), m_locked->isChecked()); });
+  m_visible->setCheckable(true);
+  m_locked->setCheckable(true);
 }
 
 const Region* RegionsPanel::currentRegion() const
@@ -180,31 +110,7 @@ const Region* RegionsPanel::currentRegion() const
   return current() < 0 ? nullptr : &regions[static_cast<std::size_t>(current())];
 }
 
-void RegionsPanel::editNumber(int field, double value, int gesture)
-{
-  const Region* before = currentRegion();
-  if (m_refreshing || before == nullptr) return;
-  Region region = *before;
-  QString what;
-  if (field <= CentreZ) {
-    region.ellipsoid.centre[field] = value / kMetre;
-    what = tr("move region");
-  } else if (field <= AxisZ) {
-    region.ellipsoid.semiAxes[field - AxisX] = value / kMetre;
-    what = tr("resize region");
-  } else if (field <= TurnZ) {
-    Eigen::Vector3d turns = turnsOf(region.ellipsoid.rotation);
-    turns[field - TurnX] = value;
-    region.ellipsoid.rotation = rotationOf(turns);
-    what = tr("turn region");
-  } else {
-    region.falloff = value / 100.0;
-    what = tr("change falloff");
-  }
-  m_document->setRegion(current(), std::move(region), what, gesture);
-}
-
-/// In the middle of the selected node or of the model, sized after the model; with the base tissue's inputs.
+/// In the middle of the picked node or of the model, sized after the model; with the base tissue's inputs.
 Region RegionsPanel::newRegion() const
 {
   const Project& project = m_document->project();
@@ -214,6 +120,7 @@ Region RegionsPanel::newRegion() const
   const Eigen::Matrix3Xd& nodes = project.net.restPosition;
   if (nodes.cols() == 0) return region;
   const Eigen::Vector3d low = nodes.rowwise().minCoeff(), high = nodes.rowwise().maxCoeff();
+  constexpr double kMetre = 1000.0; // [mm]: a round number of them
   const double radius = std::max(0.18 * (high - low).norm(), 1e-3);
   region.ellipsoid.centre = m_placeOfNew.value_or(0.5 * (low + high));
   region.ellipsoid.semiAxes.setConstant(std::round(radius * kMetre) / kMetre);
@@ -225,62 +132,59 @@ void RegionsPanel::addRegion()
   m_document->addRegion(newRegion());
 }
 
-void RegionsPanel::refreshList()
+/// Around the selected nodes at rest, so that all of them have weight 1.
+void RegionsPanel::addFromSelection()
 {
-  m_refreshing = true;
-  const auto& regions = m_document->project().tissue.regions;
-  // Rows are kept where possible: this may run inside a signal of the row itself.
-  const int rows = static_cast<int>(regions.size()) + 1;
-  while (m_list->count() > rows) delete m_list->takeItem(m_list->count() - 1);
-  while (m_list->count() < rows) m_list->addItem(QString());
-  m_list->item(0)->setText(tr("Base tissue"));
-  for (int row = 1; row < rows; ++row) {
-    const Region& region = regions[static_cast<std::size_t>(row - 1)];
-    QListWidgetItem* item = m_list->item(row);
-    item->setFlags(item->flags() | Qt::ItemIsUserCheckable);
-    item->setText(QString::fromStdString(region.name));
-    item->setCheckState(region.enabled ? Qt::Checked : Qt::Unchecked);
-  }
-  m_list->setCurrentRow(current() + 1);
-  m_refreshing = false;
-  refreshFields();
-}
-
-void RegionsPanel::refreshFields()
-{
-  const Region* region = currentRegion();
-  const int last = static_cast<int>(m_document->project().tissue.regions.size()) - 1;
-  m_copy->setEnabled(region != nullptr);
-  m_remove->setEnabled(region != nullptr);
-  m_up->setEnabled(current() > 0);
-  m_down->setEnabled(region != nullptr && current() < last);
-  m_fields->setEnabled(region != nullptr);
-  m_name->setText(region != nullptr ? QString::fromStdString(region->name) : QString());
-  refreshCount();
-  if (region == nullptr) return;
-
-  const Eigen::Vector3d turns = turnsOf(region->ellipsoid.rotation);
-  for (int axis = 0; axis < 3; ++axis) {
-    m_numbers[static_cast<std::size_t>(CentreX + axis)]->display(region->ellipsoid.centre[axis] * kMetre);
-    m_numbers[static_cast<std::size_t>(AxisX + axis)]->display(region->ellipsoid.semiAxes[axis] * kMetre);
-    m_numbers[static_cast<std::size_t>(TurnX + axis)]->display(turns[axis]);
-  }
-  m_numbers[Falloff]->display(region->falloff * 100.0);
-}
-
-/// A spring belongs to the region when its midpoint at rest does: so does core/tissue count.
-void RegionsPanel::refreshCount()
-{
-  const Region* region = currentRegion();
-  if (region == nullptr) return m_count->clear();
   const SpringNet& net = m_document->project().net;
-  int inside = 0;
-  for (Index s = 0; s < net.springCount(); ++s) {
-    const Eigen::Vector3d middle =
-      0.5 * (net.restPosition.col(net.ends(0, s)) + net.restPosition.col(net.ends(1, s)));
-    if (region->ellipsoid.radius(middle) < 1.0) ++inside;
+  if (m_selection.empty() || net.springCount() == 0) return;
+  Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(m_selection.size()));
+  for (std::size_t i = 0; i < m_selection.size(); ++i)
+    places.col(static_cast<Eigen::Index>(i)) = net.restPosition.col(m_selection[i]);
+  // Nodes of a flat patch do not spread across it: half a spring reaches to both its sides.
+  const double least = std::max(0.5 * net.restLength.mean(), GizmoDrag::kLeastSemiAxis);
+  Region region = newRegion();
+  const auto fitted = fitEllipsoid(places, least, region.falloff);
+  if (!fitted) {
+    emit m_document->problem(fitted.error());
+    return;
   }
-  m_count->setText(tr("%n spring(s)", nullptr, inside));
+  region.ellipsoid = fitted.value();
+  m_document->addRegion(std::move(region));
+}
+
+void RegionsPanel::duplicate()
+{
+  const Region* region = currentRegion();
+  if (region == nullptr) return;
+  Region copy = *region;
+  copy.name = tr("%1 copy").arg(QString::fromStdString(copy.name)).toStdString();
+  copy.locked = false;
+  m_document->addRegion(std::move(copy));
+}
+
+void RegionsPanel::setSelection(const std::vector<Index>& nodes)
+{
+  m_selection = nodes;
+  m_fromSelection->setEnabled(!m_selection.empty());
+}
+
+void RegionsPanel::refresh()
+{
+  const auto& regions = m_document->project().tissue.regions;
+  m_list->show(regions, tr("Base tissue"), current());
+  const Region* region = currentRegion();
+  const bool free = region != nullptr && !region->locked;
+  m_copy->setEnabled(region != nullptr);
+  m_remove->setEnabled(free);
+  m_up->setEnabled(free && current() > 0);
+  m_down->setEnabled(free && current() + 1 < static_cast<int>(regions.size()));
+  m_visible->setEnabled(region != nullptr);
+  m_locked->setEnabled(region != nullptr);
+  m_visible->setChecked(region == nullptr || region->visible);
+  m_locked->setChecked(region != nullptr && region->locked);
+  m_visible->setIcon(icon(m_visible->isChecked() ? Symbol::Eye : Symbol::EyeShut));
+  m_locked->setIcon(icon(m_locked->isChecked() ? Symbol::Lock : Symbol::LockOpen));
+  m_fields->refresh();
 }
 
 void RegionsPanel::changeEvent(QEvent* event)
@@ -293,27 +197,18 @@ void RegionsPanel::retranslateUi()
 {
   describe(m_list, tr("Regions, later ones cover earlier ones"));
   describe(m_add, tr("Add region"));
+  describe(m_fromSelection, tr("Add a region around the selected nodes"));
   describe(m_copy, tr("Duplicate region"));
   describe(m_remove, tr("Remove region"));
   describe(m_up, tr("Move region up"));
   describe(m_down, tr("Move region down"));
-  describe(m_name, tr("Name of the region"));
-  m_nameLabel->setText(tr("Name"));
-  m_centreLabel->setText(tr("Centre [mm]"));
-  m_axesLabel->setText(tr("Semi-axes [mm]"));
-  m_turnLabel->setText(tr("Rotation [°]"));
-  m_falloffLabel->setText(tr("Falloff"));
-  const QString axes[] = {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("z")};
-  for (std::size_t axis = 0; axis < 3; ++axis) {
-    describe(m_numbers[CentreX + axis], tr("Centre %1 in mm").arg(axes[axis]));
-    describe(m_numbers[AxisX + axis], tr("Semi-axis %1 in mm").arg(axes[axis]));
-    describe(m_numbers[TurnX + axis], tr("Rotation about %1 in degrees").arg(axes[axis]));
-  }
-  for (GestureSpinBox* number : m_numbers) number->setLocale(QLocale());
-  m_numbers[Falloff]->setSuffix(QStringLiteral(" %"));
-  describe(m_numbers[Falloff], tr("Share of the radius over which the region fades out"));
-  describe(m_count, tr("Springs that the region affects"));
-  refreshList();
+  describe(m_visible, tr("Show the region in the preview"));
+  describe(m_locked, tr("Lock the region against changes"));
+  m_fromSelection->setEnabled(!m_selection.empty());
+  refresh();
+  // The fields may scroll up and down, but are never cut off at their side.
+  m_scroll->setMinimumWidth(m_fields->minimumSizeHint().width() +
+                            style()->pixelMetric(QStyle::PM_ScrollBarExtent));
 }
 
 } // namespace esm

@@ -3,62 +3,60 @@
 #pragma once
 
 #include "app/document/document.h"
-#include "app/panels/gesture_spin_box.h"
+#include "app/panels/region_fields.h"
 
 #include <QWidget>
 
-#include <array>
+#include <optional>
 
-class QLabel;
-class QLineEdit;
-class QListWidget;
+class QScrollArea;
 class QToolButton;
 
 namespace esm {
 
+class RegionList;
+
 /// Dock Regions: the base tissue and the ordered ellipsoids over it, with the chosen one's numbers. The
-/// chosen row is the target of the dock Fuzzy Input and the highlighted wireframe of the preview. Lengths in
-/// mm, angles in degrees. Holds no data of its own.
+/// chosen row is the target of the dock Fuzzy Input and has the gizmo of the preview. Holds no data of its
+/// own but where a new region begins.
 class RegionsPanel : public QWidget {
   Q_OBJECT
 public:
   explicit RegionsPanel(Document* document, QWidget* parent = nullptr);
 
-  /// Where a new region begins [m]: the selected node, or none.
+  /// Where a new region begins [m]: the node picked last, or none.
   void setPlaceOfNew(std::optional<Eigen::Vector3d> place) { m_placeOfNew = place; }
+  void setSelection(const std::vector<Index>& nodes); ///< that a new region can be laid around
   void addRegion();
+  void addFromSelection();
+
+  // === The gizmo of the preview
+  void beginDrag() { m_dragGesture = GestureSpinBox::newGesture(); }
+  void drag(const GizmoShape& shape) { m_fields->setShape(shape, m_dragGesture); }
 
 protected:
   void changeEvent(QEvent* event) override;
 
 private:
+  QToolButton* button(const char* name);
   void buildList();
-  void buildFields();
+  void buildButtons();
   void retranslateUi();
-  void refreshList();
-  void refreshFields();
-  void refreshCount();
+  void refresh();
   int current() const { return m_document->inputTarget(); }
   const Region* currentRegion() const;
-  void editNumber(int field, double value, int gesture);
   Region newRegion() const;
-
-  enum Field { CentreX, CentreY, CentreZ, AxisX, AxisY, AxisZ, TurnX, TurnY, TurnZ, Falloff, kFieldCount };
+  void duplicate();
 
   Document* m_document;
-  QListWidget* m_list = nullptr;
-  QToolButton *m_add = nullptr, *m_copy = nullptr, *m_remove = nullptr, *m_up = nullptr, *m_down = nullptr;
-  QWidget* m_fields = nullptr;
-  QLineEdit* m_name = nullptr;
-  QLabel *m_nameLabel = nullptr, *m_centreLabel = nullptr, *m_axesLabel = nullptr, *m_turnLabel = nullptr,
-         *m_falloffLabel = nullptr, *m_count = nullptr;
-  std::array<GestureSpinBox*, kFieldCount> m_numbers{};
+  RegionList* m_list = nullptr;
+  RegionFields* m_fields = nullptr;
+  QScrollArea* m_scroll = nullptr;
+  QToolButton *m_add = nullptr, *m_fromSelection = nullptr, *m_copy = nullptr, *m_remove = nullptr,
+              *m_up = nullptr, *m_down = nullptr, *m_visible = nullptr, *m_locked = nullptr;
   std::optional<Eigen::Vector3d> m_placeOfNew;
-  bool m_refreshing = false;
+  std::vector<Index> m_selection;
+  int m_dragGesture = 0;
 };
-
-/// Rotation as turns about x, then y, then z of the scene [degrees], and back.
-Eigen::Vector3d turnsOf(const Eigen::Quaterniond& rotation);
-Eigen::Quaterniond rotationOf(const Eigen::Vector3d& turns);
 
 } // namespace esm

@@ -15,6 +15,7 @@ struct Ellipsoid {
   Eigen::Vector3d semiAxes = Eigen::Vector3d::Constant(0.01);   ///< [m], all > 0
   Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity(); ///< unit; body axes to world axes
 
+  bool operator==(const Ellipsoid&) const = default;
   /// Distance from the centre in units of the surface: 0 at the centre, 1 on the surface.
   double radius(const Eigen::Vector3d& point) const
   {

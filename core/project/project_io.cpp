@@ -20,7 +20,7 @@ namespace {
 constexpr const char* kFormat = "esm-project";
 constexpr const char* kUnits[] = {"mm", "cm", "m", "inch"};
 constexpr const char* kAxes[] = {"y", "z"};
-constexpr const char* kColourings[] = {"none", "stiffness", "strain", "force"};
+constexpr const char* kColourings[] = {"none", "stiffness", "strain", "force", "region_weight"};
 
 Json tissueOf(const Project& project)
 {

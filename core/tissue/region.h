@@ -46,6 +46,7 @@ struct Region {
   std::optional<MirrorPlane> mirror = {};
   bool locked = false; ///< see region_edit.h; means nothing to the tissue
   bool visible = true; ///< drawn in the window; means nothing to the tissue
+  bool operator==(const Region&) const = default;
 };
 
 /// The ellipsoid behind the plane.

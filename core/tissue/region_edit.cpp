@@ -21,15 +21,15 @@ Status mustExist(const TissueModel& model, std::size_t place)
                                           std::to_string(model.regions.size())};
 }
 
-Status mustBeFree(const TissueModel& model, std::size_t place)
+} // namespace
+
+Status mayEditRegion(const TissueModel& model, std::size_t place)
 {
   if (const Status status = mustExist(model, place); !status) return status;
   if (!model.regions[place].locked) return {};
   return Error{ErrorCode::InvalidValue, "region " + std::to_string(place + 1) + " '" +
                                           model.regions[place].name + "' is locked; unlock it first"};
 }
-
-} // namespace
 
 Status insertRegion(TissueModel& model, std::size_t place, Region region)
 {
@@ -40,7 +40,7 @@ Status insertRegion(TissueModel& model, std::size_t place, Region region)
 
 Status replaceRegion(TissueModel& model, std::size_t place, Region region)
 {
-  if (const Status status = mustBeFree(model, place); !status) return status;
+  if (const Status status = mayEditRegion(model, place); !status) return status;
   region.locked = false;
   model.regions[place] = std::move(region);
   return {};
@@ -48,14 +48,14 @@ Status replaceRegion(TissueModel& model, std::size_t place, Region region)
 
 Status removeRegion(TissueModel& model, std::size_t place)
 {
-  if (const Status status = mustBeFree(model, place); !status) return status;
+  if (const Status status = mayEditRegion(model, place); !status) return status;
   model.regions.erase(at(model, place));
   return {};
 }
 
 Status moveRegion(TissueModel& model, std::size_t from, std::size_t to)
 {
-  if (const Status status = mustBeFree(model, from); !status) return status;
+  if (const Status status = mayEditRegion(model, from); !status) return status;
   if (const Status status = mustExist(model, to); !status) return status;
   if (from < to)
     std::rotate(at(model, from), at(model, from + 1), at(model, to + 1));
@@ -71,9 +71,16 @@ Status lockRegion(TissueModel& model, std::size_t place, bool locked)
   return {};
 }
 
+Status showRegion(TissueModel& model, std::size_t place, bool visible)
+{
+  if (const Status status = mustExist(model, place); !status) return status;
+  model.regions[place].visible = visible;
+  return {};
+}
+
 Status detachTwin(TissueModel& model, std::size_t place)
 {
-  if (const Status status = mustBeFree(model, place); !status) return status;
+  if (const Status status = mayEditRegion(model, place); !status) return status;
   Region& region = model.regions[place];
   if (!region.mirror)
     return Error{ErrorCode::InvalidValue,

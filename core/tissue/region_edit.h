@@ -10,11 +10,13 @@ namespace esm {
 
 /// Edits of the list of regions as a person makes them. Order is meaning: a later region covers an earlier
 /// one. A locked region is neither changed, removed nor moved by itself; others may be moved past it and may
-/// cover it, and only lockRegion() takes the lock away.
+/// cover it, and only lockRegion() takes the lock away. Showing and hiding is no change.
 ///
 /// Errors of all: InvalidValue with the region's number and name (locked, no such place); the model is then
 /// as before.
 
+/// Whether the region is there and not locked: for edits that are not below, such as those of its inputs.
+Status mayEditRegion(const TissueModel& model, std::size_t place);
 /// @param place in [0, size]: what comes to stand there.
 Status insertRegion(TissueModel& model, std::size_t place, Region region);
 /// The lock of `region` does not count: it takes that of the region it replaces.
@@ -23,6 +25,7 @@ Status removeRegion(TissueModel& model, std::size_t place);
 /// @param to the place that it has afterwards.
 Status moveRegion(TissueModel& model, std::size_t from, std::size_t to);
 Status lockRegion(TissueModel& model, std::size_t place, bool locked);
+Status showRegion(TissueModel& model, std::size_t place, bool visible);
 /// Makes a mirrored twin a region of its own, right above: both can then be changed each by itself. Where the
 /// two overlap within their falloffs, their tissue is now laid over each other twice. Not for inside-out
 /// ones.
