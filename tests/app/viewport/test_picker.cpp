@@ -98,3 +98,40 @@ TEST(PickSpring, EachSpringOfTheFrontAndNoneOfTheBack)
   }
   EXPECT_GT(front, 5);
 }
+
+// Tiles of the screen only save work: each node of the box is found exactly if no triangle at all hides it.
+TEST(NodesInBox, FindsWhatPickingFindsNodeByNode)
+{
+  const auto net = samples::sphere(3, 0.04);
+  const Camera camera = fromTheFront();
+  const Eigen::AlignedBox2d box(Vector2d(310, 210), Vector2d(520, 370));
+  const std::vector<Index> found = nodesInBox(camera, net->restPosition, net->triangles, box);
+  std::vector<Index> expected;
+  for (Index i = 0; i < net->nodeCount(); ++i) {
+    const Vector2d pixel = camera.project(net->restPosition.col(i)).pixel;
+    if (box.contains(pixel) && pickNode(camera, net->restPosition, net->triangles, pixel, 0.01) == i)
+      expected.push_back(i);
+  }
+  EXPECT_GT(expected.size(), 10u);
+  EXPECT_EQ(found, expected);
+  for (const Index node : found) EXPECT_LT(net->restPosition(1, node), 0.0) << "on the side that is seen";
+}
+
+TEST(NodesInBox, WithoutASurfaceNothingHides)
+{
+  const auto net = samples::sphere(2, 0.04);
+  const Eigen::AlignedBox2d all(Vector2d(0, 0), Vector2d(800, 600));
+  const auto found = nodesInBox(fromTheFront(), net->restPosition, TriangleMatrix(3, 0), all);
+  EXPECT_EQ(found.size(), static_cast<std::size_t>(net->nodeCount()));
+  EXPECT_TRUE(nodesInBox(fromTheFront(), net->restPosition, net->triangles, {}).empty());
+}
+
+// The eye is inside: triangles that reach behind it can hide too, and nothing breaks.
+TEST(NodesInBox, FromWithinTheNet)
+{
+  const auto net = samples::sphere(2, 0.3);
+  const Eigen::AlignedBox2d all(Vector2d(0, 0), Vector2d(800, 600));
+  const auto found = nodesInBox(fromTheFront(), net->restPosition, net->triangles, all);
+  EXPECT_GT(found.size(), 3u);
+  for (const Index node : found) EXPECT_GT(net->restPosition(1, node), -0.2);
+}

@@ -190,6 +190,74 @@ TEST(SceneModel, AnEmptySceneAnswersToo)
   EXPECT_FALSE(model.setSnapshot(SimSnapshot{}));
 }
 
+// Weights of the chosen region at the springs' midpoints at rest, whatever the net does; grey without a
+// region.
+TEST(SceneModel, TheWeightOfTheChosenRegionColoursTheSprings)
+{
+  SceneModel model;
+  const auto net = samples::sphere(2, 0.05);
+  model.setNet(net, 1);
+  model.setColouring(Colouring::RegionWeight);
+  for (const float share : model.springShares()) EXPECT_EQ(share, kNoValue);
+  Region region;
+  region.ellipsoid.centre = {0.05, 0, 0};
+  region.ellipsoid.semiAxes.setConstant(0.04);
+  model.dirty = {false, false, false, false};
+  model.setRegions({region}, 0);
+  EXPECT_TRUE(model.dirty.frame) << "in the same frame";
+  EXPECT_EQ(model.valueRange(), (ValueRange{0.0, 1.0, false}));
+  const auto expect = [&] {
+    const Eigen::ArrayXd weights = model.springValues();
+    double most = 0.0;
+    for (Index s = 0; s < net->springCount(); ++s) {
+      const Eigen::Vector3d middle =
+        0.5 * (net->restPosition.col(net->ends(0, s)) + net->restPosition.col(net->ends(1, s)));
+      EXPECT_NEAR(weights(s), falloffWeight(region.ellipsoid.radius(middle), region.falloff), 1e-12) << s;
+      most = std::max(most, weights(s));
+    }
+    EXPECT_GT(most, 0.9);
+  };
+  expect();
+  SimSnapshot snapshot = samples::restSnapshot(*net, 1, 2);
+  snapshot.time = 0.1;
+  snapshot.position.row(0).array() += 0.02;
+  model.setSnapshot(snapshot);
+  expect();
+  region.falloff = 0.9;
+  model.setRegions({region}, 0);
+  expect();
+}
+
+TEST(SceneModel, OnlyVisibleUnlockedRegionsHaveAGizmo)
+{
+  SceneModel model;
+  Region region;
+  model.setRegions({region}, -1);
+  EXPECT_EQ(model.gizmoRegion(), nullptr);
+  model.setRegions({region}, 0);
+  EXPECT_NE(model.gizmoRegion(), nullptr);
+  region.locked = true;
+  model.setRegions({region}, 0);
+  EXPECT_EQ(model.gizmoRegion(), nullptr);
+  EXPECT_NE(model.chosenRegion(), nullptr);
+  region.locked = false;
+  region.visible = false;
+  model.setRegions({region}, 0);
+  EXPECT_EQ(model.gizmoRegion(), nullptr);
+}
+
+TEST(SceneModel, SelectedNodesAreRisingAndOfThisNet)
+{
+  SceneModel model;
+  const auto net = samples::sphere(1, 0.05);
+  model.setNet(net, 1);
+  EXPECT_TRUE(model.setSelection({5, 2, 5, -1, 100000}));
+  EXPECT_EQ(model.selection(), (std::vector<Index>{2, 5}));
+  EXPECT_FALSE(model.setSelection({2, 5}));
+  model.setNet(net, 2);
+  EXPECT_TRUE(model.selection().empty());
+}
+
 // All wire points satisfy the ellipsoid's equation, to float rounding.
 TEST(RegionWire, LiesOnTheEllipsoid)
 {
@@ -208,6 +276,23 @@ TEST(RegionWire, LiesOnTheEllipsoid)
   std::vector<float> none;
   appendRegionWire(ellipsoid, origin, none);
   EXPECT_TRUE(none.empty());
+}
+
+// Spines stand outside, from the surface to an eighth of the radius beyond it; dashes lie on the surface.
+TEST(RegionWire, SpinesStandOutward)
+{
+  Ellipsoid ellipsoid;
+  ellipsoid.semiAxes = {0.01, 0.02, 0.03};
+  std::vector<float> spines, shell;
+  appendRegionSpines(ellipsoid, Eigen::Vector3d::Zero(), spines);
+  appendRegionShell(ellipsoid, Eigen::Vector3d::Zero(), shell);
+  ASSERT_EQ(spines.size() % 6, 0u);
+  for (std::size_t i = 0; i < spines.size(); i += 6) {
+    EXPECT_NEAR(ellipsoid.radius({spines[i], spines[i + 1], spines[i + 2]}), 1.0, 1e-5);
+    EXPECT_NEAR(ellipsoid.radius({spines[i + 3], spines[i + 4], spines[i + 5]}), 1.12, 1e-5);
+  }
+  for (std::size_t i = 0; i < shell.size(); i += 3)
+    EXPECT_NEAR(ellipsoid.radius({shell[i], shell[i + 1], shell[i + 2]}), 1.0, 1e-5);
 }
 
 // As a physician reads it, in the user's locale; 'e' notation only for absurd sizes.

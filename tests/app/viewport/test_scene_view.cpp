@@ -187,6 +187,47 @@ TEST(SceneViewGl, RegionsAreDrawnAndTheSelectedOneStandsOut)
   EXPECT_GT(orange(0), 300);
 }
 
+// The gizmo on the organ with a weight heat map, for the eye, on light and dark: handles in the colours of
+// the axes, the inner shell, the paler twin, spines of what is inside out, the padlock of what is locked.
+TEST(SceneViewGl, TheGizmoIsDrawnOnLightAndDark)
+{
+  const QPalette before = QApplication::palette();
+  for (const bool dark : {false, true}) {
+    if (dark) QApplication::setPalette(darkPalette());
+    View view;
+    view.scene.resize(900, 640);
+    ViewSettings settings = view.scene.viewSettings();
+    settings.azimuth = 0.5, settings.elevation = 0.35;
+    view.scene.setViewSettings(settings);
+    view.scene.setNet(organ(), 1);
+    view.scene.setColouring(Colouring::RegionWeight);
+    view.scene.setTool(Tool::Region);
+    Region region = lumpRegion();
+    region.name = "lump";
+    const auto pictureOf = [&](const char* name) {
+      view.scene.setRegions({region}, 0);
+      const QImage picture = view.scene.picture();
+      save(picture, (std::string("gizmo_") + name + (dark ? "_dark" : "_light")).c_str());
+      return picture;
+    };
+    const QImage free = pictureOf("free");
+    const auto handles = view.scene.gizmoHandles();
+    for (auto handle = handles.begin(); handle != handles.end(); ++handle) {
+      if (handle.key().startsWith("turn")) continue; // thinner than a pixel is sure to meet
+      const QPoint at = handle.value().toPoint();
+      EXPECT_GT(colourAt(free, at.x(), at.y()).hsvSaturation(), 90) << handle.key().toStdString();
+    }
+    region.mirror = MirrorPlane{{0, 0, 0}, {1, 0, 0}};
+    region.insideOut = true;
+    EXPECT_NE(pictureOf("inside_out"), free);
+    region.mirror.reset();
+    region.insideOut = false;
+    region.locked = true;
+    EXPECT_NE(pictureOf("locked"), free);
+  }
+  QApplication::setPalette(before);
+}
+
 TEST(SceneViewGl, ASnapshotMovesThePicture)
 {
   View view;

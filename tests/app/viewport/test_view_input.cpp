@@ -222,3 +222,132 @@ TEST_F(Scene, HasANameForTestsAndForScreenReaders)
   EXPECT_FALSE(view.accessibleName().isEmpty());
   EXPECT_EQ(view.focusPolicy(), Qt::StrongFocus);
 }
+
+namespace {
+
+/// A region in the middle of the scene that follows its gizmo, as the window makes it.
+struct RegionScene : Scene {
+  RegionScene()
+  {
+    region.ellipsoid.semiAxes = {0.03, 0.025, 0.02};
+    view.setRegions({region}, 0);
+    view.setTool(Tool::Region);
+    QObject::connect(&view, &SceneView::regionDragged, &view, [this](const GizmoShape& shape) {
+      region.ellipsoid = shape.ellipsoid;
+      region.falloff = shape.falloff;
+      view.setRegions({region}, 0);
+      ++drags;
+    });
+  }
+  QPoint handle(const char* name) const
+  {
+    const auto places = view.gizmoHandles();
+    EXPECT_TRUE(places.contains(QLatin1String(name))) << name;
+    return places.value(QLatin1String(name)).toPoint();
+  }
+  Region region;
+  int drags = 0;
+  QSignalSpy begun{&view, &SceneView::regionDragStarted};
+};
+
+} // namespace
+
+TEST_F(RegionScene, AHandleIsDraggedAndStaysUnderTheMouse)
+{
+  const QPoint end = handle("stretch x+");
+  QTest::mousePress(&view, Qt::LeftButton, {}, end);
+  EXPECT_EQ(begun.count(), 1);
+  for (int i = 1; i <= 5; ++i) moveTo(end + QPoint(10 * i, 0), Qt::LeftButton);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, end + QPoint(50, 0));
+  EXPECT_EQ(drags, 5);
+  EXPECT_LE((handle("stretch x+") - end - QPoint(50, 0)).manhattanLength(), 2);
+  EXPECT_EQ(region.ellipsoid.semiAxes.y(), 0.025);
+  EXPECT_EQ(region.ellipsoid.centre, Vector3d::Zero());
+  EXPECT_EQ(camera.count(), 0);
+}
+
+TEST_F(RegionScene, ShiftScalesAllSemiAxes)
+{
+  const QPoint end = handle("stretch z-");
+  QTest::mousePress(&view, Qt::LeftButton, {}, end);
+  QMouseEvent event(QEvent::MouseMove, QPointF(end + QPoint(0, 40)), view.mapToGlobal(QPointF(end)),
+                    Qt::NoButton, Qt::LeftButton, Qt::ShiftModifier);
+  QApplication::sendEvent(&view, &event);
+  EXPECT_GT(region.ellipsoid.semiAxes.z(), 0.022);
+  EXPECT_NEAR(region.ellipsoid.semiAxes.x() / region.ellipsoid.semiAxes.z(), 1.5, 1e-12);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, end);
+}
+
+TEST_F(RegionScene, EscTakesTheDragBack)
+{
+  const Ellipsoid before = region.ellipsoid;
+  const QPoint middle = handle("move");
+  QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+  moveTo(middle + QPoint(60, 40), Qt::LeftButton);
+  EXPECT_NE(region.ellipsoid.centre, before.centre);
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_EQ(region.ellipsoid, before);
+  const int count = drags;
+  moveTo(middle + QPoint(90, 40), Qt::LeftButton);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, middle);
+  EXPECT_EQ(drags, count);
+}
+
+TEST_F(RegionScene, LockedAndHiddenRegionsHaveNoHandles)
+{
+  const QPoint middle = handle("move");
+  for (const bool locked : {true, false}) {
+    region.locked = locked;
+    region.visible = locked;
+    view.setRegions({region}, 0);
+    EXPECT_TRUE(view.gizmoHandles().isEmpty());
+    drag(Qt::LeftButton, middle, middle + QPoint(30, 0));
+  }
+  EXPECT_EQ(begun.count(), 0);
+  EXPECT_EQ(camera.count(), 2) << "beside handles the view turns";
+}
+
+// Another region is chosen, or this one is locked, while the mouse still drags: the drag is over.
+TEST_F(RegionScene, ADragEndsWithItsRegion)
+{
+  const QPoint middle = handle("move");
+  QTest::mousePress(&view, Qt::LeftButton, {}, middle);
+  view.setRegions({region, region}, 1);
+  moveTo(middle + QPoint(30, 0), Qt::LeftButton);
+  EXPECT_EQ(drags, 0);
+  QTest::mouseRelease(&view, Qt::LeftButton, {}, middle);
+}
+
+TEST_F(Scene, ABoxSelectsTheVisibleNodesInIt)
+{
+  QSignalSpy changed(&view, &SceneView::selectionChanged);
+  view.setTool(Tool::Select);
+  drag(Qt::LeftButton, {5, 5}, {320, 475});
+  const std::vector<Index> left = view.selection();
+  EXPECT_GT(left.size(), 10u);
+  for (const Index node : left) {
+    EXPECT_LT(net->restPosition(0, node), 0.002);
+    EXPECT_LE(net->restPosition(1, node), 1e-12) << "the back is not seen";
+  }
+  EXPECT_EQ(camera.count(), 0);
+  drag(Qt::LeftButton, {320, 5}, {635, 475}, Qt::ShiftModifier);
+  EXPECT_GT(view.selection().size(), left.size() + 5);
+  drag(Qt::LeftButton, {5, 5}, {635, 475}, Qt::ControlModifier);
+  EXPECT_TRUE(view.selection().empty());
+  EXPECT_EQ(changed.count(), 3);
+}
+
+TEST_F(Scene, AClickSelectsOneNodeAndEscNone)
+{
+  view.setTool(Tool::Select);
+  QTest::mouseClick(&view, Qt::LeftButton, {}, pixelOf(kFront));
+  EXPECT_EQ(view.selection(), std::vector<Index>{kFront});
+  EXPECT_EQ(selected.count(), 1);
+  Index second = kFront + 1; // another one that is seen
+  while (second + 1 < net->nodeCount() && view.nodeAt(pixelOf(second)) != second) ++second;
+  QTest::mouseClick(&view, Qt::LeftButton, Qt::ShiftModifier, pixelOf(second));
+  EXPECT_EQ(view.selection(), (std::vector<Index>{kFront, second}));
+  EXPECT_EQ(selected.count(), 1) << "the node of the panel Why stays";
+  QTest::keyClick(&view, Qt::Key_Escape);
+  EXPECT_TRUE(view.selection().empty());
+}
