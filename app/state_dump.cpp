@@ -4,14 +4,20 @@
 
 #include "fuzzyeditor/plot_access.h"
 
+#include <QAbstractItemView>
 #include <QApplication>
 #include <QClipboard>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLabel>
 #include <QLocale>
+#include <QPlainTextEdit>
 #include <QSaveFile>
+#include <QTabWidget>
+
+#include <algorithm>
 
 #include <optional>
 
@@ -154,17 +160,45 @@ QJsonObject gizmoJson(const SceneView* view)
   return places;
 }
 
-QJsonObject visibleWidgets()
+QJsonArray placeOf(const QWidget* widget, const QRect& part)
 {
-  QJsonObject places;
+  const QPoint corner = widget->mapToGlobal(part.topLeft());
+  return {corner.x(), corner.y(), part.width(), part.height()};
+}
+
+/// The first rows of a table or list as they are read.
+QJsonArray rowsOf(const QAbstractItemModel* model)
+{
+  constexpr int kMostRows = 60;
+  QJsonArray rows;
+  for (int row = 0; row < std::min(model->rowCount(), kMostRows); ++row) {
+    QJsonArray cells;
+    for (int column = 0; column < model->columnCount(); ++column)
+      cells.append(model->index(row, column).data().toString());
+    rows.append(cells);
+  }
+  return rows;
+}
+
+void addVisibleWidgets(QJsonObject& json)
+{
+  QJsonObject places, texts, items;
   for (QWidget* widget : QApplication::allWidgets()) {
     const QString name = widget->objectName();
     if (name.isEmpty() || name.startsWith(QLatin1String("qt_")) || widget->visibleRegion().isEmpty())
       continue;
-    const QPoint corner = widget->mapToGlobal(QPoint(0, 0));
-    places[name] = QJsonArray{corner.x(), corner.y(), widget->width(), widget->height()};
+    places[name] = placeOf(widget, widget->rect());
+    if (const auto* tabs = qobject_cast<QTabWidget*>(widget))
+      for (int i = 0; i < tabs->count(); ++i)
+        places[name + QString::number(i)] = placeOf(tabs->tabBar(), tabs->tabBar()->tabRect(i));
+    if (const auto* label = qobject_cast<QLabel*>(widget)) texts[name] = label->text();
+    if (const auto* text = qobject_cast<QPlainTextEdit*>(widget)) texts[name] = text->toPlainText();
+    if (const auto* view = qobject_cast<QAbstractItemView*>(widget); view && view->model())
+      items[name] = rowsOf(view->model());
   }
-  return places;
+  json["widgets"] = places;
+  json["texts"] = texts;
+  json["items"] = items;
 }
 
 /// Movable points of the plots that can be seen: [name, x, y on the screen, value].
@@ -216,7 +250,7 @@ void StateDump::write()
     modal != nullptr
       ? (modal->objectName().isEmpty() ? QString(modal->metaObject()->className()) : modal->objectName())
       : QString();
-  json["widgets"] = visibleWidgets();
+  addVisibleWidgets(json);
   json["points"] = plotPoints();
   QSaveFile file(m_file);
   if (!file.open(QIODevice::WriteOnly)) return;

@@ -15,7 +15,9 @@ namespace esm {
 ///   target selectedNode selectedSpring why clipboard
 ///   toolForce stability solver message meanStiffness device pullPoint springPoint
 ///   points { plot: [name, x, y, value] of its movable points }
-///   widgets { objectName: [x, y, width, height] of those that can be seen }, dialog (its object name)
+///   widgets { objectName: [x, y, width, height] of those that can be seen; tab i of a tab widget: name + i }
+///   texts { objectName: what a label or text editor says }, items { objectName: rows of a list or table }
+///   dialog (its object name)
 class StateDump : public QObject {
   Q_OBJECT
 public:

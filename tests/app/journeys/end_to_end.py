@@ -43,7 +43,7 @@ def journey():
     assert harder["meanStiffness"] > 1.5 * imported["meanStiffness"], (harder["meanStiffness"], imported["meanStiffness"])
 
     # Rule as text: a mistake changes nothing, its cure is one step
-    click("rulesTabs", 0.13, 0.04)
+    click("rulesTabs1")
     keys("ctrl+End")
     click("rulesText", 0.5, 0.8)
     keys("ctrl+End", "Return")
