@@ -72,10 +72,11 @@ void put(const std::vector<WhyRow>& rows, QTreeWidgetItem* parent)
 
 } // namespace
 
-std::vector<WhyRow> WhyTree::rows(const TissueExplanation& why, const TissueModel& model, Language language)
+/// The numbers of the spring or node, and what the sentence is about first.
+std::vector<WhyRow> WhyTree::valueRows(const TissueExplanation& why, Language language)
 {
   std::vector<WhyRow> rows;
-  if (why.thing.kind != ExplainedThing::Kind::Spring) { // what the sentence is about stands first
+  if (why.thing.kind != ExplainedThing::Kind::Spring) {
     WhyRow& row = rows.emplace_back();
     row.key = QStringLiteral("main");
     row.what = tr("stiffness of the tissue, E");
@@ -87,12 +88,17 @@ std::vector<WhyRow> WhyTree::rows(const TissueExplanation& why, const TissueMode
     row.what = toQt(value.kind->name.in(language)) + QStringLiteral(" = ") + formula(value.kind->formula);
     row.value = toQt(shownNumber(value, language));
     row.help = row.what;
-    if (value.value != value.fromTissue) {
-      ExplainedValue other = value;
-      other.value = value.fromTissue;
-      row.help += QLatin1Char('\n') + tr("By the tissue: %1").arg(toQt(shownNumber(other, language)));
-    }
+    if (value.value == value.fromTissue) continue;
+    ExplainedValue other = value;
+    other.value = value.fromTissue;
+    row.help += QLatin1Char('\n') + tr("By the tissue: %1").arg(toQt(shownNumber(other, language)));
   }
+  return rows;
+}
+
+/// What the formulas take: geometry, and those parameters of the tissue that count here.
+WhyRow WhyTree::placeRow(const TissueExplanation& why, Language language)
+{
   WhyRow place;
   place.key = QStringLiteral("geometry");
   place.what = why.thing.kind == ExplainedThing::Kind::Tissue ? tr("Tissue") : tr("Geometry and tissue here");
@@ -102,19 +108,48 @@ std::vector<WhyRow> WhyTree::rows(const TissueExplanation& why, const TissueMode
     row.what = QStringLiteral("%1 = %2").arg(QLatin1String(fact.symbol), toQt(fact.name.in(language)));
     row.value = toQt(shownNumber(fact, language));
   }
-  for (std::size_t i = 0; i < why.parameters.size(); ++i) {
-    const ExplainedValue& value = why.parameters[i];
-    const auto isUsed = [&](const OutputReason& output) { return output.parameter == static_cast<int>(i); };
-    const auto& used = why.layers.front().outputs;
-    if (std::none_of(used.begin(), used.end(), isUsed)) continue;
+  for (const OutputReason& output : why.layers.front().outputs) {
+    const ExplainedValue& value = why.parameters[static_cast<std::size_t>(output.parameter)];
     WhyRow& row = place.children.emplace_back();
-    row.key = key("parameter", static_cast<int>(i));
+    row.key = key("parameter", output.parameter);
     const QString symbol = formula(value.kind->formula), name = toQt(value.kind->name.in(language));
-    row.what = symbol.size() > 2 || symbol.isEmpty() ? name : symbol + QStringLiteral(" = ") + name;
+    const bool isSymbol = !symbol.isEmpty() && symbol.size() <= 2; // else it is the name once more
+    row.what = isSymbol ? QStringLiteral("%1 = %2").arg(symbol, name) : name;
     row.value = toQt(shownNumber(value, language));
   }
-  rows.push_back(std::move(place));
+  return place;
+}
 
+WhyRow WhyTree::outputRow(const LayerReason& layer, const OutputReason& output, const TissueModel& model,
+                          Language language, bool open)
+{
+  const auto parameter = kTissueOutputs[static_cast<std::size_t>(output.parameter)].value;
+  WhyRow row;
+  row.key = key("output", output.parameter);
+  row.what = toQt(shownName(parameter, language));
+  row.value = toQt(shownValue(output.value, parameter, language));
+  if (!output.fromRules) row.help = tr("No rule fires for it: this is the default.");
+  row.open = open;
+  for (const RuleReason& rule : output.rules) {
+    const fuzzy::Rule& text = model.rules.rules[static_cast<std::size_t>(rule.rule)];
+    WhyRow& reason = row.children.emplace_back();
+    reason.key = key("rule", rule.rule);
+    reason.what =
+      tr("Rule %1: %2").arg(rule.rule + 1).arg(RuleDisplay::sentence(text, model.rules, language));
+    reason.help = reason.what + QLatin1Char('\n') +
+                  tr("Without this rule: %1").arg(toQt(shownValue(rule.without, parameter, language)));
+    reason.share = rule.degree;
+    reason.rule = rule.rule;
+    reason.open = open && &rule == &output.rules.front();
+    for (const int input : rule.inputs) reason.children.push_back(inputRow(layer, input, model, language));
+  }
+  return row;
+}
+
+std::vector<WhyRow> WhyTree::rows(const TissueExplanation& why, const TissueModel& model, Language language)
+{
+  std::vector<WhyRow> rows = valueRows(why, language);
+  rows.push_back(placeRow(why, language));
   std::vector<const LayerReason*> layers;
   for (const LayerReason& layer : why.layers) layers.push_back(&layer);
   std::stable_sort(layers.begin(), layers.end(), [](const LayerReason* a, const LayerReason* b) {
@@ -128,30 +163,9 @@ std::vector<WhyRow> WhyTree::rows(const TissueExplanation& why, const TissueMode
     row.value = toQt(shareText(layer->layer.share));
     row.share = layer->layer.share;
     row.open = layer == layers.front();
-    for (const OutputReason& output : layer->outputs) {
-      const auto parameter = kTissueOutputs[static_cast<std::size_t>(output.parameter)].value;
-      WhyRow& result = row.children.emplace_back();
-      result.key = key("output", output.parameter);
-      result.what = toQt(shownName(parameter, language));
-      result.value = toQt(shownValue(output.value, parameter, language));
-      if (!output.fromRules) result.help = tr("No rule fires for it: this is the default.");
-      result.open = &output == &layer->outputs.front() && row.open;
-      for (const RuleReason& rule : output.rules) {
-        WhyRow& reason = result.children.emplace_back();
-        reason.key = key("rule", rule.rule);
-        reason.what = tr("Rule %1: %2")
-                        .arg(rule.rule + 1)
-                        .arg(RuleDisplay::sentence(model.rules.rules[static_cast<std::size_t>(rule.rule)],
-                                                   model.rules, language));
-        reason.help = reason.what + QLatin1Char('\n') +
-                      tr("Without this rule: %1").arg(toQt(shownValue(rule.without, parameter, language)));
-        reason.share = rule.degree;
-        reason.rule = rule.rule;
-        reason.open = &rule == &output.rules.front() && result.open;
-        for (const int input : rule.inputs)
-          reason.children.push_back(inputRow(*layer, input, model, language));
-      }
-    }
+    for (const OutputReason& output : layer->outputs)
+      row.children.push_back(
+        outputRow(*layer, output, model, language, row.open && &output == &layer->outputs.front()));
   }
   return rows;
 }

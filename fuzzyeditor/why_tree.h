@@ -34,6 +34,12 @@ public:
   /// Puts the rows into the tree. Items with a key that was there before are reused: a slider drag comes
   /// here sixty times a second.
   static void show(const std::vector<WhyRow>& rows, QTreeWidget* tree);
+
+private:
+  static std::vector<WhyRow> valueRows(const TissueExplanation& why, Language language);
+  static WhyRow placeRow(const TissueExplanation& why, Language language);
+  static WhyRow outputRow(const LayerReason& layer, const OutputReason& output, const TissueModel& model,
+                          Language language, bool open);
 };
 
 } // namespace esm

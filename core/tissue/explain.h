@@ -125,8 +125,8 @@ struct InputChange {
   double to = 0.0;      ///< does it, or comes nearest
   bool reached = false; ///< `factor` is the wanted one within 1 %
   double factor = 1.0;  ///< what `to` makes of the number
-  /// d ln(number)/d(input) at `from`, exact; at a kink (a word's peak, say) that of the side of `to`. Empty
-  /// for a word and outside the range.
+  /// d ln(number)/d(input) at `from`, exact; at a kink (a word's peak, say) that of the side of `to`, taken
+  /// 1e-4 of the range beside it. Empty for a word and outside the range.
   std::optional<double> slope;
   bool locked = false; ///< the region is
 };

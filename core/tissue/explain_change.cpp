@@ -13,40 +13,69 @@ namespace esm {
 
 namespace {
 
-constexpr int kGrid = 64;          ///< steps of the range between which a way is looked for
-constexpr double kNoEffect = 1e-9; ///< an input that moves ln(number) less has none
-constexpr double kBeside = 1e-7;   ///< so far from a kink its one side is looked at, as a share of the range
-constexpr double kKink = 1e-3;     ///< slopes that differ more have a kink between them
+constexpr int kGrid = 64;               ///< steps of the range between which a way is looked for
+constexpr double kNoEffect = 1e-9;      ///< an input that moves ln(number) less has none
+constexpr double kBeside = 1e-4;        ///< so far from a kink its side is looked at, as a share of the range
+constexpr double kKink = 0.02;          ///< slopes that differ more have a kink between them
+constexpr double kExact = 1e-6;         ///< of ln(factor), where bisection may end
 constexpr double kReached = 0.00995;    ///< ln(1.01)
 constexpr double kGoodEnough = 0.00498; ///< ln(1.005): digits are dropped as long as this holds
+
+/// The rules that conclude one of the parameters with a power, and these conclusions only: the number hangs
+/// on no others, and a search evaluates them hundreds of times.
+Result<fuzzy::Engine> engineFor(const TissueField& field,
+                                const std::array<std::int8_t, kTissueOutputCount>& powers,
+                                std::array<int, kTissueOutputCount>& outputs)
+{
+  const fuzzy::RuleBase& rules = field.engine().ruleBase();
+  fuzzy::RuleBase small{rules.inputs, {}, rules.rules};
+  outputs.fill(-1);
+  for (std::size_t i = 0; i < powers.size(); ++i)
+    if (const int output = field.outputOf(static_cast<int>(i)); powers[i] != 0 && output >= 0) {
+      outputs[i] = static_cast<int>(small.outputs.size());
+      small.outputs.push_back(rules.outputs[static_cast<std::size_t>(output)]);
+    }
+  for (fuzzy::Rule& rule : small.rules)
+    std::erase_if(rule.consequents, [&](const fuzzy::Proposition& consequent) {
+      return small.findOutput(consequent.variable) == nullptr;
+    });
+  std::erase_if(small.rules,
+                [](const fuzzy::Rule& rule) { return rule.consequents.empty() || !rule.enabled; });
+  return fuzzy::Engine::create(std::move(small));
+}
 
 /// How one number of an explanation answers other inputs of one layer, everything else as it is.
 class WhatIf {
 public:
   WhatIf(const TissueField& field, const TissueExplanation& why, const ExplainedValue& value)
-    : m_field(field), m_why(why), m_powers(value.kind->powers)
+    : m_field(field), m_why(why), m_powers(value.kind->powers), m_engine(engineFor(field, m_powers, m_output))
   {
     for (const LayerReason& reason : why.layers) m_layers.push_back(reason.layer);
     m_now = logOf(field.blended(m_layers));
   }
-  bool isNumber() const noexcept { return std::isfinite(m_now); }
+  /// false: the number is 0 or does not hang on rules.
+  bool canChange() const noexcept { return m_engine && std::isfinite(m_now); }
 
   /// ln(number then / number now); -infinity where it becomes 0.
   double logFactor(std::size_t layer, int input, double to)
   {
-    std::vector<fuzzy::InputValue> inputs = m_why.layers[layer].inputs;
-    inputs[static_cast<std::size_t>(input)] = to;
-    std::swap(m_layers[layer].logs, m_other);
-    m_layers[layer].logs = m_field.logsOf(m_field.engine().evaluate(inputs));
+    TissueLayer& changed = m_layers[layer];
+    const LogParameters before = changed.logs;
+    const fuzzy::Inference small = m_engine->evaluate(inputsWith(layer, input, to));
+    for (std::size_t i = 0; i < m_output.size(); ++i)
+      if (m_output[i] >= 0)
+        changed.inference.outputs[static_cast<std::size_t>(m_field.outputOf(static_cast<int>(i)))] =
+          small.outputs[static_cast<std::size_t>(m_output[i])];
+    changed.logs = m_field.logsOf(changed.inference);
     const double then = logOf(m_field.blended(m_layers));
-    std::swap(m_layers[layer].logs, m_other);
+    changed.logs = before;
     return then - m_now;
   }
 
   /// d ln(number)/d(input) at `from`; at a kink that towards `to`.
   double slopeTowards(std::size_t layer, int input, double from, double to) const
   {
-    const fuzzy::Variable& variable = m_field.engine().ruleBase().inputs[static_cast<std::size_t>(input)];
+    const fuzzy::Variable& variable = m_engine->ruleBase().inputs[static_cast<std::size_t>(input)];
     const double step = kBeside * (variable.maximum - variable.minimum);
     const double here = slopeAt(layer, input, from);
     const double beside = slopeAt(
@@ -57,39 +86,34 @@ public:
   /// Whether any rule of an output that counts speaks of the input.
   bool mayMatter(int input) const
   {
-    const fuzzy::RuleBase& rules = m_field.engine().ruleBase();
+    const fuzzy::RuleBase& rules = m_engine->ruleBase();
     const std::string& id = rules.inputs[static_cast<std::size_t>(input)].id;
     return std::any_of(rules.rules.begin(), rules.rules.end(), [&](const fuzzy::Rule& rule) {
-      return rule.enabled && concludesWhatCounts(rule) &&
-             std::any_of(rule.condition.nodes.begin(), rule.condition.nodes.end(),
+      return std::any_of(rule.condition.nodes.begin(), rule.condition.nodes.end(),
                          [&](const auto& node) { return node.proposition.variable == id; });
     });
   }
 
 private:
+  std::vector<fuzzy::InputValue> inputsWith(std::size_t layer, int input, double value) const
+  {
+    std::vector<fuzzy::InputValue> inputs = m_why.layers[layer].inputs;
+    inputs[static_cast<std::size_t>(input)] = value;
+    return inputs;
+  }
   /// By the engine's exact derivatives: the blend is linear in logarithms.
   double slopeAt(std::size_t layer, int input, double at) const
   {
-    const LayerReason& reason = m_why.layers[layer];
-    std::vector<fuzzy::InputValue> inputs = reason.inputs;
-    inputs[static_cast<std::size_t>(input)] = at;
-    const fuzzy::Inference inference = m_field.engine().evaluate(inputs);
+    const auto inputs = inputsWith(layer, input, at);
+    const fuzzy::Inference inference = m_engine->evaluate(inputs);
     double sum = 0.0;
-    for (const OutputReason& output : reason.outputs) {
-      const auto power = m_powers[static_cast<std::size_t>(output.parameter)];
-      const double value = inference.outputs[static_cast<std::size_t>(output.output)].value;
-      if (power == 0 || !(value > 0.0)) continue;
-      sum += power * m_field.engine().slopes(inputs, output.output)[static_cast<std::size_t>(input)] / value;
+    for (std::size_t i = 0; i < m_output.size(); ++i) {
+      if (m_output[i] < 0) continue;
+      const double value = inference.outputs[static_cast<std::size_t>(m_output[i])].value;
+      if (value > 0.0)
+        sum += m_powers[i] * m_engine->slopes(inputs, m_output[i])[static_cast<std::size_t>(input)] / value;
     }
-    return reason.layer.share * sum;
-  }
-  bool concludesWhatCounts(const fuzzy::Rule& rule) const
-  {
-    return std::any_of(rule.consequents.begin(), rule.consequents.end(), [&](const auto& consequent) {
-      for (std::size_t i = 0; i < m_powers.size(); ++i)
-        if (m_powers[i] != 0 && consequent.variable == kTissueOutputs[i].id) return true;
-      return false;
-    });
+    return m_why.layers[layer].layer.share * sum;
   }
   double logOf(const TissueParameters& tissue) const
   {
@@ -102,8 +126,10 @@ private:
   const TissueField& m_field;
   const TissueExplanation& m_why;
   const std::array<std::int8_t, kTissueOutputCount>& m_powers;
-  std::vector<TissueLayer> m_layers;
-  LogParameters m_other;
+  std::array<int, kTissueOutputCount>
+    m_output; ///< of m_engine, per parameter; -1: the number hangs not on it
+  Result<fuzzy::Engine> m_engine;
+  std::vector<TissueLayer> m_layers; ///< logs are those of the explanation, but during logFactor()
   double m_now = 0.0;
 };
 
@@ -157,7 +183,9 @@ private:
     for (int i = 0; i < 60 && low < high; ++i) {
       const double middle = 0.5 * (low + high);
       if (middle <= low || middle >= high) break;
-      ((missAt(middle) < 0.0) == lowIsBelow ? low : high) = middle;
+      const double miss = missAt(middle);
+      if (std::abs(miss) < kExact) return middle;
+      ((miss < 0.0) == lowIsBelow ? low : high) = middle;
     }
     return std::abs(missAt(low)) < std::abs(missAt(high)) ? low : high;
   }
@@ -208,7 +236,7 @@ std::vector<InputChange> changesFor(const TissueField& field, const TissueExplan
   std::vector<InputChange> changes;
   std::vector<double> efforts; ///< of each: how far the slider goes, as a share of its range
   WhatIf whatIf(field, why, value);
-  if (!whatIf.isNumber() || !(factor > 0.0) || !std::isfinite(factor)) return changes;
+  if (!whatIf.canChange() || !(factor > 0.0) || !std::isfinite(factor)) return changes;
   for (std::size_t layer = 0; layer < why.layers.size(); ++layer) {
     const LayerReason& reason = why.layers[layer];
     if (!(reason.layer.share > 0.0)) continue;

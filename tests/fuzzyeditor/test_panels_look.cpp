@@ -16,12 +16,10 @@
 #include <QComboBox>
 #include <QDir>
 #include <QHeaderView>
-#include <QLabel>
 #include <QLineEdit>
 #include <QPlainTextEdit>
 #include <QScrollBar>
 #include <QTabWidget>
-#include <QTreeWidget>
 
 namespace esm {
 namespace {
