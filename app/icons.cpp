@@ -215,7 +215,8 @@ public:
   {
     const QPalette palette = QGuiApplication::palette();
     const auto group = mode == QIcon::Disabled ? QPalette::Disabled : QPalette::Active;
-    QColor colour = palette.color(group, QPalette::ButtonText);
+    QColor colour =
+      palette.color(group, mode == QIcon::Selected ? QPalette::HighlightedText : QPalette::ButtonText);
     if (m_symbol == Symbol::Stop && mode != QIcon::Disabled) colour = signalColours(palette).bad;
     if (m_symbol == Symbol::Program) colour = signalColours(palette).device;
 

@@ -42,11 +42,15 @@ public:
       widget->style()->drawPrimitive(QStyle::PE_PanelItemViewItem, &whole, painter, widget);
     QStyledItemDelegate::paint(painter, text, index);
     const bool visible = index.data(kVisibleRole).toBool(), locked = index.data(kLockedRole).toBool();
-    const auto mode = [](bool strong) { return strong ? QIcon::Normal : QIcon::Disabled; };
-    icon(visible ? Symbol::Eye : Symbol::EyeShut)
-      .paint(painter, eyeRect(option.rect), Qt::AlignCenter, mode(visible));
-    icon(locked ? Symbol::Lock : Symbol::LockOpen)
-      .paint(painter, lockRect(option.rect), Qt::AlignCenter, mode(locked));
+    const QIcon::Mode mode = option.state & QStyle::State_Selected ? QIcon::Selected : QIcon::Normal;
+    const auto draw = [&](Symbol symbol, const QRect& place, bool strong) {
+      painter->setOpacity(strong ? 1.0 : 0.45);
+      icon(symbol).paint(painter, place, Qt::AlignCenter, mode);
+    };
+    painter->save();
+    draw(visible ? Symbol::Eye : Symbol::EyeShut, eyeRect(option.rect), visible);
+    draw(locked ? Symbol::Lock : Symbol::LockOpen, lockRect(option.rect), locked);
+    painter->restore();
   }
 
   QSize sizeHint(const QStyleOptionViewItem& option, const QModelIndex& index) const override
@@ -83,6 +87,7 @@ void RegionList::show(const std::vector<Region>& regions, const QString& base, i
   item(0)->setFlags(Qt::ItemIsSelectable | Qt::ItemIsEnabled);
   for (int row = 1; row < rows; ++row) fillRow(item(row), regions[static_cast<std::size_t>(row - 1)]);
   setCurrentRow(chosen + 1);
+  viewport()->update(); // eyes and locks are not among the roles that a view looks at
   m_showing = false;
 }
 
