@@ -104,7 +104,7 @@ RuleMatrixPage::RuleMatrixPage(FuzzyEvaluation* evaluation, QWidget* parent)
   m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   m_table->setTabKeyNavigation(false); // Tab must leave
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  m_table->horizontalHeader()->setMinimumSectionSize(72);
+  m_table->horizontalHeader()->setMinimumSectionSize(88);
   m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 12);
   m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   m_clear->setObjectName("actMatrixClear");

@@ -115,7 +115,7 @@ QWidget* RulesPanel::createTablePage()
   header->setSectionResizeMode(RuleTableModel::Degree, QHeaderView::Fixed);
   header->resizeSection(RuleTableModel::Degree, 92);
   header->setSectionResizeMode(RuleTableModel::Note, QHeaderView::Interactive);
-  header->resizeSection(RuleTableModel::Note, 120);
+  header->resizeSection(RuleTableModel::Note, 70);
   m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 10);
   m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
 

@@ -92,7 +92,7 @@ def keys(*names):
 
 def write(text):
     """Types. A letter that no key of the keyboard has ("ä") borrows a key for a moment: the window needs time to see it."""
-    for part in re.findall(r"[\x00-\x7f]+|[^\x00-\x7f]", text):
+    for part in re.findall(r"[\x00-\x7f]+|[^\x00-\x7f]", str(text)):
         xdo("type", "--delay", 25 if part.isascii() else 600, part)
 
 
