@@ -124,6 +124,33 @@ TEST_F(DocumentTest, OneGestureIsOneStep)
   EXPECT_EQ(document.project().tissue.regions[0].falloff, Region{}.falloff);
 }
 
+// A preset or a jump to a gap sets all sliders of the target, base or region, and one undo sets them back.
+TEST_F(DocumentTest, AllInputsAtOnceAreOneStepOfTheirTarget)
+{
+  std::vector<fuzzy::InputValue> values = document.inputs();
+  for (fuzzy::InputValue& value : values) value = 0.25;
+  values[1] = fuzzy::Word{document.ruleBase().inputs[1].terms[0].id, {}};
+  const std::string before = json();
+  const double stiffness = meanStiffness();
+  document.setInputs(values, "preset");
+  EXPECT_EQ(document.undoStack()->undoText(), "preset");
+  EXPECT_EQ(document.project().tissue.inputs, values);
+  EXPECT_LT(meanStiffness(), stiffness);
+  document.setInputs(values, "the same again");
+  EXPECT_EQ(document.undoStack()->count(), 1);
+  values.pop_back();
+  document.setInputs(values, "not of this rule base");
+  EXPECT_EQ(document.undoStack()->count(), 1);
+  document.undoStack()->undo();
+  EXPECT_EQ(json(), before);
+
+  document.addRegion(ball(document.project(), "A", 0.02));
+  values.push_back(0.25);
+  document.setInputs(values, "of the region");
+  EXPECT_EQ(document.project().tissue.regions[0].inputs, values);
+  EXPECT_NE(document.project().tissue.inputs, values);
+}
+
 TEST_F(DocumentTest, TypedValuesDoNotMerge)
 {
   document.setInput(0, 0.3, 0);
