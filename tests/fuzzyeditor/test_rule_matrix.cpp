@@ -139,7 +139,9 @@ TEST_F(RuleMatrixTest, KeysChooseAndClear)
   QTest::keyClick(choice->view(), Qt::Key_Return);
   EXPECT_EQ(shown(Soft, Low), "low");
   EXPECT_EQ(document.undo.count(), 1);
-  QCoreApplication::processEvents();
+  QTest::qWait(20);
+  EXPECT_EQ(table->currentIndex(), model->index(Soft, Low)); // ready for the next key
+  EXPECT_TRUE(table->hasFocus());
 
   table->setFocus();
   table->setCurrentIndex(model->index(Soft, Low));
