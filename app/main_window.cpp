@@ -144,7 +144,7 @@ void MainWindow::applyDefaultLayout()
   resizeDocks({m_dockRegions, m_dockInputs}, {w * 17 / 100, w * 25 / 100}, Qt::Horizontal);
   resizeDocks({m_dockRules, m_dockHaptics}, {w * 42 / 100, w * 33 / 100}, Qt::Horizontal);
   resizeDocks({m_dockRules}, {h * 30 / 100}, Qt::Vertical);
-  resizeDocks({m_dockInputs, m_dockMf, m_dockWhy}, {h * 22 / 100, h * 40 / 100, h * 32 / 100}, Qt::Vertical);
+  resizeDocks({m_dockInputs, m_dockMf, m_dockWhy}, {h * 25 / 100, h * 37 / 100, h * 32 / 100}, Qt::Vertical);
 }
 
 // === Document to window

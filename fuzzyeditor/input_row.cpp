@@ -24,14 +24,6 @@ namespace esm {
 namespace {
 
 constexpr int kSliderSteps = 1000;
-constexpr qint64 kRunPause = 700; ///< [ms] a longer pause between key presses begins a new undo step
-
-/// Gestures are numbered through the whole program: two panels must never share one.
-int nextGesture()
-{
-  static int last = 0;
-  return ++last;
-}
 
 } // namespace
 
@@ -108,17 +100,17 @@ void InputRow::layOut()
 
 void InputRow::connectFields()
 {
-  connect(m_slider, &QSlider::sliderPressed, this, [this] { m_gesture = nextGesture(); });
-  connect(m_slider, &QSlider::sliderReleased, this, [this] { m_sinceStep.invalidate(); });
+  connect(m_slider, &QSlider::sliderPressed, this, [this] { m_drag = nextGesture(); });
+  connect(m_slider, &QSlider::sliderReleased, this, [this] { m_keys.end(); });
   connect(m_slider, &QSlider::valueChanged, this, [this](int position) {
     if (m_showing) return;
-    setCrisp(fromSlider(double(position) / kSliderSteps), m_slider->isSliderDown() ? m_gesture : gesture());
+    setCrisp(fromSlider(double(position) / kSliderSteps), m_slider->isSliderDown() ? m_drag : m_keys.press());
   });
   connect(m_spin, &NumberSpinBox::aboutToStep, this, [this] { m_stepping = true; });
   connect(m_spin, &QDoubleSpinBox::valueChanged, this, [this](double shown) {
     const bool stepped = std::exchange(m_stepping, false);
     if (!m_showing)
-      setCrisp(shown * RuleDisplay::displayUnit(variable().unit).factor, stepped ? gesture() : 0);
+      setCrisp(shown * RuleDisplay::displayUnit(variable().unit).factor, stepped ? m_keys.press() : 0);
   });
   connect(m_word->lineEdit(), &QLineEdit::textEdited, this, [this] {
     m_wordTyped = true;
@@ -188,13 +180,6 @@ double InputRow::crispOf(const fuzzy::InputValue& input) const
     return fromSlider((first + last) / 2);
   }
   return variable().defaultValue;
-}
-
-int InputRow::gesture()
-{
-  if (!m_sinceStep.isValid() || m_sinceStep.elapsed() > kRunPause) m_gesture = nextGesture();
-  m_sinceStep.start();
-  return m_gesture;
 }
 
 void InputRow::setCrisp(double plain, int gestureNumber)

@@ -4,8 +4,8 @@
 
 #include "core/fuzzy/rule_text.h"
 #include "fuzzyeditor/fuzzy_document.h"
+#include "fuzzyeditor/gesture.h"
 
-#include <QElapsedTimer>
 #include <QWidget>
 
 class QComboBox;
@@ -42,7 +42,6 @@ private:
   double crispOf(const fuzzy::InputValue& value) const;
   void layOut();
   void connectFields();
-  int gesture(); ///< of the present drag or run of keys
   void setCrisp(double value, int gestureNumber);
   void takeWord(const QString& text);
   void showMistake(const QString& sentence);
@@ -57,11 +56,11 @@ private:
   QComboBox* m_word;
   QToolButton* m_reset;
   QLabel* m_mistake;
-  int m_gesture = 0; ///< of this row's present gesture; numbers are drawn from one counter for all rows
+  int m_drag = 0; ///< gesture of the present drag of the slider
+  KeyRun m_keys;
   bool m_stepping = false;
   bool m_showing = false; ///< the fields change by us
   bool m_wordTyped = false;
-  QElapsedTimer m_sinceStep;
 };
 
 } // namespace esm

@@ -173,7 +173,7 @@ void MembershipPlot::paintAxes(QPainter& painter, const fuzzy::Variable& v) cons
     painter.setPen(ink);
     QLocale plain = locale();
     plain.setNumberOptions(QLocale::OmitGroupSeparator);
-    const QString text = plain.toString(shown, 'g', 4);
+    const QString text = plain.toString(shown, 'g', 6);
     const double wide = fontMetrics().horizontalAdvance(text);
     const double start = std::min(at.x() - wide / 2, width() - wide - 3.0);
     painter.drawText(QRectF(start, at.y() + 4, wide + 2, line), Qt::AlignLeft, text);
@@ -194,9 +194,6 @@ void MembershipPlot::paintCurve(QPainter& painter, const fuzzy::Term& term) cons
 
 void MembershipPlot::paintTerms(QPainter& painter, const fuzzy::Variable& v) const
 {
-  const Language language = m_evaluation->document()->ruleLanguage();
-  const int line = fontMetrics().height();
-  double free = m_area.left(); // labels stand side by side, a crowded one is pushed to the right
   std::vector<std::pair<double, int>> peaks;
   for (int i = 0; i < static_cast<int>(v.terms.size()); ++i) {
     const fuzzy::Term& term = v.terms[static_cast<std::size_t>(i)];
@@ -211,13 +208,33 @@ void MembershipPlot::paintTerms(QPainter& painter, const fuzzy::Variable& v) con
     peaks.emplace_back((first->x() + last->x()) / 2, i);
   }
   std::sort(peaks.begin(), peaks.end());
-  for (const auto& [x, i] : peaks) {
-    const QString name = toQt(v.terms[static_cast<std::size_t>(i)].name.in(language));
-    const double width = fontMetrics().horizontalAdvance(name);
-    const double start = std::max(free, std::min(x - width / 2, m_area.right() + 8 - width));
-    painter.setPen(panel_colors::curve(palette(), i));
-    painter.drawText(QRectF(start, m_area.top() - line - 2, width + 2, line), Qt::AlignLeft, name);
-    free = start + width + 8;
+  paintWords(painter, v, peaks);
+}
+
+/// Words above their peaks, side by side: crowded ones are pushed to the right, and back where that leaves
+/// the plot. @param peaks places [pixel] and terms, from the left.
+void MembershipPlot::paintWords(QPainter& painter, const fuzzy::Variable& v,
+                                const std::vector<std::pair<double, int>>& peaks) const
+{
+  constexpr double kGap = 8.0;
+  const Language language = m_evaluation->document()->ruleLanguage();
+  const int line = fontMetrics().height();
+  QStringList names;
+  std::vector<double> start(peaks.size()), wide(peaks.size());
+  double free = m_area.left();
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    names << toQt(v.terms[static_cast<std::size_t>(peaks[i].second)].name.in(language));
+    wide[i] = fontMetrics().horizontalAdvance(names.back());
+    start[i] = std::max(free, peaks[i].first - wide[i] / 2);
+    free = start[i] + wide[i] + kGap;
+  }
+  double end = width() - 3.0;
+  for (std::size_t i = peaks.size(); i-- > 0;) {
+    start[i] = std::min(start[i], end - wide[i]);
+    end = start[i] - kGap;
+    painter.setPen(panel_colors::curve(palette(), peaks[i].second));
+    painter.drawText(QRectF(start[i], m_area.top() - line - 2, wide[i] + 2, line), Qt::AlignLeft,
+                     names[static_cast<qsizetype>(i)]);
   }
 }
 

@@ -51,6 +51,8 @@ private:
   void layOut();
   void paintAxes(QPainter& painter, const fuzzy::Variable& variable) const;
   void paintTerms(QPainter& painter, const fuzzy::Variable& variable) const;
+  void paintWords(QPainter& painter, const fuzzy::Variable& variable,
+                  const std::vector<std::pair<double, int>>& peaks) const;
   void paintInput(QPainter& painter, const fuzzy::Variable& variable) const;
   void paintOutput(QPainter& painter, const fuzzy::Variable& variable) const;
   void paintValueLine(QPainter& painter, const fuzzy::Variable& variable, double plain) const;

@@ -20,14 +20,7 @@ namespace esm {
 
 namespace {
 
-constexpr double kSteps = 100.0;  ///< of the arrow keys, over the range
-constexpr qint64 kRunPause = 700; ///< [ms] a longer pause between key presses begins a new undo step
-
-int nextGesture()
-{
-  static int last = 0;
-  return ++last;
-}
+constexpr double kSteps = 100.0; ///< of the arrow keys, over the range
 
 } // namespace
 
@@ -109,14 +102,12 @@ void SurfacePlot::moveToPixel(const QPointF& pixel)
 
 void SurfacePlot::step(double x, double y)
 {
-  if (!m_sinceStep.isValid() || m_sinceStep.elapsed() > kRunPause) m_gesture = nextGesture();
-  m_sinceStep.start();
   const auto moved = [](const fuzzy::Variable& v, double place, double steps) {
     const fuzzy::Axis axis = fuzzy::axisOf(v);
     return std::clamp(place + steps * (axis.high - axis.low) / kSteps, axis.low, axis.high);
   };
   moveTo(moved(*m_source->inputX(), axisOfInput(0), x), moved(*m_source->inputY(), axisOfInput(1), y),
-         m_gesture);
+         m_keys.press());
 }
 
 // === In words

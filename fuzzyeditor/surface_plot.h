@@ -3,9 +3,9 @@
 #pragma once
 
 #include "core/fuzzy/control_surface.h"
+#include "fuzzyeditor/gesture.h"
 #include "fuzzyeditor/plot_access.h"
 
-#include <QElapsedTimer>
 #include <QImage>
 #include <QWidget>
 
@@ -58,6 +58,7 @@ private:
     double shareOf(double axis) const;
   };
   bool canShow() const;
+  int wordWidth() const;
   void refresh();
   QString sentence() const; ///< "Hardness 0.68, elasticity 0.20: stiffness 33 kPa"
   QString quantityOf(int index) const;
@@ -76,9 +77,9 @@ private:
 
   SurfaceSource* m_source;
   bool m_dragging = false;
-  int m_gesture = 0;
+  int m_gesture = 0;                      ///< of the drag
   std::vector<fuzzy::InputValue> m_start; ///< inputs at the beginning of the drag
-  QElapsedTimer m_sinceStep;
+  KeyRun m_keys;
 };
 
 } // namespace esm

@@ -20,9 +20,8 @@ namespace esm {
 
 namespace {
 
-constexpr int kWordWidth = 74;   ///< [pixel] for the words of the upright axis
 constexpr int kLegendWidth = 74; ///< [pixel] bar, gap and numbers
-constexpr int kMostContours = 7;
+constexpr int kMostContours = 10;
 
 QColor colourAt(double share)
 {
@@ -43,10 +42,21 @@ double SurfacePlot::Scale::shareOf(double axis) const
   return greatest > least ? (axis - least) / (greatest - least) : 0.5;
 }
 
+/// Room for the words of the upright axis, at most a quarter of the plot.
+int SurfacePlot::wordWidth() const
+{
+  int widest = 0;
+  const Language language = m_source->evaluation()->document()->ruleLanguage();
+  if (const fuzzy::Variable* y = m_source->inputY())
+    for (const fuzzy::Term& term : y->terms)
+      widest = std::max(widest, fontMetrics().horizontalAdvance(toQt(term.name.in(language))));
+  return std::min(widest + 6, width() / 4);
+}
+
 QRectF SurfacePlot::area() const
 {
   const int line = fontMetrics().height();
-  return QRectF(rect()).adjusted(kWordWidth + line + 8, line + 8, -kLegendWidth - 8, -2 * line - 10);
+  return QRectF(rect()).adjusted(wordWidth() + line + 8, line + 8, -kLegendWidth - 8, -2 * line - 10);
 }
 
 QPointF SurfacePlot::pixelOf(double column, double row) const
@@ -224,8 +234,8 @@ void SurfacePlot::paintAxes(QPainter& painter) const
     painter.drawLine(QPointF(map.left() - 4, at), QPointF(map.left(), at));
     if (at + line / 2.0 > roof) continue;
     const QString name =
-      fontMetrics().elidedText(toQt(term.name.in(language)), Qt::ElideRight, kWordWidth - 4);
-    painter.drawText(QRectF(line + 6, at - line / 2.0, kWordWidth - 4, line),
+      fontMetrics().elidedText(toQt(term.name.in(language)), Qt::ElideRight, wordWidth() - 4);
+    painter.drawText(QRectF(line + 6, at - line / 2.0, wordWidth() - 4, line),
                      Qt::AlignRight | Qt::AlignVCenter, name);
     roof = at - line / 2.0;
   }
@@ -250,7 +260,8 @@ void SurfacePlot::paintLegend(QPainter& painter, const Scale& colours) const
   number(colours.least, bar.bottom() - line / 2.0);
   if (bar.height() > 4 * line)
     number(colours.least + 0.5 * (colours.greatest - colours.least), bar.center().y());
-  painter.drawText(QRectF(bar.left(), bar.bottom() + line + 7, kLegendWidth, line), Qt::AlignLeft, unit.symbol);
+  painter.drawText(QRectF(bar.left(), bar.bottom() + line + 7, kLegendWidth, line), Qt::AlignLeft,
+                   unit.symbol);
 }
 
 /// Light on dark and dark on light at once, so that it stands out on every colour.

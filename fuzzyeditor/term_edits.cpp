@@ -11,14 +11,6 @@ namespace esm {
 
 namespace {
 
-constexpr qint64 kRunPause = 700; ///< [ms] a longer pause between key presses begins a new undo step
-
-int nextGesture()
-{
-  static int last = 0;
-  return ++last;
-}
-
 const fuzzy::Variable* variableOf(const fuzzy::RuleBase& rules, bool output, int index)
 {
   const std::vector<fuzzy::Variable>& list = output ? rules.outputs : rules.inputs;
@@ -55,7 +47,7 @@ void TermEdits::setVariable(bool output, int index)
   m_output = output;
   m_index = index;
   m_term = 0;
-  m_sinceStep.invalidate();
+  m_keys.end();
   refresh();
 }
 
@@ -129,6 +121,7 @@ void TermEdits::beginDrag()
   if (!v) return;
   m_start = *v;
   m_gesture = nextGesture();
+  m_keys.end();
   m_dragging = true;
 }
 
@@ -148,21 +141,20 @@ void TermEdits::step(int term, fuzzy::Handle handle, double place)
 {
   const fuzzy::Variable* v = variable();
   if (!v) return;
-  const bool goesOn = m_sinceStep.isValid() && m_sinceStep.elapsed() <= kRunPause && term == m_steppedTerm &&
-                      handle == m_steppedHandle && m_start.terms.size() == v->terms.size();
-  if (!goesOn) {
+  const bool same =
+    term == m_steppedTerm && handle == m_steppedHandle && m_start.terms.size() == v->terms.size();
+  if (!same) m_keys.end();
+  if (!m_keys.goesOn()) {
     m_start = *v;
-    m_gesture = nextGesture();
     m_steppedTerm = term;
     m_steppedHandle = handle;
   }
-  m_sinceStep.start();
-  move(m_start, term, handle, place, m_gesture);
+  move(m_start, term, handle, place, m_keys.press());
 }
 
 void TermEdits::place(int term, fuzzy::Handle handle, double place)
 {
-  m_sinceStep.invalidate();
+  m_keys.end();
   if (const fuzzy::Variable* v = variable()) move(*v, term, handle, place, 0);
 }
 

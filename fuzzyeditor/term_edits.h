@@ -4,8 +4,8 @@
 
 #include "core/fuzzy/term_editing.h"
 #include "fuzzyeditor/fuzzy_document.h"
+#include "fuzzyeditor/gesture.h"
 
-#include <QElapsedTimer>
 #include <QObject>
 
 namespace esm {
@@ -69,9 +69,9 @@ private:
   int m_index = 0, m_term = 0;
   QStringList m_free; ///< ids of variables whose partition need not be kept
   bool m_dragging = false;
-  int m_gesture = 0;
+  int m_gesture = 0;       ///< of the drag
   fuzzy::Variable m_start; ///< at the beginning of the drag or run of keys
-  QElapsedTimer m_sinceStep;
+  KeyRun m_keys;
   int m_steppedTerm = -1;
   fuzzy::Handle m_steppedHandle = fuzzy::Handle::Curve;
 };

@@ -81,6 +81,11 @@ TermFields::TermFields(TermEdits* edits, QWidget* parent)
     field.box->setObjectName(QStringLiteral("termPlace%1").arg(i));
     field.box->setMinimumWidth(70);
     field.label->setBuddy(field.box);
+    for (QWidget* part : std::initializer_list<QWidget*>{field.label, field.box}) {
+      QSizePolicy policy = part->sizePolicy(); // the plot keeps its height whatever term is chosen
+      policy.setRetainSizeWhenHidden(true);
+      part->setSizePolicy(policy);
+    }
     grid->addWidget(field.label, i / 2, 2 * (i % 2));
     grid->addWidget(field.box, i / 2, 2 * (i % 2) + 1);
     grid->setColumnStretch(2 * (i % 2) + 1, 1);
