@@ -104,7 +104,6 @@ RuleMatrixPage::RuleMatrixPage(FuzzyEvaluation* evaluation, QWidget* parent)
   m_table->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed);
   m_table->setTabKeyNavigation(false); // Tab must leave
   m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-  m_table->horizontalHeader()->setMinimumSectionSize(88);
   m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 12);
   m_table->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   m_clear->setObjectName("actMatrixClear");
@@ -181,6 +180,11 @@ void RuleMatrixPage::retranslate()
   m_table->setAccessibleName(tr("Rules as matrix"));
   m_clear->setText(tr("Delete the rules of the selected cells"));
   fillChoices();
+  int widest = fontMetrics().horizontalAdvance(QStringLiteral("medium × 0.8")); // a cell's usual content
+  for (int column = 0; column < m_model->columnCount(); ++column)
+    widest = std::max(
+      widest, fontMetrics().horizontalAdvance(m_model->headerData(column, Qt::Horizontal).toString()));
+  m_table->horizontalHeader()->setMinimumSectionSize(widest + 16);
   const int unshown = m_model->unshownRules();
   m_note->setText(
     m_model->rowCount() == 0 ? tr("A matrix needs two inputs and a result.")
