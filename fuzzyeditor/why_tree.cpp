@@ -40,34 +40,57 @@ WhyRow inputRow(const LayerReason& layer, int input, const TissueModel& model, L
   return row;
 }
 
-/// Puts the children of an item, or of the tree's root, in order.
+QString keyOf(const QTreeWidgetItem* item)
+{
+  return item->data(0, kKeyRole).toString();
+}
+
+/// Of an item and all below it, those that are unfolded: a tree forgets it of items that are taken out.
+void collectUnfolded(QTreeWidgetItem* item, std::vector<QTreeWidgetItem*>& unfolded)
+{
+  if (item->isExpanded()) unfolded.push_back(item);
+  for (int i = 0; i < item->childCount(); ++i) collectUnfolded(item->child(i), unfolded);
+}
+
+void moveChild(QTreeWidgetItem* parent, int from, int to)
+{
+  std::vector<QTreeWidgetItem*> unfolded;
+  collectUnfolded(parent->child(from), unfolded);
+  parent->insertChild(to, parent->takeChild(from));
+  for (QTreeWidgetItem* item : unfolded) item->setExpanded(true);
+}
+
+void fill(QTreeWidgetItem* item, const WhyRow& row)
+{
+  item->setData(0, kKeyRole, row.key);
+  item->setText(WhyTree::What, row.what);
+  item->setToolTip(WhyTree::What, row.help);
+  item->setText(WhyTree::Value, row.value);
+  item->setData(WhyTree::What, WhyTree::kRuleRole, row.rule);
+  item->setData(WhyTree::Share, WhyTree::kShareRole, row.share ? QVariant(*row.share) : QVariant());
+  item->setText(WhyTree::Share, row.share ? QLocale().toString(*row.share, 'f', 2) : QString());
+}
+
+/// Makes the rows the children of an item, or of the tree's root.
 void put(const std::vector<WhyRow>& rows, QTreeWidgetItem* parent)
 {
+  for (int i = parent->childCount(); i-- > 0;)
+    if (std::none_of(rows.begin(), rows.end(),
+                     [&](const WhyRow& row) { return row.key == keyOf(parent->child(i)); }))
+      delete parent->takeChild(i);
   for (int i = 0; i < static_cast<int>(rows.size()); ++i) {
     const WhyRow& row = rows[static_cast<std::size_t>(i)];
     int found = i;
-    while (found < parent->childCount() && parent->child(found)->data(0, kKeyRole).toString() != row.key)
-      ++found;
+    while (found < parent->childCount() && keyOf(parent->child(found)) != row.key) ++found;
     const bool isNew = found == parent->childCount();
     if (isNew)
       parent->insertChild(i, new QTreeWidgetItem);
-    else if (found != i) {
-      QTreeWidgetItem* moved = parent->takeChild(found);
-      parent->insertChild(i, moved);
-    }
-    QTreeWidgetItem* item = parent->child(i);
-    item->setData(0, kKeyRole, row.key);
-    item->setText(WhyTree::What, row.what);
-    item->setToolTip(WhyTree::What, row.help);
-    item->setText(WhyTree::Value, row.value);
-    item->setData(WhyTree::What, WhyTree::kRuleRole, row.rule);
-    item->setData(WhyTree::Share, WhyTree::kShareRole, row.share ? QVariant(*row.share) : QVariant());
-    item->setText(WhyTree::Share, row.share ? QLocale().toString(*row.share, 'f', 2) : QString());
-    put(row.children, item);
-    if (isNew) item->setExpanded(row.open);
+    else if (found != i)
+      moveChild(parent, found, i);
+    fill(parent->child(i), row);
+    put(row.children, parent->child(i));
+    if (isNew) parent->child(i)->setExpanded(row.open);
   }
-  while (parent->childCount() > static_cast<int>(rows.size()))
-    delete parent->takeChild(parent->childCount() - 1);
 }
 
 } // namespace

@@ -136,6 +136,23 @@ TEST_F(WhyPanelTest, FollowsAndKeepsWhatIsUnfolded)
   EXPECT_FALSE(tree->topLevelItem(4)->isExpanded());
 }
 
+// So it does when the shares change places, and when another thing is chosen.
+TEST_F(WhyPanelTest, KeepsWhatIsUnfoldedWhenRowsMove)
+{
+  showPanel();
+  const QString strongest = tree->topLevelItem(4)->text(WhyTree::What);
+  ASSERT_TRUE(tree->topLevelItem(4)->isExpanded());
+  source.thing = {ExplainedThing::Kind::Node, strongest == "Region Wall" ? 3 : 1}; // at the other end
+  source.model.regions[0].ellipsoid.semiAxes.setConstant(0.012);
+  source.derive();
+  QTest::qWait(5);
+  const QList<QTreeWidgetItem*> found = tree->findItems(strongest, Qt::MatchExactly, WhyTree::What);
+  ASSERT_EQ(found.size(), 1);
+  EXPECT_NE(tree->indexOfTopLevelItem(found[0]), 4) << "else nothing has moved";
+  EXPECT_TRUE(found[0]->isExpanded());
+  EXPECT_TRUE(found[0]->child(0)->isExpanded());
+}
+
 TEST_F(WhyPanelTest, HiddenItAsksNothingAndShownOncePerTurn)
 {
   for (int i = 0; i < 5; ++i) source.derive();
