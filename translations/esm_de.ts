@@ -95,18 +95,6 @@
         <translation>Parameter lassen, wie sie sind</translation>
     </message>
     <message>
-        <source>add region</source>
-        <translation>Region hinzufügen</translation>
-    </message>
-    <message>
-        <source>remove region</source>
-        <translation>Region entfernen</translation>
-    </message>
-    <message>
-        <source>reorder regions</source>
-        <translation>Regionen umordnen</translation>
-    </message>
-    <message>
         <source>change input</source>
         <translation>Eingabe ändern</translation>
     </message>
@@ -132,6 +120,38 @@
     <message>
         <source>add %1</source>
         <translation>%1 hinzufügen</translation>
+    </message>
+    <message>
+        <source>add region</source>
+        <translation>Region hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove region</source>
+        <translation>Region entfernen</translation>
+    </message>
+    <message>
+        <source>reorder regions</source>
+        <translation>Regionen umordnen</translation>
+    </message>
+    <message>
+        <source>lock region</source>
+        <translation>Region sperren</translation>
+    </message>
+    <message>
+        <source>unlock region</source>
+        <translation>Region entsperren</translation>
+    </message>
+    <message>
+        <source>show region</source>
+        <translation>Region zeigen</translation>
+    </message>
+    <message>
+        <source>hide region</source>
+        <translation>Region verbergen</translation>
+    </message>
+    <message>
+        <source>make the twin a region of its own</source>
+        <translation>Zwilling zu eigener Region machen</translation>
     </message>
 </context>
 <context>
@@ -205,13 +225,56 @@
     </message>
 </context>
 <context>
+    <name>esm::GizmoPainter</name>
+    <message>
+        <source>Move the region in the plane of the screen</source>
+        <translation>Die Region in der Bildebene verschieben</translation>
+    </message>
+    <message>
+        <source>Move the region along its axis %1</source>
+        <translation>Die Region entlang ihrer Achse %1 verschieben</translation>
+    </message>
+    <message>
+        <source>Turn the region about its axis %1</source>
+        <translation>Die Region um ihre Achse %1 drehen</translation>
+    </message>
+    <message>
+        <source>Change the semi-axis %1; with Shift all of them</source>
+        <translation>Die Halbachse %1 ändern; mit Umschalt alle</translation>
+    </message>
+    <message>
+        <source>Change the falloff: from here the weight falls</source>
+        <translation>Den Übergang ändern: von hier an fällt das Gewicht</translation>
+    </message>
+    <message>
+        <source>Region: drag a handle to move, turn or resize it; beside them, dragging turns the view</source>
+        <translation>Region: an einem Griff verschieben, drehen oder Größe ändern; daneben dreht Ziehen die Ansicht</translation>
+    </message>
+    <message>
+        <source>Centre %1 · %2 · %3 mm, moved by %4 mm; Esc takes it back</source>
+        <translation>Mitte %1 · %2 · %3 mm, um %4 mm verschoben; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Turned by %1° about the axis %2; Esc takes it back</source>
+        <translation>Um %1° um die Achse %2 gedreht; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Semi-axes %1 · %2 · %3 mm; Esc takes it back</source>
+        <translation>Halbachsen %1 · %2 · %3 mm; Esc nimmt es zurück</translation>
+    </message>
+    <message>
+        <source>Falloff %1 %; Esc takes it back</source>
+        <translation>Übergang %1 %; Esc nimmt es zurück</translation>
+    </message>
+</context>
+<context>
     <name>esm::GlProbe</name>
     <message>
         <source>it is switched off by ESM_VIEW=off</source>
         <translation>sie ist durch ESM_VIEW=off abgeschaltet</translation>
     </message>
     <message>
-        <source>the display &quot;%1&quot; has no OpenGL</source>
+        <source>the display "%1" has no OpenGL</source>
         <translation>die Anzeige „%1“ hat kein OpenGL</translation>
     </message>
     <message>
@@ -510,6 +573,14 @@
         <source>Result</source>
         <translation>Ergebnis</translation>
     </message>
+    <message>
+        <source>Deflection under 1 N</source>
+        <translation>Eindrückung bei 1 N</translation>
+    </message>
+    <message>
+        <source>How far a flat round probe of 10 mm goes into thick tissue that is held in place.</source>
+        <translation>Wie weit ein flacher runder Stempel von 10 mm in dickes, gehaltenes Gewebe eindringt.</translation>
+    </message>
 </context>
 <context>
     <name>esm::MainWindow</name>
@@ -536,10 +607,6 @@
     <message>
         <source>Fuzzy Input</source>
         <translation>Fuzzy-Eingabe</translation>
-    </message>
-    <message>
-        <source>Membership</source>
-        <translation>Zugehörigkeit</translation>
     </message>
     <message>
         <source>Why?</source>
@@ -689,6 +756,18 @@
         <source>Clear list</source>
         <translation>Liste leeren</translation>
     </message>
+    <message>
+        <source>Terms</source>
+        <translation>Begriffe</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Region: drag its handles (Esc takes a drag back)</source>
+        <translation>Region: an den Griffen ziehen (Esc nimmt es zurück)</translation>
+    </message>
 </context>
 <context>
     <name>esm::MembershipPanel</name>
@@ -704,11 +783,43 @@
         <source>Variable that the plot shows</source>
         <translation>Größe, die das Diagramm zeigt</translation>
     </message>
+    <message>
+        <source>Spread words evenly</source>
+        <translation>Wörter gleichmäßig verteilen</translation>
+    </message>
+    <message>
+        <source>How many words shall lie evenly over the range of %1?</source>
+        <translation>Wie viele Wörter sollen gleichmäßig über dem Bereich von %1 liegen?</translation>
+    </message>
+    <message>
+        <source>Number of words</source>
+        <translation>Anzahl der Wörter</translation>
+    </message>
+    <message>
+        <source>Sum 1</source>
+        <translation>Summe 1</translation>
+    </message>
+    <message>
+        <source>Memberships go on to sum to 1</source>
+        <translation>Zugehörigkeiten behalten die Summe 1</translation>
+    </message>
+    <message>
+        <source>Neighbouring words follow a dragged point, so that the memberships of every value go on to sum to 1. Not possible with a bell or where peaks coincide.</source>
+        <translation>Benachbarte Wörter folgen einem gezogenen Punkt, sodass die Zugehörigkeiten jedes Wertes die Summe 1 behalten. Nicht möglich mit einer Glocke oder wo Spitzen zusammenfallen.</translation>
+    </message>
+    <message>
+        <source>Spread…</source>
+        <translation>Verteilen …</translation>
+    </message>
+    <message>
+        <source>Several words at once, evenly over the range</source>
+        <translation>Mehrere Wörter auf einmal, gleichmäßig über den Bereich</translation>
+    </message>
 </context>
 <context>
     <name>esm::MembershipPlot</name>
     <message>
-        <source>Plot of a variable&apos;s words</source>
+        <source>Plot of a variable's words</source>
         <translation>Diagramm der Wörter einer Größe</translation>
     </message>
     <message>
@@ -737,41 +848,6 @@
     <message>
         <source>Discard the text that is no rule</source>
         <translation>Den Text verwerfen, der keine Regel ist</translation>
-    </message>
-</context>
-<context>
-    <name>esm::NodePanel</name>
-    <message>
-        <source>Explanation of the selected node</source>
-        <translation>Erklärung zum gewählten Knoten</translation>
-    </message>
-    <message>
-        <source>Node %1</source>
-        <translation>Knoten %1</translation>
-    </message>
-    <message>
-        <source>, held fast,</source>
-        <translation>, festgehalten,</translation>
-    </message>
-    <message>
-        <source>Young&apos;s modulus %1 kPa, viscosity %2 ms, anchoring %3 kPa/mm</source>
-        <translation>Elastizitätsmodul %1 kPa, Viskosität %2 ms, Verankerung %3 kPa/mm</translation>
-    </message>
-    <message>
-        <source>Base tissue</source>
-        <translation>Grundgewebe</translation>
-    </message>
-    <message>
-        <source>The springs keep the parameters of their file.</source>
-        <translation>Die Federn behalten die Parameter ihrer Datei.</translation>
-    </message>
-    <message>
-        <source>%1 % from %2</source>
-        <translation>%1 % aus %2</translation>
-    </message>
-    <message>
-        <source>Node %1, %2</source>
-        <translation>Knoten %1, %2</translation>
     </message>
 </context>
 <context>
@@ -809,12 +885,187 @@
         <translation>Ziehen: einen Punkt des Organs fassen; daneben dreht Ziehen die Ansicht</translation>
     </message>
     <message>
-        <source>Select: click a point of the organ; beside it, dragging turns the view</source>
-        <translation>Auswahl: einen Punkt des Organs anklicken; daneben dreht Ziehen die Ansicht</translation>
-    </message>
-    <message>
         <source>Nothing to show yet: import a mesh or open a project.</source>
         <translation>Noch nichts zu sehen: ein Netz importieren oder ein Projekt öffnen.</translation>
+    </message>
+    <message>
+        <source>Weight: choose a region</source>
+        <translation>Gewicht: Region wählen</translation>
+    </message>
+    <message>
+        <source>Weight of %1 [%]</source>
+        <translation>Gewicht von %1 [%]</translation>
+    </message>
+    <message numerus="yes">
+        <source>Select: %n node(s); Shift adds, Ctrl takes away, Esc clears</source>
+        <translation>
+            <numerusform>Auswahl: %n Knoten; Umschalt nimmt dazu, Strg nimmt weg, Esc leert</numerusform>
+            <numerusform>Auswahl: %n Knoten; Umschalt nimmt dazu, Strg nimmt weg, Esc leert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Select: click a point of the organ, or drag a box around what can be seen</source>
+        <translation>Auswahl: einen Punkt des Organs anklicken oder einen Kasten um Sichtbares ziehen</translation>
+    </message>
+    <message>
+        <source>Region: choose or add one in the dock Regions</source>
+        <translation>Region: im Fenster Regionen eine wählen oder hinzufügen</translation>
+    </message>
+    <message>
+        <source>Region: locked</source>
+        <translation>Region: gesperrt</translation>
+    </message>
+    <message>
+        <source>Region: hidden</source>
+        <translation>Region: verborgen</translation>
+    </message>
+</context>
+<context>
+    <name>esm::PresetBar</name>
+    <message>
+        <source>Preset: %1</source>
+        <translation>Voreinstellung: %1</translation>
+    </message>
+    <message>
+        <source>Reset all inputs</source>
+        <translation>Alle Eingaben zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Damping ratio</source>
+        <translation>Dämpfungsgrad</translation>
+    </message>
+    <message>
+        <source>%1 (%2 to %3)</source>
+        <translation>%1 (%2 bis %3)</translation>
+    </message>
+    <message>
+        <source>%1, estimate</source>
+        <translation>%1, Schätzung</translation>
+    </message>
+    <message>
+        <source>The inputs are those of: %1</source>
+        <translation>Die Eingaben sind die von: %1</translation>
+    </message>
+    <message>
+        <source>The inputs are those of no preset.</source>
+        <translation>Die Eingaben sind die keiner Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Preset</source>
+        <translation>Voreinstellung</translation>
+    </message>
+    <message>
+        <source>Choose a tissue to start from</source>
+        <translation>Ein Gewebe wählen, von dem ausgegangen wird</translation>
+    </message>
+    <message>
+        <source>Sources</source>
+        <translation>Quellen</translation>
+    </message>
+    <message>
+        <source>Show what is measured of this tissue, how and by whom</source>
+        <translation>Zeigen, was an diesem Gewebe gemessen ist, wie und von wem</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Reset all inputs to their defaults</source>
+        <translation>Alle Eingaben auf ihre Vorgaben zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Tissues to start from</source>
+        <translation>Gewebe, von denen ausgegangen werden kann</translation>
+    </message>
+    <message>
+        <source>What is measured of this tissue</source>
+        <translation>Was an diesem Gewebe gemessen ist</translation>
+    </message>
+</context>
+<context>
+    <name>esm::ProblemsModel</name>
+    <message>
+        <source>%1 is about %2</source>
+        <translation>%1 etwa %2 ist</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>Gap: No rule for %1 ever fires.</source>
+        <translation>Lücke: Keine Regel für %1 feuert jemals.</translation>
+    </message>
+    <message>
+        <source>Gap: No rule speaks of %1 where %2.</source>
+        <translation>Lücke: Keine Regel spricht von %1, wo %2.</translation>
+    </message>
+    <message>
+        <source>Gap: No word of %1 fits where %2.</source>
+        <translation>Lücke: Kein Wort von %1 passt, wo %2.</translation>
+    </message>
+    <message>
+        <source>Contradiction: Rules %1 and %2 conclude differently on the same condition.</source>
+        <translation>Widerspruch: Die Regeln %1 und %2 folgern Verschiedenes aus derselben Bedingung.</translation>
+    </message>
+    <message>
+        <source>Duplicate: Rules %1 and %2 say the same.</source>
+        <translation>Doppelt: Die Regeln %1 und %2 sagen dasselbe.</translation>
+    </message>
+    <message>
+        <source>Hidden: Rule %1 never counts, because rule %2 concludes the same on a weaker condition.</source>
+        <translation>Verdeckt: Regel %1 zählt nie, weil Regel %2 dasselbe aus einer schwächeren Bedingung folgert.</translation>
+    </message>
+    <message>
+        <source>Idle: The condition of rule %1 holds nowhere.</source>
+        <translation>Untätig: Die Bedingung von Regel %1 gilt nirgends.</translation>
+    </message>
+    <message>
+        <source>Overlap: The words ‘%1’ and ‘%2’ of %3 share %4 % of their area, so that they hardly differ.</source>
+        <translation>Überlappung: Die Wörter „%1“ und „%2“ von %3 teilen %4 % ihrer Fläche, sodass sie sich kaum unterscheiden.</translation>
+    </message>
+    <message>
+        <source>Unset: No rule concludes on %1.</source>
+        <translation>Ungesetzt: Keine Regel folgert auf %1.</translation>
+    </message>
+    <message>
+        <source>Double click or Return sets the inputs to this place.</source>
+        <translation>Doppelklick oder Eingabetaste stellt die Eingaben auf diese Stelle.</translation>
+    </message>
+    <message>
+        <source>Double click or Return shows the rule.</source>
+        <translation>Doppelklick oder Eingabetaste zeigt die Regel.</translation>
+    </message>
+    <message>
+        <source>Double click or Return shows the words.</source>
+        <translation>Doppelklick oder Eingabetaste zeigt die Wörter.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::ProblemsView</name>
+    <message>
+        <source>Go to a gap in the rules</source>
+        <translation>Zu einer Lücke in den Regeln gehen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n Problem</numerusform>
+            <numerusform>%n Probleme</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>None: every place has a rule, and every rule counts.</source>
+        <translation>Keine: Jede Stelle hat eine Regel, und jede Regel zählt.</translation>
+    </message>
+    <message>
+        <source>Problems</source>
+        <translation>Probleme</translation>
+    </message>
+    <message>
+        <source>Problems of the rules</source>
+        <translation>Probleme der Regeln</translation>
     </message>
 </context>
 <context>
@@ -968,18 +1219,14 @@
     </message>
 </context>
 <context>
-    <name>esm::RegionsPanel</name>
+    <name>esm::RegionFields</name>
     <message>
-        <source>switch region on</source>
-        <translation>Region einschalten</translation>
+        <source>change profile</source>
+        <translation>Profil ändern</translation>
     </message>
     <message>
-        <source>switch region off</source>
-        <translation>Region ausschalten</translation>
-    </message>
-    <message>
-        <source>%1 copy</source>
-        <translation>%1 Kopie</translation>
+        <source>turn region inside out</source>
+        <translation>Region umstülpen</translation>
     </message>
     <message>
         <source>rename region</source>
@@ -1002,12 +1249,16 @@
         <translation>Übergang ändern</translation>
     </message>
     <message>
-        <source>Region %1</source>
-        <translation>Region %1</translation>
+        <source>move mirror plane</source>
+        <translation>Spiegelebene verschieben</translation>
     </message>
     <message>
-        <source>Base tissue</source>
-        <translation>Grundgewebe</translation>
+        <source>mirror region</source>
+        <translation>Region spiegeln</translation>
+    </message>
+    <message>
+        <source>own plane</source>
+        <translation>eigene Ebene</translation>
     </message>
     <message numerus="yes">
         <source>%n spring(s)</source>
@@ -1015,30 +1266,6 @@
             <numerusform>%n Feder</numerusform>
             <numerusform>%n Federn</numerusform>
         </translation>
-    </message>
-    <message>
-        <source>Regions, later ones cover earlier ones</source>
-        <translation>Regionen, spätere überdecken frühere</translation>
-    </message>
-    <message>
-        <source>Add region</source>
-        <translation>Region hinzufügen</translation>
-    </message>
-    <message>
-        <source>Duplicate region</source>
-        <translation>Region verdoppeln</translation>
-    </message>
-    <message>
-        <source>Remove region</source>
-        <translation>Region entfernen</translation>
-    </message>
-    <message>
-        <source>Move region up</source>
-        <translation>Region nach oben</translation>
-    </message>
-    <message>
-        <source>Move region down</source>
-        <translation>Region nach unten</translation>
     </message>
     <message>
         <source>Name of the region</source>
@@ -1065,6 +1292,14 @@
         <translation>Übergang</translation>
     </message>
     <message>
+        <source>Weight</source>
+        <translation>Gewicht</translation>
+    </message>
+    <message>
+        <source>Mirror</source>
+        <translation>Spiegel</translation>
+    </message>
+    <message>
         <source>Centre %1 in mm</source>
         <translation>Mitte %1 in mm</translation>
     </message>
@@ -1077,12 +1312,203 @@
         <translation>Drehung um %1 in Grad</translation>
     </message>
     <message>
+        <source>plane %1 at</source>
+        <translation>Ebene %1 bei</translation>
+    </message>
+    <message>
         <source>Share of the radius over which the region fades out</source>
         <translation>Anteil des Radius, über den die Region ausklingt</translation>
     </message>
     <message>
+        <source>How the weight falls from 1 to 0</source>
+        <translation>Wie das Gewicht von 1 auf 0 fällt</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>sanft</translation>
+    </message>
+    <message>
+        <source>linear</source>
+        <translation>linear</translation>
+    </message>
+    <message>
+        <source>smoother</source>
+        <translation>sanfter</translation>
+    </message>
+    <message>
+        <source>Weight from the centre outward; the line is the surface</source>
+        <translation>Gewicht von der Mitte nach außen; der Strich ist die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Inside out</source>
+        <translation>Umgestülpt</translation>
+    </message>
+    <message>
+        <source>The region is what lies outside of the ellipsoid</source>
+        <translation>Die Region ist, was außerhalb des Ellipsoids liegt</translation>
+    </message>
+    <message>
+        <source>A twin behind a plane: both are one region</source>
+        <translation>Ein Zwilling hinter einer Ebene: beide sind eine Region</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keiner</translation>
+    </message>
+    <message>
+        <source>Place of the mirror plane in mm</source>
+        <translation>Lage der Spiegelebene in mm</translation>
+    </message>
+    <message>
+        <source>Make twin a region of its own</source>
+        <translation>Zwilling zu eigener Region machen</translation>
+    </message>
+    <message>
         <source>Springs that the region affects</source>
         <translation>Federn, auf die die Region wirkt</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RegionsPanel</name>
+    <message>
+        <source>switch region on</source>
+        <translation>Region einschalten</translation>
+    </message>
+    <message>
+        <source>switch region off</source>
+        <translation>Region ausschalten</translation>
+    </message>
+    <message>
+        <source>%1 copy</source>
+        <translation>%1 Kopie</translation>
+    </message>
+    <message>
+        <source>Region %1</source>
+        <translation>Region %1</translation>
+    </message>
+    <message>
+        <source>Base tissue</source>
+        <translation>Grundgewebe</translation>
+    </message>
+    <message>
+        <source>Regions, later ones cover earlier ones</source>
+        <translation>Regionen, spätere überdecken frühere</translation>
+    </message>
+    <message>
+        <source>Add region</source>
+        <translation>Region hinzufügen</translation>
+    </message>
+    <message>
+        <source>Duplicate region</source>
+        <translation>Region verdoppeln</translation>
+    </message>
+    <message>
+        <source>Remove region</source>
+        <translation>Region entfernen</translation>
+    </message>
+    <message>
+        <source>Move region up</source>
+        <translation>Region nach oben</translation>
+    </message>
+    <message>
+        <source>Move region down</source>
+        <translation>Region nach unten</translation>
+    </message>
+    <message>
+        <source>Add a region around the selected nodes</source>
+        <translation>Eine Region um die gewählten Knoten legen</translation>
+    </message>
+    <message>
+        <source>Show the region in the preview</source>
+        <translation>Die Region in der Vorschau zeigen</translation>
+    </message>
+    <message>
+        <source>Lock the region against changes</source>
+        <translation>Die Region gegen Änderungen sperren</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RuleMatrixDelegate</name>
+    <message>
+        <source>no rule</source>
+        <translation>keine Regel</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RuleMatrixModel</name>
+    <message>
+        <source>%1, off</source>
+        <translation>%1, aus</translation>
+    </message>
+    <message>
+        <source>%1: no rule for %2.</source>
+        <translation>%1: keine Regel für %2.</translation>
+    </message>
+    <message>
+        <source>%1: %2 %3. Fires %4.</source>
+        <translation>%1: %2 %3. Feuert %4.</translation>
+    </message>
+    <message>
+        <source>Rule %1: %2</source>
+        <translation>Regel %1: %2</translation>
+    </message>
+    <message>
+        <source>No rule speaks here. Return or a double click makes one.</source>
+        <translation>Hier spricht keine Regel. Eingabetaste oder Doppelklick legt eine an.</translation>
+    </message>
+    <message>
+        <source>Clear a cell of the rule matrix</source>
+        <translation>Zelle der Regelmatrix leeren</translation>
+    </message>
+    <message>
+        <source>Set a cell of the rule matrix</source>
+        <translation>Zelle der Regelmatrix setzen</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RuleMatrixPage</name>
+    <message>
+        <source>Rows:</source>
+        <translation>Zeilen:</translation>
+    </message>
+    <message>
+        <source>Columns:</source>
+        <translation>Spalten:</translation>
+    </message>
+    <message>
+        <source>Result:</source>
+        <translation>Ergebnis:</translation>
+    </message>
+    <message>
+        <source>Input that spans the rows</source>
+        <translation>Eingabe, die die Zeilen aufspannt</translation>
+    </message>
+    <message>
+        <source>Input that spans the columns</source>
+        <translation>Eingabe, die die Spalten aufspannt</translation>
+    </message>
+    <message>
+        <source>Result that the cells show</source>
+        <translation>Ergebnis, das die Zellen zeigen</translation>
+    </message>
+    <message>
+        <source>Rules as matrix</source>
+        <translation>Regeln als Matrix</translation>
+    </message>
+    <message>
+        <source>Delete the rules of the selected cells</source>
+        <translation>Regeln der gewählten Zellen löschen</translation>
+    </message>
+    <message>
+        <source>A matrix needs two inputs and a result.</source>
+        <translation>Eine Matrix braucht zwei Eingaben und ein Ergebnis.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rule(s) for this result also ask about other inputs and are not shown here.</source>
+        <translation>
+            <numerusform>%n Regel für dieses Ergebnis fragt auch nach anderen Eingaben und ist hier nicht gezeigt.</numerusform>
+            <numerusform>%n Regeln für dieses Ergebnis fragen auch nach anderen Eingaben und sind hier nicht gezeigt.</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1285,6 +1711,10 @@
         <source>Gaps in the rules</source>
         <translation>Lücken in den Regeln</translation>
     </message>
+    <message>
+        <source>Matrix</source>
+        <translation>Matrix</translation>
+    </message>
 </context>
 <context>
     <name>esm::SceneView</name>
@@ -1479,6 +1909,264 @@
         <source>Last frame: %1 springs evaluated in %2 steps, %3 factorizations, %4 rejected steps</source>
         <translation>Letztes Bild: %1 Federn berechnet in %2 Schritten, %3 Faktorisierungen, %4 verworfene Schritte</translation>
     </message>
+    <message>
+        <source>Springs that the last edit of the tissue gave new numbers, and how long it took</source>
+        <translation>Federn, denen die letzte Änderung am Gewebe neue Zahlen gab, und wie lange das dauerte</translation>
+    </message>
+    <message>
+        <source>%1 of %2 springs derived, %3 ms</source>
+        <translation>%1 von %2 Federn abgeleitet, %3 ms</translation>
+    </message>
+</context>
+<context>
+    <name>esm::SurfacePanel</name>
+    <message>
+        <source>Result that the map shows</source>
+        <translation>Ergebnis, das die Karte zeigt</translation>
+    </message>
+    <message>
+        <source>Input along the lower axis</source>
+        <translation>Eingabe entlang der unteren Achse</translation>
+    </message>
+    <message>
+        <source>Input along the upright axis</source>
+        <translation>Eingabe entlang der senkrechten Achse</translation>
+    </message>
+    <message>
+        <source>over</source>
+        <translation>über</translation>
+    </message>
+    <message>
+        <source>and</source>
+        <translation>und</translation>
+    </message>
+    <message>
+        <source>Map</source>
+        <translation>Karte</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>Map or table</source>
+        <translation>Karte oder Tabelle</translation>
+    </message>
+</context>
+<context>
+    <name>esm::SurfacePlot</name>
+    <message>
+        <source>Map of a result over two inputs</source>
+        <translation>Karte eines Ergebnisses über zwei Eingaben</translation>
+    </message>
+    <message>
+        <source>Change inputs on the surface</source>
+        <translation>Eingaben auf der Fläche ändern</translation>
+    </message>
+    <message>
+        <source>There is no result or there are no two inputs to show.</source>
+        <translation>Es gibt kein Ergebnis oder keine zwei Eingaben zu zeigen.</translation>
+    </message>
+    <message>
+        <source> (no rule)</source>
+        <translation> (keine Regel)</translation>
+    </message>
+    <message>
+        <source>%1 %2, %3 %4: %5 %6</source>
+        <translation>%1 %2, %3 %4: %5 %6</translation>
+    </message>
+    <message>
+        <source>No rule fires here.</source>
+        <translation>Hier feuert keine Regel.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::SurfaceTable</name>
+    <message>
+        <source>Results over both inputs</source>
+        <translation>Ergebnisse über beiden Eingaben</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the table as CSV</source>
+        <translation>Tabelle als CSV kopieren</translation>
+    </message>
+</context>
+<context>
+    <name>esm::TermEdits</name>
+    <message>
+        <source>Let memberships sum to 1</source>
+        <translation>Zugehörigkeiten auf Summe 1 bringen</translation>
+    </message>
+    <message>
+        <source>Change “%1”</source>
+        <translation>„%1“ ändern</translation>
+    </message>
+    <message>
+        <source>A word needs a name in both languages.</source>
+        <translation>Ein Wort braucht einen Namen in beiden Sprachen.</translation>
+    </message>
+    <message>
+        <source>“%1” is the name of another word of this variable.</source>
+        <translation>„%1“ heißt schon ein anderes Wort dieser Größe.</translation>
+    </message>
+    <message>
+        <source>Rename “%1”</source>
+        <translation>„%1“ umbenennen</translation>
+    </message>
+    <message>
+        <source>Change the form of “%1”</source>
+        <translation>Form von „%1“ ändern</translation>
+    </message>
+    <message>
+        <source>Add a word</source>
+        <translation>Wort hinzufügen</translation>
+    </message>
+    <message>
+        <source>“%1” stays: rules speak of it (%2). Change or delete them first.</source>
+        <translation>„%1“ bleibt: Regeln sprechen davon (%2). Erst diese ändern oder löschen.</translation>
+    </message>
+    <message>
+        <source>Remove “%1”</source>
+        <translation>„%1“ entfernen</translation>
+    </message>
+    <message>
+        <source>Rules speak of %1 words of this variable, so that fewer cannot be spread. Change or delete rules first.</source>
+        <translation>Regeln sprechen von %1 Wörtern dieser Größe, weniger lassen sich nicht verteilen. Erst Regeln ändern oder löschen.</translation>
+    </message>
+    <message>
+        <source>Spread words evenly</source>
+        <translation>Wörter gleichmäßig verteilen</translation>
+    </message>
+</context>
+<context>
+    <name>esm::TermFields</name>
+    <message>
+        <source>Word to edit</source>
+        <translation>Wort, das bearbeitet wird</translation>
+    </message>
+    <message>
+        <source>Form of the word's curve</source>
+        <translation>Form der Kurve</translation>
+    </message>
+    <message>
+        <source>Add a word</source>
+        <translation>Wort hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add a word where there is most room</source>
+        <translation>Wort hinzufügen, wo am meisten Platz ist</translation>
+    </message>
+    <message>
+        <source>Remove the word</source>
+        <translation>Wort entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the word, if no rule speaks of it</source>
+        <translation>Wort entfernen, wenn keine Regel davon spricht</translation>
+    </message>
+    <message>
+        <source>English</source>
+        <translation>Englisch</translation>
+    </message>
+    <message>
+        <source>German</source>
+        <translation>Deutsch</translation>
+    </message>
+    <message>
+        <source>English name of the word</source>
+        <translation>Englischer Name des Wortes</translation>
+    </message>
+    <message>
+        <source>German name of the word</source>
+        <translation>Deutscher Name des Wortes</translation>
+    </message>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>trapezoid</source>
+        <translation>Trapez</translation>
+    </message>
+    <message>
+        <source>shoulder to the left</source>
+        <translation>Schulter nach links</translation>
+    </message>
+    <message>
+        <source>shoulder to the right</source>
+        <translation>Schulter nach rechts</translation>
+    </message>
+    <message>
+        <source>bell (Gauss)</source>
+        <translation>Glocke (Gauß)</translation>
+    </message>
+    <message>
+        <source>Place of the word</source>
+        <translation>Lage des Wortes</translation>
+    </message>
+    <message>
+        <source>deviation</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source> decades</source>
+        <translation> Dekaden</translation>
+    </message>
+</context>
+<context>
+    <name>esm::TermPlot</name>
+    <message>
+        <source>Tab goes from point to point, arrows move it, with Ctrl the whole curve, Delete removes the word.</source>
+        <translation>Tab geht von Punkt zu Punkt, Pfeiltasten verschieben ihn, mit Strg die ganze Kurve, Entf entfernt das Wort.</translation>
+    </message>
+    <message>
+        <source>left foot</source>
+        <translation>linker Fuß</translation>
+    </message>
+    <message>
+        <source>shoulder</source>
+        <translation>Schulter</translation>
+    </message>
+    <message>
+        <source>left shoulder</source>
+        <translation>linke Schulter</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>right shoulder</source>
+        <translation>rechte Schulter</translation>
+    </message>
+    <message>
+        <source>right foot</source>
+        <translation>rechter Fuß</translation>
+    </message>
+    <message>
+        <source>left flank</source>
+        <translation>linke Flanke</translation>
+    </message>
+    <message>
+        <source>right flank</source>
+        <translation>rechte Flanke</translation>
+    </message>
+    <message>
+        <source>whole curve</source>
+        <translation>ganze Kurve</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
 </context>
 <context>
     <name>esm::TissuePanel</name>
@@ -1487,7 +2175,7 @@
         <translation>Wanddicke</translation>
     </message>
     <message>
-        <source>Thickness of the organ&apos;s wall in mm</source>
+        <source>Thickness of the organ's wall in mm</source>
         <translation>Dicke der Organwand in mm</translation>
     </message>
     <message>
@@ -1523,7 +2211,7 @@
         <translation>Schwerkraft in z</translation>
     </message>
     <message>
-        <source>Acceleration along z in m/s²; -9.81 is the Earth&apos;s</source>
+        <source>Acceleration along z in m/s²; -9.81 is the Earth's</source>
         <translation>Beschleunigung in z in m/s²; -9,81 ist die der Erde</translation>
     </message>
     <message>
@@ -1550,40 +2238,131 @@
 <context>
     <name>esm::WhyPanel</name>
     <message>
-        <source>%1 is %2, the default, because no rule fired for it.</source>
-        <translation>%1 ist %2, die Voreinstellung, weil keine Regel dafür feuerte.</translation>
+        <source>The rules cannot be evaluated now, so nothing can be explained.</source>
+        <translation>Die Regeln lassen sich gerade nicht auswerten, daher lässt sich nichts erklären.</translation>
     </message>
     <message>
-        <source>%1 is %2, mainly because of rule %3: %4 (%5).</source>
-        <translation>%1 ist %2, vor allem wegen Regel %3: %4 (%5).</translation>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
     </message>
     <message>
-        <source>One further rule did not fire.</source>
-        <translation>Eine weitere Regel feuerte nicht.</translation>
+        <source>Apply: %1</source>
+        <translation>Anwenden: %1</translation>
     </message>
     <message>
-        <source>%1 further rules did not fire.</source>
-        <translation>%1 weitere Regeln feuerten nicht.</translation>
+        <source>The region is locked.</source>
+        <translation>Die Region ist gesperrt.</translation>
     </message>
     <message>
-        <source>Tissue: %1</source>
-        <translation>Gewebe: %1</translation>
+        <source>Table (*.csv)</source>
+        <translation>Tabelle (*.csv)</translation>
     </message>
     <message>
-        <source>Rule</source>
-        <translation>Regel</translation>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
     </message>
     <message>
-        <source>Fires</source>
-        <translation>Feuert</translation>
+        <source>Save the explanation</source>
+        <translation>Erklärung sichern</translation>
     </message>
     <message>
-        <source>Text</source>
-        <translation>Text</translation>
+        <source>Explanation in one sentence</source>
+        <translation>Erklärung in einem Satz</translation>
     </message>
     <message>
-        <source>Rules that fired, the strongest first</source>
-        <translation>Regeln, die feuerten, die stärkste zuerst</translation>
+        <source>Copy and save the explanation</source>
+        <translation>Erklärung kopieren und sichern</translation>
+    </message>
+    <message>
+        <source>Copy sentence</source>
+        <translation>Satz kopieren</translation>
+    </message>
+    <message>
+        <source>Copy as CSV</source>
+        <translation>Als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Save as CSV…</source>
+        <translation>Als CSV sichern …</translation>
+    </message>
+    <message>
+        <source>Save as JSON…</source>
+        <translation>Als JSON sichern …</translation>
+    </message>
+    <message>
+        <source>Reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>Share</source>
+        <translation>Anteil</translation>
+    </message>
+    <message>
+        <source>Value</source>
+        <translation>Wert</translation>
+    </message>
+    <message>
+        <source>Reasons: geometry, regions, rules and inputs, the strongest first</source>
+        <translation>Gründe: Geometrie, Regionen, Regeln und Eingaben, die stärksten zuerst</translation>
+    </message>
+    <message>
+        <source>What would make it</source>
+        <translation>Was macht es</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>By how many per cent</source>
+        <translation>Um wie viel Prozent</translation>
+    </message>
+    <message>
+        <source>softer?</source>
+        <translation>weicher?</translation>
+    </message>
+    <message>
+        <source>harder?</source>
+        <translation>härter?</translation>
+    </message>
+    <message>
+        <source>Softer or harder</source>
+        <translation>Weicher oder härter</translation>
+    </message>
+    <message>
+        <source>No input changes it.</source>
+        <translation>Keine Eingabe ändert es.</translation>
+    </message>
+</context>
+<context>
+    <name>esm::WhyTree</name>
+    <message>
+        <source>stiffness of the tissue, E</source>
+        <translation>Steifigkeit des Gewebes, E</translation>
+    </message>
+    <message>
+        <source>By the tissue: %1</source>
+        <translation>Nach dem Gewebe: %1</translation>
+    </message>
+    <message>
+        <source>Tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>Geometry and tissue here</source>
+        <translation>Geometrie und Gewebe hier</translation>
+    </message>
+    <message>
+        <source>No rule fires for it: this is the default.</source>
+        <translation>Keine Regel feuert dafür: Das ist die Voreinstellung.</translation>
+    </message>
+    <message>
+        <source>Rule %1: %2</source>
+        <translation>Regel %1: %2</translation>
+    </message>
+    <message>
+        <source>Without this rule: %1</source>
+        <translation>Ohne diese Regel: %1</translation>
     </message>
 </context>
 <context>
@@ -1765,10 +2544,6 @@
         <translation>Aus&amp;wahl</translation>
     </message>
     <message>
-        <source>Select: click a node to see why it is as it is</source>
-        <translation>Auswahl: Knoten anklicken, um zu sehen, warum er so ist</translation>
-    </message>
-    <message>
         <source>Automatic</source>
         <translation>Automatisch</translation>
     </message>
@@ -1879,6 +2654,22 @@
     <message>
         <source>The cheapest way that keeps the tolerance</source>
         <translation>Der billigste Weg, der die Toleranz hält</translation>
+    </message>
+    <message>
+        <source>Weight of the region</source>
+        <translation>Gewicht der Region</translation>
+    </message>
+    <message>
+        <source>Select: click a node to see why it is as it is, or drag a box around several</source>
+        <translation>Auswahl: Knoten anklicken, um zu sehen, warum er so ist, oder einen Kasten um mehrere ziehen</translation>
+    </message>
+    <message>
+        <source>Re&amp;gion</source>
+        <translation>Re&amp;gion</translation>
+    </message>
+    <message>
+        <source>Region: move, turn and resize the chosen region by its handles</source>
+        <translation>Region: die gewählte Region an ihren Griffen verschieben, drehen und in der Größe ändern</translation>
     </message>
 </context>
 </TS>

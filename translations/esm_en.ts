@@ -2,12 +2,42 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
-    <name>esm::RegionsPanel</name>
+    <name>esm::Overlay</name>
+    <message numerus="yes">
+        <source>Select: %n node(s); Shift adds, Ctrl takes away, Esc clears</source>
+        <translation>
+            <numerusform>Select: %n node; Shift adds, Ctrl takes away, Esc clears</numerusform>
+            <numerusform>Select: %n nodes; Shift adds, Ctrl takes away, Esc clears</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>esm::ProblemsView</name>
+    <message numerus="yes">
+        <source>%n problem(s)</source>
+        <translation>
+            <numerusform>%n problem</numerusform>
+            <numerusform>%n problems</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>esm::RegionFields</name>
     <message numerus="yes">
         <source>%n spring(s)</source>
         <translation>
             <numerusform>%n spring</numerusform>
             <numerusform>%n springs</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>esm::RuleMatrixPage</name>
+    <message numerus="yes">
+        <source>%n rule(s) for this result also ask about other inputs and are not shown here.</source>
+        <translation>
+            <numerusform>%n rule for this result also asks about other inputs and is not shown here.</numerusform>
+            <numerusform>%n rules for this result also ask about other inputs and are not shown here.</numerusform>
         </translation>
     </message>
 </context>
