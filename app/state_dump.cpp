@@ -11,14 +11,12 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
-#include <QLabel>
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QSaveFile>
 #include <QTabWidget>
 
 #include <algorithm>
-
 #include <optional>
 
 namespace esm {

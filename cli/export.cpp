@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "core/base/json_line.h"
 #include "core/project/export.h"
+#include "core/base/json_line.h"
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
