@@ -137,8 +137,6 @@ ProblemsView::ProblemsView(FuzzyDocument* document, QWidget* parent)
   m_list->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_list->setAlternatingRowColors(true);
   m_none->setObjectName("problemsNone");
-  m_none->setWordWrap(true);
-  m_none->setAlignment(Qt::AlignTop);
   QFont bold = m_title->font();
   bold.setBold(true);
   m_title->setFont(bold);
@@ -152,7 +150,6 @@ ProblemsView::ProblemsView(FuzzyDocument* document, QWidget* parent)
   layout->setSpacing(4);
   layout->addLayout(head);
   layout->addWidget(m_list, 1);
-  layout->addWidget(m_none, 1);
 
   connect(m_list, &QListView::activated, this, &ProblemsView::activate);
   connect(m_finder, &ProblemFinder::found, this, &ProblemsView::showCount);
@@ -183,10 +180,10 @@ void ProblemsView::showCount()
   m_count->setText(QString::number(count));
   m_count->setAccessibleName(tr("%n problem(s)", "", count));
   m_count->setVisible(count > 0);
-  m_list->setVisible(count > 0);
-  m_none->setVisible(count == 0);
-  m_none->setText(m_finder->isCurrent() ? tr("None: every place has a rule, and every rule counts.")
-                                        : QString());
+  setVisible(count > 0); // else the rules may have the room
+  const bool none = count == 0 && m_finder->isCurrent();
+  m_none->setText(none ? tr("No problems") : QString());
+  m_none->setToolTip(none ? tr("Every place has a rule, and every rule counts.") : QString());
 }
 
 void ProblemsView::retranslate()
@@ -203,18 +200,6 @@ void ProblemsView::changeEvent(QEvent* event)
   // The program's numbers change with its language; widgets keep the locale that they were born with.
   if (event->type() == QEvent::LanguageChange) setLocale(QLocale());
   if (event->type() == QEvent::LanguageChange || event->type() == QEvent::LocaleChange) retranslate();
-}
-
-void ProblemsView::showEvent(QShowEvent* event)
-{
-  QWidget::showEvent(event);
-  m_finder->setOn(true);
-}
-
-void ProblemsView::hideEvent(QHideEvent* event)
-{
-  QWidget::hideEvent(event);
-  m_finder->setOn(false);
 }
 
 } // namespace esm

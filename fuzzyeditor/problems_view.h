@@ -42,8 +42,9 @@ private:
   QStringList m_sentences;
 };
 
-/// The list "Problems" with its count. A double click or Return goes to the spot: sets the inputs (one undo
-/// step) or asks for the rules or the variable to be shown.
+/// The list "Problems" with its count, hidden while there are none: then noneLabel() says so in a word,
+/// wherever the owner has put it. A double click or Return goes to the spot: sets the inputs (one undo step)
+/// or asks for the rules or the variable to be shown.
 class ProblemsView : public QWidget {
   Q_OBJECT
 public:
@@ -51,6 +52,7 @@ public:
 
   ProblemFinder* finder() const { return m_finder; }
   ProblemsModel* model() const { return m_model; }
+  QLabel* noneLabel() const { return m_none; }
 
 signals:
   void rulesRequested(int rule, int otherRule); ///< the other may be -1
@@ -58,8 +60,6 @@ signals:
 
 protected:
   void changeEvent(QEvent* event) override;
-  void showEvent(QShowEvent* event) override;
-  void hideEvent(QHideEvent* event) override;
 
 private:
   void activate(const QModelIndex& index);

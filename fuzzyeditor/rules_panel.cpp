@@ -51,6 +51,7 @@ RulesPanel::RulesPanel(FuzzyEvaluation* evaluation, QWidget* parent)
   m_tabs->addTab(createTablePage(), QString());
   m_tabs->addTab(m_textPage, QString());
   m_tabs->addTab(m_matrixPage, QString());
+  m_tabs->setCornerWidget(m_problemsView->noneLabel());
   auto* sides = new QSplitter(Qt::Horizontal);
   sides->setObjectName("rulesSides");
   sides->addWidget(m_tabs);
@@ -307,7 +308,14 @@ void RulesPanel::changeEvent(QEvent* event)
 void RulesPanel::showEvent(QShowEvent* event)
 {
   QWidget::showEvent(event);
+  m_problemsView->finder()->setOn(true);
   showSilence();
+}
+
+void RulesPanel::hideEvent(QHideEvent* event)
+{
+  QWidget::hideEvent(event);
+  m_problemsView->finder()->setOn(false); // hidden panels cost nothing
 }
 
 } // namespace esm

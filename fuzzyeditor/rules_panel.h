@@ -40,6 +40,7 @@ signals:
 protected:
   void changeEvent(QEvent* event) override;
   void showEvent(QShowEvent* event) override;
+  void hideEvent(QHideEvent* event) override;
 
 private:
   QWidget* createTablePage();

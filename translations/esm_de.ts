@@ -1056,16 +1056,20 @@
         </translation>
     </message>
     <message>
-        <source>None: every place has a rule, and every rule counts.</source>
-        <translation>Keine: Jede Stelle hat eine Regel, und jede Regel zählt.</translation>
-    </message>
-    <message>
         <source>Problems</source>
         <translation>Probleme</translation>
     </message>
     <message>
         <source>Problems of the rules</source>
         <translation>Probleme der Regeln</translation>
+    </message>
+    <message>
+        <source>No problems</source>
+        <translation>Keine Probleme</translation>
+    </message>
+    <message>
+        <source>Every place has a rule, and every rule counts.</source>
+        <translation>Jede Stelle hat eine Regel, und jede Regel zählt.</translation>
     </message>
 </context>
 <context>

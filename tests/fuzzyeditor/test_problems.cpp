@@ -43,8 +43,8 @@ TEST_F(ProblemsTest, ANewProjectHasNone)
   look();
   EXPECT_EQ(view->model()->rowCount(), 0);
   EXPECT_FALSE(count->isVisible());
-  EXPECT_EQ(panel.findChild<QLabel*>("problemsNone")->text(),
-            "None: every place has a rule, and every rule counts.");
+  EXPECT_EQ(panel.findChild<QLabel*>("problemsNone")->text(), "No problems");
+  EXPECT_FALSE(view->isVisible()); // the rules have the room
 }
 
 // Two neighbouring rules are deleted: the list says where the gap is, Return goes there, the output takes its
