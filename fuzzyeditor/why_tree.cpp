@@ -21,7 +21,9 @@ QString formula(const char* text)
 {
   return QString::fromUtf8(text)
     .replace(QLatin1String("^2"), QStringLiteral("²"))
-    .replace(QLatin1String("tau"), QStringLiteral("τ"));
+    .replace(QLatin1String("tau"), QStringLiteral("τ"))
+    .replace(QLatin1String("rho"), QStringLiteral("ρ"))
+    .replace(QLatin1String("sum of "), QStringLiteral("Σ "));
 }
 
 QString key(const char* part, int number)
@@ -136,8 +138,7 @@ WhyRow WhyTree::placeRow(const TissueExplanation& why, Language language)
     WhyRow& row = place.children.emplace_back();
     row.key = key("parameter", output.parameter);
     const QString symbol = formula(value.kind->formula), name = toQt(value.kind->name.in(language));
-    const bool isSymbol = !symbol.isEmpty() && symbol.size() <= 2; // else it is the name once more
-    row.what = isSymbol ? QStringLiteral("%1 = %2").arg(symbol, name) : name;
+    row.what = symbol.isEmpty() ? name : QStringLiteral("%1 = %2").arg(symbol, name);
     row.value = toQt(shownNumber(value, language));
   }
   return place;

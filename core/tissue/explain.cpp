@@ -32,26 +32,21 @@ const ExplainedKind kLawB{
 const ExplainedKind kLawCubic{
   "law_parameter", "", "b^2 / 6", {"parameter of the force law", "Parameter des Kraftgesetzes"}, 1.0, "",
   kStiffening2};
-const ExplainedKind kSurfaceMass{"mass", "kg", "density h A", {"mass", "Masse"}, 1e-6, "mg", kDensity};
-const ExplainedKind kLineMass{"mass", "kg", "sum of density a L / 2 over its lines", {"mass", "Masse"}, 1e-6,
-                              "mg",   kNone};
+const ExplainedKind kSurfaceMass{"mass", "kg", "rho h A", {"mass", "Masse"}, 1e-6, "mg", kDensity};
+const ExplainedKind kLineMass{"mass", "kg", "sum of rho a L / 2", {"mass", "Masse"}, 1e-6, "mg", kNone};
 const ExplainedKind kAnchor{
-  "anchor_stiffness", "N/m", "anchoring A", {"stiffness of the anchor", "Steifigkeit des Ankers"}, 1.0, "N/m",
+  "anchor_stiffness", "N/m", "q A", {"stiffness of the anchor", "Steifigkeit des Ankers"}, 1.0, "N/m",
   kAnchoring};
-const ExplainedKind kAnchorViscosity{"anchor_viscosity",
-                                     "N s/m",
-                                     "tau anchoring A",
-                                     {"viscosity of the anchor", "Viskosität des Ankers"},
-                                     1e-3,
-                                     "mN s/m",
-                                     kTauAnchoring};
+const ExplainedKind kAnchorViscosity{
+  "anchor_viscosity", "N s/m",      "tau q A", {"viscosity of the anchor", "Viskosität des Ankers"}, 1e-3,
+  "mN s/m",           kTauAnchoring};
 
 /// The tissue's parameters as kinds, in the order of kTissueOutputs.
 const std::array<ExplainedKind, kTissueOutputCount>& parameterKinds()
 {
   static const std::array<ExplainedKind, kTissueOutputCount> kinds = [] {
     constexpr const char *kUnit[] = {"Pa", "s", "Pa/m", "kg/m^3", "", "", ""},
-                         *kSymbol[] = {"E", "tau", "anchoring", "density", "b", "", "K/mu"};
+                         *kSymbol[] = {"E", "tau", "q", "rho", "b", "", "K/mu"};
     std::array<ExplainedKind, kTissueOutputCount> made{};
     for (std::size_t i = 0; i < made.size(); ++i) {
       const auto parameter = kTissueOutputs[i].value;
