@@ -77,8 +77,8 @@ private:
   bool m_insideOut;
 };
 
-/// The ellipsoid around selected places: axes along the principal directions of the places (PCA), semi-axes
-/// in proportion to their standard deviations, as large as the farthest place asks for. Places spread evenly
+/// The smallest ellipsoid around selected places: axes along their principal directions (PCA), each place
+/// weighted by how far out it lies, so that the inner ones of a patch do not blow it up. Places spread evenly
 /// over an ellipsoid's surface give that ellipsoid. Directions in which they hardly spread get
 /// `leastSemiAxis`.
 /// @param places 3 x P [m]. @param leastSemiAxis [m], > 0.

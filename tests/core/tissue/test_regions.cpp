@@ -184,17 +184,18 @@ Eigen::Matrix3Xd surfaceOf(const Ellipsoid& ellipsoid)
          ellipsoid.centre;
 }
 
-// Rings are not quite as even along z as around it: 1/(2 x 24^2) of the variance, 1e-3 of a semi-axis.
+// The rings end short of the poles, by 1/24 of the sphere's height: 1e-3 of a semi-axis. As much is left by
+// weights that are found to 1e-3.
 TEST(FitEllipsoid, RecoversAKnownEllipsoid)
 {
   const Ellipsoid known = tilted().ellipsoid;
   const auto fitted = fitEllipsoid(surfaceOf(known), 1e-4);
   ASSERT_TRUE(fitted);
-  EXPECT_LT((fitted->centre - known.centre).norm(), 1e-12);
+  EXPECT_LT((fitted->centre - known.centre).norm(), 1e-3 * known.semiAxes.minCoeff());
   EXPECT_LT((fitted->semiAxes - known.semiAxes).cwiseQuotient(known.semiAxes).cwiseAbs().maxCoeff(), 3e-3);
   const Eigen::Matrix3d turn =
     known.rotation.toRotationMatrix().transpose() * fitted->rotation.toRotationMatrix();
-  EXPECT_LT((turn.cwiseAbs() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 1e-9)
+  EXPECT_LT((turn.cwiseAbs() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 1e-3)
     << "the same axes, in the order of their length";
 }
 
@@ -215,6 +216,35 @@ TEST(FitEllipsoid, HoldsEveryPlaceInItsCore)
       for (int i = 0; i < count; ++i)
         EXPECT_EQ(RegionShape(region).weight(places.col(i)), 1.0) << count << " places, falloff " << falloff;
     }
+}
+
+// The smallest ellipsoid around a cube is its circumsphere, wherever the selection is dense. The weights are
+// found to 1e-3 of the volume's exponent, which leaves the third part of it in each of three semi-axes.
+TEST(FitEllipsoid, IsTheSmallestWhateverLiesInside)
+{
+  std::mt19937 random(9);
+  Eigen::Matrix3Xd places(3, 308);
+  for (int i = 0; i < 8; ++i) places.col(i) = 0.01 * Vector(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
+  for (int i = 8; i < 308; ++i) places.col(i) = Vector(0.006, 0.006, 0.006) + randomPoint(random, 0.004);
+  const auto fitted = fitEllipsoid(places, 1e-4);
+  ASSERT_TRUE(fitted);
+  EXPECT_LT(fitted->centre.norm(), 2e-3 * 0.01);
+  EXPECT_LT((fitted->semiAxes.array() / (0.01 * std::sqrt(3.0)) - 1.0).abs().maxCoeff(), 2e-3);
+}
+
+// A patch of an organ's wall: a cap of a sphere. No ellipsoid around it need be much wider than the cap.
+TEST(FitEllipsoid, KeepsToACurvedPatch)
+{
+  const double width = 0.006, radius = 0.01;
+  std::vector<Vector> cap;
+  for (double x = -width; x <= width; x += 5e-4)
+    for (double y = -width; y <= width; y += 5e-4)
+      if (x * x + y * y <= width * width) cap.emplace_back(x, y, std::sqrt(radius * radius - x * x - y * y));
+  Eigen::Matrix3Xd places(3, static_cast<Eigen::Index>(cap.size()));
+  for (std::size_t i = 0; i < cap.size(); ++i) places.col(static_cast<Eigen::Index>(i)) = cap[i];
+  const auto fitted = fitEllipsoid(places, 1e-4);
+  ASSERT_TRUE(fitted);
+  EXPECT_LT(fitted->semiAxes.maxCoeff(), 1.1 * width);
 }
 
 TEST(FitEllipsoid, RefusesWhatHasNoEllipsoid)
