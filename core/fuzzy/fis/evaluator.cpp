@@ -127,7 +127,8 @@ private:
       const Conclusion& conclusion = m_c.conclusions[at(k)];
       const FlatOutput& output = m_c.outputs[at(conclusion.output)];
       if (!output.enabled) continue;
-      if (!block.hedgesOnSet) degree = applyHedges(m_c.hedgesOf(conclusion.hedges), degree);
+      if (conclusion.hedges.count > 0 && !block.hedgesOnSet)
+        degree = applyHedges(m_c.hedgesOf(conclusion.hedges), degree);
       int& count = m_s.activatedCount[at(conclusion.output)];
       m_s.activated[at(output.activated.first + count)] = {
         ruleIndex,         k,
