@@ -47,6 +47,7 @@ ExactArea::ExactArea(const FlatOutput& output, Scratch& s)
   }
   sortMarks();
   if (!m_straight && output.aggregation == SNorm::Maximum) addChanges();
+  if (output.aggregation == SNorm::BoundedSum || output.aggregation == SNorm::NormalizedSum) addSaturations();
   if (!m_straight)
     for (std::size_t i = 0; i + 1 < s.marks.size(); ++i)
       m_scale +=
@@ -169,6 +170,28 @@ void ExactArea::addChanges() noexcept
       addMark(mark);
       from = high;
     }
+  }
+  sortMarks();
+}
+
+/// Marks where sums that end at 1 reach it.
+void ExactArea::addSaturations() noexcept
+{
+  const auto excess = [&](double place) {
+    double sum = -1.0;
+    for (const ActiveSet& set : m_s.sets) sum += heightOf(set, x(place));
+    return sum;
+  };
+  const std::size_t end = m_s.marks.size();
+  for (std::size_t i = 0; i + 1 < end; ++i) {
+    const double width = m_s.marks[i + 1].u - m_s.marks[i].u;
+    if (!(width > 1e-9)) continue;
+    const double from = m_s.marks[i].u + 1e-6 * width, to = m_s.marks[i + 1].u - 1e-6 * width;
+    const double before = excess(from), after = excess(to);
+    if (!(before * after < 0.0)) continue;
+    Mark mark;
+    mark.u = root(excess, from, to, before, after);
+    addMark(mark);
   }
   sortMarks();
 }

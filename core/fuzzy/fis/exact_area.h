@@ -48,6 +48,7 @@ private:
   void addLevels(int setIndex, std::size_t firstMark) noexcept;
   void addLevel(int setIndex, double level, bool complement, double u0, double u1) noexcept;
   void addChanges() noexcept;
+  void addSaturations() noexcept;
   int winner(double u) const noexcept;
   void sortMarks() noexcept;
   double riseBetween(std::size_t mark, double known, double& place) const noexcept;
