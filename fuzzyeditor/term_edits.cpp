@@ -112,7 +112,8 @@ void TermEdits::setKeepsPartition(bool keep)
 
 fuzzy::Limits TermEdits::limits(int term, fuzzy::Handle handle) const
 {
-  return fuzzy::limitsOf(m_dragging ? m_start : *variable(), term, handle, keepsPartition());
+  const fuzzy::Variable* v = m_dragging ? &m_start : variable();
+  return v ? fuzzy::limitsOf(*v, term, handle, keepsPartition()) : fuzzy::Limits{};
 }
 
 void TermEdits::beginDrag()
@@ -225,7 +226,7 @@ fuzzy::Term TermEdits::newWord(const std::vector<fuzzy::Term>& beside) const
 {
   for (std::size_t number = beside.size() + 1;; ++number) {
     const std::string text = std::to_string(number);
-    const fuzzy::Term word{"word" + text, {"word " + text, "Wort " + text}, fuzzy::Shape::Triangle, {}};
+    fuzzy::Term word{"word" + text, {"word " + text, "Wort " + text}, fuzzy::Shape::Triangle, {}};
     if (std::none_of(beside.begin(), beside.end(), [&](const fuzzy::Term& other) {
           return isSameName(other.id, word.id) || isSameName(other.name.english, word.name.english) ||
                  isSameName(other.name.german, word.name.german);

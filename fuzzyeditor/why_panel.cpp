@@ -40,7 +40,8 @@ public:
     if (index.data(WhyTree::kShareRole).isValid())
       DegreeDelegate::paint(painter, option, index);
     else
-      QStyledItemDelegate::paint(painter, option, index);
+      QStyledItemDelegate::paint(painter, option,
+                                 index); // NOLINT(bugprone-parent-virtual-call): plain, no bar
   }
 };
 

@@ -88,7 +88,8 @@ std::vector<ContourLine> contourLines(const ControlSurface& surface, const Varia
   const auto pointOn = [&](Edge edge) -> std::array<double, 2> {
     const std::size_t place = edge / 2, next = place + (edge % 2 == 0 ? 1 : columns);
     const double share = height[place] / (height[place] - height[next]);
-    const auto column = static_cast<double>(place % columns), row = static_cast<double>(place / columns);
+    const std::size_t whole = place / columns;
+    const auto column = static_cast<double>(place % columns), row = static_cast<double>(whole);
     return edge % 2 == 0 ? std::array{column + share, row} : std::array{column, row + share};
   };
   std::vector<ContourLine> lines;

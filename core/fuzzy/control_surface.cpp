@@ -17,6 +17,7 @@ std::vector<double> evenPlaces(const Variable& variable, int count)
 {
   const Axis axis = axisOf(variable);
   std::vector<double> places;
+  places.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i)
     places.push_back(fromAxis(variable, axis.low + (axis.high - axis.low) * i / (count - 1)));
   return places;

@@ -149,6 +149,7 @@ public:
     for (int i = 0; i <= kGrid; ++i) places.push_back(axis.low + (axis.high - axis.low) * i / kGrid);
     std::sort(places.begin(), places.end());
     std::vector<double> misses;
+    misses.reserve(places.size());
     for (const double place : places) misses.push_back(missAt(place));
     double best = start, least = std::abs(missAt(start)), nearest = 2.0 * (axis.high - axis.low) + 1.0;
     for (std::size_t i = 0; i < places.size(); ++i)
@@ -273,6 +274,7 @@ std::vector<InputChange> changesFor(const TissueField& field, const TissueExplan
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return efforts[a] < efforts[b]; });
   std::vector<InputChange> sorted;
+  sorted.reserve(changes.size());
   for (const std::size_t i : order) sorted.push_back(std::move(changes[i]));
   return sorted;
 }

@@ -16,7 +16,7 @@ namespace {
 Eigen::Matrix3d principalAxes(const Eigen::Matrix3d& covariance, Eigen::Vector3d& deviations)
 {
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance);
-  const Eigen::Matrix3d rising = solver.eigenvectors();
+  const Eigen::Matrix3d& rising = solver.eigenvectors();
   Eigen::Matrix3d axes;
   for (int i = 0; i < 2; ++i) {
     axes.col(i) = rising.col(2 - i);

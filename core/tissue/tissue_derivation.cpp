@@ -208,7 +208,7 @@ void TissueDerivation::writeSpring(Index spring, const TissueParameters& tissue,
   for (int end = 0; end < 2; ++end) // its mass is theirs
     if (const Index node = net.ends(end, spring);
         m_places.looseOfNode[static_cast<std::size_t>(node)] != kNoIndex)
-      m_touched[static_cast<std::size_t>(m_places.springs + node)] = 1;
+      m_touched[placeOfNode(node)] = 1;
 }
 
 void TissueDerivation::deriveNodes(SpringNet& net)
@@ -267,7 +267,7 @@ void TissueDerivation::deriveAnchors(SpringNet& net)
   if (!m_anchorsChangePlaces && !isFirst) {
     for (Index node = 0; node < m_places.nodes; ++node)
       if (const Index anchor = m_anchorOfNode[static_cast<std::size_t>(node)];
-          anchor != kNoIndex && m_touched[static_cast<std::size_t>(m_places.springs + node)])
+          anchor != kNoIndex && m_touched[placeOfNode(node)])
         write(anchor, node);
     return;
   }

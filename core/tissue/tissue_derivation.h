@@ -47,6 +47,10 @@ private:
   void deriveAnchors(SpringNet& net);
   void writeSpring(Index spring, const TissueParameters& tissue, SpringNet& net);
   void fillLoneMasses(SpringNet& net) const;
+  std::size_t placeOfNode(Index node) const noexcept
+  {
+    return static_cast<std::size_t>(m_places.springs) + static_cast<std::size_t>(node);
+  }
 
   DerivationPlaces m_places;
   TissueField m_field;
