@@ -23,7 +23,6 @@ public:
   FuzzyDocument* document() const { return m_document; }
   void setVariable(bool output, int index);
   bool isOutput() const { return m_output; }
-  int variableIndex() const { return m_index; }
   const fuzzy::Variable* variable() const;      ///< null if there is none
   const fuzzy::Variable* savedVariable() const; ///< as last saved or opened; null if it is new
   int term() const { return m_term; }           ///< the chosen one, -1 if there is none

@@ -17,8 +17,9 @@ class TermEdits;
 ///
 ///     mouse            drag a point or a curve, Esc takes the drag back
 ///     Tab, Shift+Tab   from point to point, behind the last one to the next widget
-///     arrows           move the point by 1/100 of the range, with Shift by 10 such steps, with Ctrl the
-///     curve Home, End        to the limits of the point Delete           removes the term
+///     arrows           move the point by 1/100 of the range; Shift: by 10 such steps, Ctrl: the curve
+///     Home, End        to the limits of the point
+///     Delete           removes the term
 ///
 /// Screen readers see every point as a slider, "soft: left foot", whose value they can set.
 class TermPlot : public MembershipPlot, public PointedPlot {

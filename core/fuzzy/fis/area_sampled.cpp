@@ -10,11 +10,6 @@ namespace esm::fis {
 
 namespace {
 
-std::size_t at(int index)
-{
-  return static_cast<std::size_t>(index);
-}
-
 /// Within which fuzzylite takes numbers as equal.
 constexpr double kWidth = 1e-6;
 

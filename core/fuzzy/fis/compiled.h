@@ -9,6 +9,12 @@
 
 namespace esm::fis {
 
+/// An index of the flat arrays, which is -1 for none, where there is one.
+inline std::size_t at(int index) noexcept
+{
+  return static_cast<std::size_t>(index);
+}
+
 /// Part of a flat array.
 struct Range {
   int first = 0, count = 0;

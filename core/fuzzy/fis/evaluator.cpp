@@ -12,11 +12,6 @@ namespace esm::fis {
 
 namespace {
 
-std::size_t at(int index)
-{
-  return static_cast<std::size_t>(index);
-}
-
 /// One evaluation of one compiled system.
 class Run {
 public:

@@ -15,11 +15,6 @@ namespace {
 /// Of the whole area, for the error of one part. What a part is really off by is far less.
 constexpr double kTolerance = 1e-14;
 
-std::size_t at(int index)
-{
-  return static_cast<std::size_t>(index);
-}
-
 /// The limits of a straight function at the ends of [u0, u1], from two places inside: at the ends it may
 /// jump.
 template <class F>

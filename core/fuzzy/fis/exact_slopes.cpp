@@ -10,11 +10,6 @@ namespace esm::fis {
 
 namespace {
 
-std::size_t at(int index)
-{
-  return static_cast<std::size_t>(index);
-}
-
 /// Derivatives of a value that is an integral over the set: value' = integral of arm(u) * height'(u), where
 /// the arm is how far the value follows what is added at u.
 class ExactSlopes {

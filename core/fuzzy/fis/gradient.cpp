@@ -9,11 +9,6 @@ namespace esm::fis {
 
 namespace {
 
-std::size_t at(int index)
-{
-  return static_cast<std::size_t>(index);
-}
-
 /// Carries the derivative of one output back through the last evaluation (reverse differentiation): from the
 /// number to the degrees of the conclusions, from there rule by rule, last first, to the terms and inputs.
 class Reverse {

@@ -8,11 +8,6 @@ namespace esm::fis {
 
 namespace {
 
-std::size_t at(int index)
-{
-  return static_cast<std::size_t>(index);
-}
-
 bool keepsStraight(TNorm implication)
 {
   return implication == TNorm::Minimum || implication == TNorm::AlgebraicProduct ||

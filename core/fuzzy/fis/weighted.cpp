@@ -6,11 +6,6 @@ namespace esm::fis {
 
 namespace {
 
-std::size_t at(int index)
-{
-  return static_cast<std::size_t>(index);
-}
-
 /// Weighted defuzzifiers over the rules that fired: w the degree, z the term's number at it.
 class Weighted {
 public:
