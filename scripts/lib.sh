@@ -10,11 +10,12 @@ esm_die() { printf 'error: %s\n' "$*" >&2; exit 1; }
 # What building and running need, what testing needs besides, what only the checks of .ci/run need.
 esm_build_packages=(g++ cmake ninja-build ccache libeigen3-dev libassimp-dev zlib1g-dev libcli11-dev nlohmann-json3-dev
   qt6-base-dev libqt6opengl6-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libgl-dev
-  libqcustomplot-dev libgl1-mesa-dri libgtest-dev libgmock-dev libbenchmark-dev python3)
+  libqcustomplot-dev libgl1-mesa-dri libmeshoptimizer-dev libcoin-dev libusb-1.0-0-dev libgtest-dev libgmock-dev libbenchmark-dev python3)
 esm_show_packages=(xvfb xauth fonts-dejavu-core)
-esm_test_packages=(libfuzzylite-dev python3-jsonschema xdotool imagemagick x11-apps locales git)
+esm_test_packages=(libfuzzylite-dev python3-jsonschema xdotool imagemagick x11-apps locales git
+  tetgen gmsh python3-vtk9 libumockdev-dev umockdev) # programs and readers that the tests drive or compare with
 esm_bench_packages=(libfuzzylite-dev libsundials-dev libsuitesparse-dev libopenblas0-serial python3-matplotlib) # competitors, pictures
-esm_check_packages=(clang-format clang-tidy)
+esm_check_packages=(clang-format clang-tidy clang libclang-rt-14-dev) # the last two for libFuzzer
 
 # Installs those of the named packages that are missing; says what it does; quiet and quick when there is nothing to do.
 esm_install() {
