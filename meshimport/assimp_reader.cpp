@@ -139,7 +139,7 @@ Result<Mesh> readScene(std::string_view bytes, const std::string& origin, std::s
 }
 
 Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes)
+                  std::vector<std::string>& notes, WorkControl*)
 {
   try {
     return readScene(bytes, origin, format, notes);

@@ -85,7 +85,8 @@ void noteWrongName(const MeshReader& reader, const std::string& ending, std::vec
                     "; it was read as that.");
 }
 
-Result<ImportedMesh> importChecked(const std::filesystem::path& path, const ImportOptions& options)
+Result<ImportedMesh> importChecked(const std::filesystem::path& path, const ImportOptions& options,
+                                   WorkControl* control)
 {
   const Result<std::string> bytes = readRegularFile(path);
   if (!bytes) return bytes.error();
@@ -97,13 +98,14 @@ Result<ImportedMesh> importChecked(const std::filesystem::path& path, const Impo
 
   ImportedMesh imported;
   noteWrongName(*reader, ending, imported.notes);
-  Result<Mesh> mesh = reader->read(*bytes, origin, imported.format, imported.notes);
+  Result<Mesh> mesh = reader->read(*bytes, origin, imported.format, imported.notes, control);
   if (!mesh) return mesh.error();
   imported.mesh = std::move(*mesh);
 
   const Index before = imported.mesh.vertexCount();
   if (options.weld) {
-    imported.vertexOfFile = weldVertices(imported.mesh, options.weldTolerance);
+    imported.vertexOfFile = weldVertices(imported.mesh, options.weldTolerance, control);
+    if (stopWanted(control)) return cancelledError();
     if (const Index joined = before - imported.mesh.vertexCount(); joined > 0)
       imported.notes.push_back(std::to_string(joined) +
                                " vertices were joined with others at the same place.");
@@ -111,7 +113,8 @@ Result<ImportedMesh> importChecked(const std::filesystem::path& path, const Impo
     imported.vertexOfFile.resize(static_cast<std::size_t>(before));
     std::iota(imported.vertexOfFile.begin(), imported.vertexOfFile.end(), 0);
   }
-  imported.report = examine(imported.mesh);
+  imported.report = examine(imported.mesh, control);
+  if (stopWanted(control)) return cancelledError();
   if (imported.report.springs == 0)
     return fault(ErrorCode::EmptyResult, origin, 0,
                  "no face or line in it has two corners apart from each other, so no spring comes out");
@@ -137,10 +140,11 @@ double metresPer(LengthUnit unit) noexcept
   return named(unit).metres;
 }
 
-Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options)
+Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options,
+                                WorkControl* control)
 {
   try {
-    Result<ImportedMesh> imported = importChecked(path, options);
+    Result<ImportedMesh> imported = importChecked(path, options, control);
     if (!imported) return onOneLine(imported.error());
     return imported;
   } catch (const std::bad_alloc&) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/mesh_report.h"
 
@@ -39,8 +40,9 @@ struct ImportedMesh {
 /// Reads by content, not by the file's ending: OBJ (with `l` lines), STL (both), PLY (all three encodings) by
 /// own readers in double precision, everything else through assimp. Thread: any; no state. Errors (one
 /// sentence with file, line or byte, cause, way out): FileUnreadable, BadFormat, Unsupported, EmptyResult (a
-/// file without a triangle or line is an error, never a silent empty mesh).
-Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options = {});
+/// file without a triangle or line is an error, never a silent empty mesh), Cancelled.
+Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options = {},
+                                WorkControl* control = nullptr);
 
 /// Turns file coordinates into the scene's: metres, z up (y up: (x, y, z) -> (x, -z, y)).
 void toScene(Mesh& mesh, LengthUnit unit, UpAxis up);
@@ -50,8 +52,9 @@ struct MeshReader {
   const char* name;
   /// Whether the bytes look like this format (the ending is a hint where content leaves doubt).
   bool (*recognises)(std::string_view bytes, std::string_view endingLowerCase);
+  /// `control` may be null; own readers answer Cancelled within 100 ms of its wish.
   Result<Mesh> (*read)(std::string_view bytes, const std::string& origin, std::string& format,
-                       std::vector<std::string>& notes);
+                       std::vector<std::string>& notes, WorkControl* control);
 };
 const std::vector<MeshReader>& readerTable();
 

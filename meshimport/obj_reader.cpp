@@ -37,9 +37,10 @@ class ObjParser {
 public:
   ObjParser(std::string_view bytes, const std::string& origin) : m_cursor(bytes, kRules), m_origin(origin) {}
 
-  Result<Mesh> run(std::vector<std::string>& notes)
+  Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
-    while (!m_cursor.atEnd()) {
+    for (std::size_t i = 0; !m_cursor.atEnd(); ++i) {
+      if (i % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       if (!m_cursor.atLineEnd())
         if (Status status = statement(); !status) return status.error();
       m_cursor.nextLine();
@@ -53,7 +54,7 @@ public:
                    "it holds " + std::to_string(m_raw.vertexCount()) +
                      " vertices but no face (f) and no line (l); is it cut short, or no OBJ mesh at all?");
     tellNotes(notes);
-    return finishMesh(std::move(m_raw), m_origin, notes);
+    return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
 
 private:
@@ -163,10 +164,10 @@ bool recognises(std::string_view bytes, std::string_view ending)
 }
 
 Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes)
+                  std::vector<std::string>& notes, WorkControl* control)
 {
   format = "OBJ";
-  return ObjParser(bytes, origin).run(notes);
+  return ObjParser(bytes, origin).run(notes, control);
 }
 
 } // namespace

@@ -26,15 +26,15 @@ public:
     : m_cursor(bytes, TextCursor::HashComments), m_origin(origin)
   {}
 
-  Result<Mesh> run(std::vector<std::string>& notes)
+  Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
     if (Status status = header(); !status) return status.error();
-    if (Status status = vertices(); !status) return status.error();
-    if (Status status = faces(); !status) return status.error();
+    if (Status status = vertices(control); !status) return status.error();
+    if (Status status = faces(control); !status) return status.error();
     if (m_raw.faceEnd.empty() && m_raw.segments.empty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
                    "it holds " + std::to_string(m_vertices) + " vertices but no face");
-    return finishMesh(std::move(m_raw), m_origin, notes);
+    return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
 
 private:
@@ -63,10 +63,11 @@ private:
     return {};
   }
 
-  Status vertices()
+  Status vertices(WorkControl* control)
   {
     m_raw.coordinates.reserve(3 * static_cast<std::size_t>(m_vertices));
     for (long long v = 0; v < m_vertices; ++v, m_cursor.nextLine()) {
+      if (v % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       skipToWord();
       double p[3];
       for (double& coordinate : p)
@@ -78,10 +79,11 @@ private:
     return {};
   }
 
-  Status faces()
+  Status faces(WorkControl* control)
   {
     std::vector<Index> corners;
     for (long long f = 0; f < m_faces; ++f, m_cursor.nextLine()) {
+      if (f % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       skipToWord();
       long long count = 0;
       if (!m_cursor.integer(count) || count < 0)
@@ -118,10 +120,10 @@ bool recognises(std::string_view bytes, std::string_view)
 }
 
 Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes)
+                  std::vector<std::string>& notes, WorkControl* control)
 {
   format = "OFF";
-  return OffParser(bytes, origin).run(notes);
+  return OffParser(bytes, origin).run(notes, control);
 }
 
 } // namespace

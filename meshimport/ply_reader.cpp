@@ -99,8 +99,9 @@ public:
     : m_header(header), m_source(source), m_origin(origin)
   {}
 
-  Result<Mesh> run(std::vector<std::string>& notes)
+  Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
+    m_control = control;
     for (const PlyElement& element : m_header.elements) {
       if (element.properties.empty() || element.count == 0) continue;
       Status status = element.name == "vertex" ? vertices(element)
@@ -118,7 +119,7 @@ public:
     if (m_thinFaces > 0)
       notes.push_back(std::to_string(m_thinFaces) +
                       " faces with fewer than three corners were read as lines.");
-    return finishMesh(std::move(m_raw), m_origin, notes);
+    return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
 
 private:
@@ -131,6 +132,7 @@ private:
   /// Reads one row: scalars into `m_scalars` by place, the list at `listPlace` into `m_list`.
   Status row(const PlyElement& element, std::uint64_t number, int listPlace)
   {
+    if (stopWantedAt(number, element.count, m_control)) return cancelledError();
     const char* name = element.name.c_str();
     if (!m_source.beginRow()) return wrong(ErrorCode::BadFormat, name, number, kCutShort);
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -249,6 +251,7 @@ private:
   std::vector<double> m_scalars, m_list, m_wantedList;
   std::vector<Index> m_corners;
   std::size_t m_thinFaces = 0;
+  WorkControl* m_control = nullptr;
 };
 
 bool recognises(std::string_view bytes, std::string_view)
@@ -261,13 +264,13 @@ bool recognises(std::string_view bytes, std::string_view)
 
 template <class Source>
 Result<Mesh> readBody(std::string_view bytes, const PlyHeader& header, const std::string& origin,
-                      std::vector<std::string>& notes)
+                      std::vector<std::string>& notes, WorkControl* control)
 {
-  return BodyParser<Source>(header, Source(bytes, header), origin).run(notes);
+  return BodyParser<Source>(header, Source(bytes, header), origin).run(notes, control);
 }
 
 Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes)
+                  std::vector<std::string>& notes, WorkControl* control)
 {
   format = "PLY";
   const Result<PlyHeader> header = parsePlyHeader(bytes, origin);
@@ -275,13 +278,13 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
   switch (header->encoding) {
   case PlyEncoding::Ascii:
     format = "PLY (ASCII)";
-    return readBody<AsciiSource>(bytes, *header, origin, notes);
+    return readBody<AsciiSource>(bytes, *header, origin, notes, control);
   case PlyEncoding::LittleEndian:
     format = "PLY (binary, little-endian)";
-    return readBody<BinarySource<std::endian::little>>(bytes, *header, origin, notes);
+    return readBody<BinarySource<std::endian::little>>(bytes, *header, origin, notes, control);
   case PlyEncoding::BigEndian:
     format = "PLY (binary, big-endian)";
-    return readBody<BinarySource<std::endian::big>>(bytes, *header, origin, notes);
+    return readBody<BinarySource<std::endian::big>>(bytes, *header, origin, notes, control);
   }
   return fault(ErrorCode::Internal, origin, 0, "unknown PLY encoding");
 }

@@ -51,7 +51,8 @@ bool RawMesh::addFace(const std::vector<Index>& vertices)
   return true;
 }
 
-Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<std::string>& notes)
+Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<std::string>& notes,
+                        WorkControl* control)
 {
   if (const RawMesh::NonFinite* bad = usedNonFinite(raw))
     return fault(ErrorCode::InvalidValue, origin, bad->line,
@@ -74,6 +75,7 @@ Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<st
     Index begin = 0;
     std::size_t polygons = 0;
     for (const Index end : raw.faceEnd) {
+      if (stopWanted(control)) return cancelledError();
       const std::span face(raw.corners.data() + begin, static_cast<std::size_t>(end - begin));
       triangulate(mesh.position, face, triangles);
       if (face.size() > 3) ++polygons;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 
 #include <string>
@@ -32,8 +33,10 @@ struct RawMesh {
 };
 
 /// Triangulates the faces. @pre all corners and segments in range.
-/// Errors: InvalidValue if a face or line uses a vertex that is not finite; unused ones become a note.
-Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<std::string>& notes);
+/// Errors: InvalidValue if a face or line uses a vertex that is not finite, unused ones become a note;
+/// Cancelled.
+Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<std::string>& notes,
+                        WorkControl* control = nullptr);
 
 /// "organ.obj: line 7: " + text; without the line if it is 0.
 Error fault(ErrorCode code, const std::string& origin, long line, const std::string& text);

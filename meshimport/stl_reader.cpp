@@ -45,7 +45,8 @@ bool recognises(std::string_view bytes, std::string_view ending)
          betrayedEnding(bytes).empty();
 }
 
-Result<Mesh> readBinary(std::string_view bytes, const std::string& origin, std::vector<std::string>& notes)
+Result<Mesh> readBinary(std::string_view bytes, const std::string& origin, std::vector<std::string>& notes,
+                        WorkControl* control)
 {
   if (bytes.size() < kHeader)
     return fault(ErrorCode::BadFormat, origin, 0,
@@ -68,6 +69,7 @@ Result<Mesh> readBinary(std::string_view bytes, const std::string& origin, std::
   Index* corner = mesh.triangles.data();
   const char* facet = bytes.data() + kHeader;
   for (Index f = 0; f < mesh.triangleCount(); ++f, facet += kFacet) {
+    if (stopWantedAt(static_cast<std::size_t>(f), facets, control)) return cancelledError();
     double sum = 0.0; // becomes NaN or infinite with any of the nine
     for (std::size_t k = 0; k < 9; ++k) {
       coordinate[k] = double{loadLittle<float>(facet + kFirstCorner + 4 * k)};
@@ -90,16 +92,17 @@ class AsciiParser {
 public:
   AsciiParser(std::string_view bytes, const std::string& origin) : m_cursor(bytes), m_origin(origin) {}
 
-  Result<Mesh> run(std::vector<std::string>& notes)
+  Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
-    while (skipToWord()) {
+    for (std::size_t i = 0; skipToWord(); ++i) {
+      if (i % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       if (Status status = statement(); !status) return status.error();
       if (m_raw.coordinates.size() + m_raw.corners.size() > kMostItems) return tooManyError(m_origin);
     }
     if (m_inSolid)
       return fault(ErrorCode::BadFormat, m_origin, m_cursor.line(),
                    "the file ends without 'endsolid'; it is cut short, fetch it again");
-    return finishMesh(std::move(m_raw), m_origin, notes);
+    return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
 
 private:
@@ -168,11 +171,12 @@ private:
 };
 
 Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes)
+                  std::vector<std::string>& notes, WorkControl* control)
 {
   const bool ascii = isAscii(bytes);
   format = ascii ? "STL (ASCII)" : "STL (binary)";
-  Result<Mesh> mesh = ascii ? AsciiParser(bytes, origin).run(notes) : readBinary(bytes, origin, notes);
+  Result<Mesh> mesh =
+    ascii ? AsciiParser(bytes, origin).run(notes, control) : readBinary(bytes, origin, notes, control);
   if (mesh && mesh->triangleCount() == 0)
     return fault(ErrorCode::EmptyResult, origin, 0, "it is an STL without a single facet");
   return mesh;

@@ -61,7 +61,7 @@ const char* skipPlus(const char* at, const char* end)
 } // namespace
 
 TextCursor::TextCursor(std::string_view text, unsigned rules)
-  : m_at(text.data()), m_end(text.data() + text.size()), m_rules(rules)
+  : m_begin(text.data()), m_at(text.data()), m_end(text.data() + text.size()), m_rules(rules)
 {
   if (text.substr(0, 3) == "\xEF\xBB\xBF") m_at += 3;
 }
@@ -84,6 +84,13 @@ void TextCursor::skipBlanks()
     m_at = next;
     ++m_line;
   }
+}
+
+bool TextCursor::stopWanted(WorkControl* control) const
+{
+  if (!control) return false;
+  tellDone(control, static_cast<double>(m_at - m_begin) / static_cast<double>(m_end - m_begin + 1));
+  return esm::stopWanted(control);
 }
 
 bool TextCursor::atLineEnd()

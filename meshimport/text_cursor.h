@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/work_control.h"
+
 #include <string>
 #include <string_view>
 
@@ -24,6 +26,9 @@ public:
   bool atEnd() const noexcept { return m_at == m_end; }
   std::string_view rest() const noexcept { return {m_at, static_cast<std::size_t>(m_end - m_at)}; }
 
+  /// Tells which share of the text is done and asks whether to stop; `control` may be null.
+  bool stopWanted(WorkControl* control) const;
+
   bool atLineEnd();        ///< whether nothing but blanks and a comment is left on this line
   bool inLastLine() const; ///< whether no line end follows
   void nextLine();
@@ -45,7 +50,7 @@ private:
   bool breaksHere(const char* at) const;
   const char* behindLineEnd(const char* at) const;
 
-  const char *m_at, *m_end;
+  const char *m_begin, *m_at, *m_end;
   unsigned m_rules;
   long m_line = 1;
 };

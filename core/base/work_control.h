@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 
 #include <atomic>
+#include <cstddef>
 
 namespace esm {
 
@@ -24,6 +25,13 @@ inline bool stopWanted(const WorkControl* control) noexcept
 inline void tellDone(WorkControl* control, double share) noexcept
 {
   if (control) control->done.store(share, std::memory_order_relaxed);
+}
+/// For loops over many small items: every few thousand of them tells how far it is and asks whether to stop.
+inline bool stopWantedAt(std::size_t item, std::size_t items, WorkControl* control) noexcept
+{
+  if (item % 4096 != 0 || !control) return false;
+  tellDone(control, static_cast<double>(item) / static_cast<double>(items));
+  return stopWanted(control);
 }
 inline Error cancelledError()
 {

@@ -47,14 +47,15 @@ void countTriangles(EdgeTable& table)
 
 } // namespace
 
-EdgeTable findEdges(const Mesh& mesh)
+EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
 {
   ESM_ASSERT(3 * std::int64_t{mesh.triangleCount()} + mesh.segmentCount() <=
              std::numeric_limits<Index>::max());
   const Index sides = 3 * mesh.triangleCount();
   const Index all = sides + mesh.segmentCount();
-  std::vector<Index> edgeOf =
-    firstAppearances<Index>(all, mesh.vertexCount(), [&](Index side) { return sideKey(mesh, side); });
+  std::vector<Index> edgeOf = firstAppearances<Index>(
+    all, mesh.vertexCount(), [&](Index side) { return sideKey(mesh, side); }, control);
+  if (stopWanted(control)) return {};
 
   Index edges = 0;
   for (Index side = 0; side < all; ++side)
@@ -80,17 +81,21 @@ EdgeTable findEdges(const Mesh& mesh)
   return table;
 }
 
-std::vector<Index> firstSameTriangle(const TriangleMatrix& triangles, Index vertexCount)
+std::vector<Index> firstSameTriangle(const TriangleMatrix& triangles, Index vertexCount, WorkControl* control)
 {
   const Index count = static_cast<Index>(triangles.cols());
-  return firstAppearances<std::uint64_t>(count, vertexCount, [&](Index t) {
-    const Index* corner = triangles.data() + 3 * std::ptrdiff_t{t};
-    const auto [low, high] = std::minmax({corner[0], corner[1], corner[2]});
-    // The middle one is what the sum has left; 64 bits, for the sum of three may pass 2^31.
-    const std::int64_t middle = std::int64_t{corner[0]} + corner[1] + corner[2] - low - high;
-    const std::uint64_t rest = (static_cast<std::uint64_t>(middle) << 32) | static_cast<std::uint64_t>(high);
-    return std::pair{low, rest};
-  });
+  return firstAppearances<std::uint64_t>(
+    count, vertexCount,
+    [&](Index t) {
+      const Index* corner = triangles.data() + 3 * std::ptrdiff_t{t};
+      const auto [low, high] = std::minmax({corner[0], corner[1], corner[2]});
+      // The middle one is what the sum has left; 64 bits, for the sum of three may pass 2^31.
+      const std::int64_t middle = std::int64_t{corner[0]} + corner[1] + corner[2] - low - high;
+      const std::uint64_t rest =
+        (static_cast<std::uint64_t>(middle) << 32) | static_cast<std::uint64_t>(high);
+      return std::pair{low, rest};
+    },
+    control);
 }
 
 } // namespace esm

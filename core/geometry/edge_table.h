@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 
 #include <vector>
@@ -19,9 +20,11 @@ struct EdgeTable {
 };
 
 /// O(V + F) on a mesh, O(F log F) at worst. @pre indices in range
-EdgeTable findEdges(const Mesh& mesh);
+/// @param control may be null; once it is cancelled the table is empty, ask stopWanted().
+EdgeTable findEdges(const Mesh& mesh, WorkControl* control = nullptr);
 
 /// For each triangle the first one over the same three vertices, whatever their order. @pre as above
-std::vector<Index> firstSameTriangle(const TriangleMatrix& triangles, Index vertexCount);
+std::vector<Index> firstSameTriangle(const TriangleMatrix& triangles, Index vertexCount,
+                                     WorkControl* control = nullptr);
 
 } // namespace esm

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/types.h"
+#include "core/base/work_control.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -16,8 +17,10 @@ namespace esm {
 /// buckets by a counting sort; on a mesh a bucket then holds a handful of items in neighbouring memory,
 /// where plain search beats any hash table. Buckets of hubs are sorted instead: O(n log n) at worst.
 /// @param keyOf item -> {bucket, rest}; bucket in [0, bucketCount) or kNoIndex for "no key".
+/// @param control may be null; once it is cancelled the answer is of no use.
 template <class Rest, class KeyOf>
-std::vector<Index> firstAppearances(Index count, Index bucketCount, const KeyOf& keyOf)
+std::vector<Index> firstAppearances(Index count, Index bucketCount, const KeyOf& keyOf,
+                                    WorkControl* control = nullptr)
 {
   struct Entry {
     Rest rest;
@@ -29,6 +32,7 @@ std::vector<Index> firstAppearances(Index count, Index bucketCount, const KeyOf&
   for (Index i = 0; i < count; ++i)
     if (const Index bucket = keyOf(i).first; bucket != kNoIndex)
       ++bucketEnd[static_cast<std::size_t>(bucket)];
+  if (stopWanted(control)) return {};
   Index total = 0;
   for (Index& end : bucketEnd) {
     const Index size = end;
@@ -37,6 +41,7 @@ std::vector<Index> firstAppearances(Index count, Index bucketCount, const KeyOf&
   }
   std::vector<Entry> entries(static_cast<std::size_t>(total));
   for (Index i = 0; i < count; ++i) {
+    if (stopWantedAt(static_cast<std::size_t>(i), static_cast<std::size_t>(count), control)) return {};
     const auto [bucket, rest] = keyOf(i);
     if (bucket == kNoIndex) continue;
     Index& place = bucketEnd[static_cast<std::size_t>(bucket)];
@@ -46,6 +51,8 @@ std::vector<Index> firstAppearances(Index count, Index bucketCount, const KeyOf&
   std::vector<Index> first(static_cast<std::size_t>(count), kNoIndex);
   Index begin = 0;
   for (Index bucket = 0; bucket < bucketCount; ++bucket) {
+    if (stopWantedAt(static_cast<std::size_t>(bucket), static_cast<std::size_t>(bucketCount), control))
+      return {};
     const Index end = bucketEnd[static_cast<std::size_t>(bucket)];
     Entry* const from = entries.data() + begin;
     Entry* const to = entries.data() + end;

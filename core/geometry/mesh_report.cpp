@@ -97,11 +97,12 @@ bool isDegenerate(const Mesh& mesh, Index triangle)
   return u.cross(v).cwiseAbs().maxCoeff() <= 16 * std::numeric_limits<double>::epsilon() * scale;
 }
 
-void examineFaces(const Mesh& mesh, MeshReport& report)
+void examineFaces(const Mesh& mesh, MeshReport& report, WorkControl* control)
 {
   report.triangles = mesh.triangleCount();
   report.segments = mesh.segmentCount();
-  const std::vector<Index> same = firstSameTriangle(mesh.triangles, mesh.vertexCount());
+  const std::vector<Index> same = firstSameTriangle(mesh.triangles, mesh.vertexCount(), control);
+  if (stopWanted(control)) return;
   for (Index t = 0; t < report.triangles; ++t) {
     if (isDegenerate(mesh, t)) ++report.degenerateFaces;
     if (same[static_cast<std::size_t>(t)] != t) ++report.duplicateFaces;
@@ -110,13 +111,15 @@ void examineFaces(const Mesh& mesh, MeshReport& report)
 
 } // namespace
 
-MeshReport examine(const Mesh& mesh)
+MeshReport examine(const Mesh& mesh, WorkControl* control)
 {
   MeshReport report;
   std::vector<std::uint8_t> isFinite;
   examineVertices(mesh, isFinite, report);
-  examineSprings(mesh, findEdges(mesh), isFinite, report);
-  examineFaces(mesh, report);
+  const EdgeTable edges = findEdges(mesh, control);
+  if (stopWanted(control)) return report;
+  examineSprings(mesh, edges, isFinite, report);
+  examineFaces(mesh, report, control);
   return report;
 }
 

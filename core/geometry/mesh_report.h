@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 
 namespace esm {
@@ -27,6 +28,7 @@ struct MeshReport {
 };
 
 /// O(V + F log F). Any thread. Never throws on any content with indices in range.
-MeshReport examine(const Mesh& mesh);
+/// @param control may be null; once it is cancelled the report is of no use, ask stopWanted().
+MeshReport examine(const Mesh& mesh, WorkControl* control = nullptr);
 
 } // namespace esm

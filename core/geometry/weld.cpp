@@ -143,11 +143,12 @@ private:
 
 /// Moves kept vertices to the front of `mesh.position` and returns the old-to-new map.
 template <class Finder>
-std::vector<Index> keepFirst(Mesh& mesh, Finder& finder)
+std::vector<Index> keepFirst(Mesh& mesh, Finder& finder, WorkControl* control)
 {
   std::vector<Index> newOf(static_cast<std::size_t>(mesh.vertexCount()));
   Index kept = 0;
   for (Index v = 0; v < mesh.vertexCount(); ++v) {
+    if (stopWantedAt(static_cast<std::size_t>(v), newOf.size(), control)) break;
     const Eigen::Vector3d p = mesh.position.col(v);
     const Index place = p.allFinite() ? finder.findOrKeep(p, kept) : kept;
     if (place == kept) mesh.position.col(kept++) = p;
@@ -159,19 +160,20 @@ std::vector<Index> keepFirst(Mesh& mesh, Finder& finder)
 
 } // namespace
 
-std::vector<Index> weldVertices(Mesh& mesh, double tolerance)
+std::vector<Index> weldVertices(Mesh& mesh, double tolerance, WorkControl* control)
 {
   std::vector<Index> newOf;
   if (tolerance > 0.0) {
     NearFinder finder(mesh.position, std::min(tolerance, 1e307)); // cells of infinite width have no place
-    newOf = keepFirst(mesh, finder);
+    newOf = keepFirst(mesh, finder, control);
   } else {
     ExactFinder finder;
-    newOf = keepFirst(mesh, finder);
+    newOf = keepFirst(mesh, finder, control);
   }
   const auto renumber = [&newOf](Index& vertex) { vertex = newOf[static_cast<std::size_t>(vertex)]; };
   std::for_each(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size(), renumber);
   std::for_each(mesh.segments.data(), mesh.segments.data() + mesh.segments.size(), renumber);
+  std::for_each(mesh.tetrahedra.data(), mesh.tetrahedra.data() + mesh.tetrahedra.size(), renumber);
   return newOf;
 }
 

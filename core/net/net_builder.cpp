@@ -69,9 +69,10 @@ std::vector<Index> numberNodes(const std::vector<Spring>& springs, Index vertexC
 }
 
 /// The triangles over three distinct nodes, each set of corners once.
-TriangleMatrix surfaceOf(const Mesh& mesh, const std::vector<Index>& nodeOf)
+TriangleMatrix surfaceOf(const Mesh& mesh, const std::vector<Index>& nodeOf, WorkControl* control)
 {
-  const std::vector<Index> same = firstSameTriangle(mesh.triangles, mesh.vertexCount());
+  const std::vector<Index> same = firstSameTriangle(mesh.triangles, mesh.vertexCount(), control);
+  if (stopWanted(control)) return {};
   TriangleMatrix surface(3, mesh.triangleCount());
   Index count = 0;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
@@ -117,12 +118,14 @@ void resizeNet(SpringNet& net, Index nodes, Index springs)
   for (Index s = 0; s < springs; ++s) net.springId[static_cast<std::size_t>(s)] = SpringId{s};
 }
 
-Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex)
+Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, WorkControl* control)
 {
   if (Status good = checkIndices(mesh.triangles, mesh.vertexCount(), "triangle"); !good) return good.error();
   if (Status good = checkIndices(mesh.segments, mesh.vertexCount(), "line"); !good) return good.error();
 
-  const Result<std::vector<Spring>> springs = findSprings(mesh, findEdges(mesh));
+  const EdgeTable edges = findEdges(mesh, control);
+  if (stopWanted(control)) return cancelledError();
+  const Result<std::vector<Spring>> springs = findSprings(mesh, edges);
   if (!springs) return springs.error();
   Index nodes = 0;
   std::vector<Index> nodeOf = numberNodes(*springs, mesh.vertexCount(), nodes);
@@ -139,7 +142,8 @@ Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex)
     net.restLength[s] = spring.length;
     net.kind[static_cast<std::size_t>(s)] = spring.kind;
   }
-  net.triangles = surfaceOf(mesh, nodeOf);
+  net.triangles = surfaceOf(mesh, nodeOf, control);
+  if (stopWanted(control)) return cancelledError();
   if (nodeOfVertex) *nodeOfVertex = std::move(nodeOf);
   return net;
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 #include "core/net/spring_net.h"
 
@@ -20,8 +21,9 @@ void resizeNet(SpringNet& net, Index nodes, Index springs);
 /// non-finite vertex, and later duplicates, are left out of `triangles`; zero-length springs are kept out.
 /// Isolated and non-finite vertices are left out of the net; `nodeOfVertex` says where each went.
 /// @param nodeOfVertex old-to-new map, kNoIndex for a vertex that is left out; may be null.
-/// Errors: EmptyResult if no spring comes out, InvalidValue for an index out of range.
-Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex = nullptr);
+/// Errors: EmptyResult if no spring comes out, InvalidValue for an index out of range, Cancelled.
+Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex = nullptr,
+                           WorkControl* control = nullptr);
 
 /// Whether the arrays fit together and hold possible numbers: shapes, indices in range, a != b, finite,
 /// mass > 0, rest lengths > 0 where the law divides by them, tables strictly rising. The detail names the

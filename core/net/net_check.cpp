@@ -49,6 +49,8 @@ Status checkShapes(const SpringNet& net)
     {"massDamping", size(net.massDamping), n, true},
     {"fixed", net.fixed.size(), n},
     {"nodeId", net.nodeId.size(), n},
+    {"volume", size(net.volume), n, true},
+    {"supportNode", net.supportNode.size(), n, true},
     {"restLength", size(net.restLength), s},
     {"stiffness", size(net.stiffness), s},
     {"viscosity", size(net.viscosity), s},
@@ -57,9 +59,11 @@ Status checkShapes(const SpringNet& net)
     {"tensionOnly", net.tensionOnly.size(), s},
     {"kind", net.kind.size(), s},
     {"springId", net.springId.size(), s},
+    {"section", size(net.section), s, true},
     {"anchors.point", cols(net.anchors.point), a},
     {"anchors.stiffness", size(net.anchors.stiffness), a},
     {"anchors.viscosity", size(net.anchors.viscosity), a},
+    {"anchors.bandLength", size(net.anchors.bandLength), a, true},
   };
   for (const Shape& shape : shapes)
     if (shape.size != shape.wanted && !(shape.mayBeAbsent && shape.size == 0))
@@ -103,6 +107,7 @@ Status checkNodes(const SpringNet& net)
       return badNumber(owner(), "mass", net.mass[i], "kg", "> 0");
     if (net.massDamping.size() > 0 && !notNegative(net.massDamping[i]))
       return badNumber(owner(), "mass damping", net.massDamping[i], "1/s", ">= 0");
+    if (!notNegative(net.volumeOf(i))) return badNumber(owner(), "volume", net.volumeOf(i), "m^3", ">= 0");
   }
   return checkDistinct("node", net.nodeId);
 }
@@ -148,7 +153,7 @@ Status checkSprings(const SpringNet& net)
     const Index a = net.ends(0, s), b = net.ends(1, s);
     const bool inRange = std::min(a, b) >= 0 && std::max(a, b) < net.nodeCount();
     const bool good = inRange && a != b && notNegative(net.restLength[s]) && notNegative(net.stiffness[s]) &&
-                      notNegative(net.viscosity[s]);
+                      notNegative(net.viscosity[s]) && notNegative(net.sectionOf(s));
     const bool simple =
       net.law[static_cast<std::size_t>(s)] == SpringLaw::Linear && std::isfinite(net.lawParameter[s]);
     if (good && simple) continue;
@@ -163,6 +168,7 @@ Status checkSprings(const SpringNet& net)
     if (!notNegative(net.stiffness[s])) return badNumber(owner, "stiffness", net.stiffness[s], "N/m", ">= 0");
     if (!notNegative(net.viscosity[s]))
       return badNumber(owner, "viscosity", net.viscosity[s], "N s/m", ">= 0");
+    if (!notNegative(net.sectionOf(s))) return badNumber(owner, "section", net.sectionOf(s), "m^2", ">= 0");
     if (Status status = checkLaw(net, s, owner); !status) return status;
   }
   return checkDistinct("spring", net.springId);
@@ -184,7 +190,17 @@ Status checkAnchors(const SpringNet& net)
       return badNumber(owner, "stiffness", anchors.stiffness[i], "N/m", ">= 0");
     if (!notNegative(anchors.viscosity[i]))
       return badNumber(owner, "viscosity", anchors.viscosity[i], "N s/m", ">= 0");
+    if (anchors.bandLength.size() > 0 && !notNegative(anchors.bandLength[i]))
+      return badNumber(owner, "length of its band", anchors.bandLength[i], "m", ">= 0");
   }
+  return {};
+}
+
+Status checkMaterial(const SpringNet& net)
+{
+  const double scale = net.material.modulusScale;
+  if (!(std::isfinite(scale) && scale > 0.0))
+    return badNumber("the net's material", "scale of Young's modulus", scale, "", "> 0");
   return {};
 }
 
@@ -202,7 +218,8 @@ Status checkTriangles(const SpringNet& net)
 
 Status checkNet(const SpringNet& net)
 {
-  for (const auto check : {checkShapes, checkNodes, checkTables, checkSprings, checkAnchors, checkTriangles})
+  for (const auto check :
+       {checkShapes, checkNodes, checkTables, checkSprings, checkAnchors, checkTriangles, checkMaterial})
     if (Status status = check(net); !status) return status;
   return {};
 }

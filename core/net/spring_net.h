@@ -30,8 +30,23 @@ struct ForceTable {
   bool operator==(const ForceTable&) const = default;
 };
 
-/// Where a spring comes from; tissue gives each kind its stiffness in its own way.
-enum class SpringKind : std::uint8_t { Edge, Line };
+/// Where a spring comes from; tissue gives each kind its stiffness in its own way. Struts are the springs of
+/// the support layer (core/support/support.h): nothing else makes them, so that they can be taken away again.
+enum class SpringKind : std::uint8_t { Edge, Line, Strut };
+
+/// How the area of a triangle of side lengths L counts for the stiffness of its edges:
+///
+///     VanGelder  its own area (Van Gelder 1998)
+///     Regular    that of an equilateral triangle over the edge, sqrt(3)/4 L^2 (Lloyd, Szekely and Harders
+///     2007)
+enum class EdgeFormula : std::uint8_t { VanGelder, Regular };
+
+/// How geometry makes springs from a tissue's Young's modulus, see core/support/material.h.
+struct NetMaterial {
+  EdgeFormula edges = EdgeFormula::VanGelder;
+  double modulusScale = 1.0; ///< every spring's stiffness is multiplied by it [1], > 0
+  bool operator==(const NetMaterial&) const = default;
+};
 
 /// Springs that hold nodes to fixed points in space (the cavity), alike in all directions:
 /// force on the node = -k (p - p0) - c v. A node may have none or several.
@@ -39,6 +54,10 @@ struct AnchorSet {
   std::vector<Index> node;             ///< A
   Eigen::Matrix3Xd point;              ///< 3 x A, p0 [m]
   Eigen::ArrayXd stiffness, viscosity; ///< A [N/m], A [N s/m]; all >= 0
+  /// A [m]; size 0: all 0. Above 0 the anchor belongs to the support layer, and stands for bands of that
+  /// length between the node's share of the surface and the cavity; 0: tissue's own bed.
+  Eigen::ArrayXd bandLength;
+  bool isBand(Index anchor) const noexcept { return bandLength.size() > 0 && bandLength[anchor] > 0.0; }
   Index count() const noexcept { return static_cast<Index>(node.size()); }
 };
 
@@ -53,6 +72,9 @@ struct SpringNet {
   Eigen::ArrayXd massDamping;       ///< N [1/s], force -alpha m v; size 0 means none
   std::vector<std::uint8_t> fixed;  ///< N, 1 = does not move
   std::vector<NodeId> nodeId;       ///< N, distinct
+  /// N [m^3], the tissue that a node carries if that is not the wall around it; 0 or size 0: the wall's.
+  Eigen::ArrayXd volume;
+  std::vector<std::uint8_t> supportNode; ///< N, 1 = made by the support layer; size 0 means none
 
   // === Springs (S)
   SegmentMatrix ends;                    ///< 2 x S, node indices (a, b), a != b
@@ -63,14 +85,24 @@ struct SpringNet {
   std::vector<std::uint8_t> tensionOnly; ///< S, 1 = slack while e <= 0: neither elastic nor viscous force
   std::vector<SpringKind> kind;          ///< S
   std::vector<SpringId> springId;        ///< S, distinct
+  /// S [m^2], of the tissue that a spring stands for: k = E section / length; 0 or size 0: by applyTissue()'s
+  /// formula for its kind.
+  Eigen::ArrayXd section;
   std::vector<ForceTable> tables;
 
   AnchorSet anchors;
   TriangleMatrix triangles; ///< 3 x F, the surface: for shading, dual areas and contact
+  NetMaterial material;
 
   Index nodeCount() const noexcept { return static_cast<Index>(restPosition.cols()); }
   Index springCount() const noexcept { return static_cast<Index>(ends.cols()); }
   Index triangleCount() const noexcept { return static_cast<Index>(triangles.cols()); }
+  bool isSupportNode(Index node) const noexcept
+  {
+    return !supportNode.empty() && supportNode[static_cast<std::size_t>(node)] != 0;
+  }
+  double sectionOf(Index spring) const noexcept { return section.size() > 0 ? section[spring] : 0.0; }
+  double volumeOf(Index node) const noexcept { return volume.size() > 0 ? volume[node] : 0.0; }
 };
 
 } // namespace esm

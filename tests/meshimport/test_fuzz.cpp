@@ -113,7 +113,7 @@ TEST(Fuzz, noAccidentToAFileCrashesAReaderOrYieldsABadIndex)
       std::string format;
       std::vector<std::string> notes;
       reader.recognises(bytes, "");
-      Result<Mesh> mesh = reader.read(bytes, "fuzz", format, notes); // even if it is not recognised
+      Result<Mesh> mesh = reader.read(bytes, "fuzz", format, notes, nullptr); // even if it is not recognised
       ++(mesh ? read : refused);
       if (!mesh) {
         EXPECT_NE(mesh.error().code, ErrorCode::Internal);
