@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/geometry/repair/repair.h"
+
+#include "core/geometry/repair/clean.h"
+
+#include <cmath>
+#include <numeric>
+#include <string>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+Status checkOptions(const RepairOptions& options)
+{
+  const auto refuse = [](const char* what) { return Error{ErrorCode::InvalidValue, what}; };
+  const auto isLength = [](double value) { return std::isfinite(value) && value >= 0.0; };
+  if (!isLength(options.tJunctionTolerance)) return refuse("the tolerance of T-junctions must be 0 or more");
+  if (options.dropPartsBelow < 0) return refuse("the least size of a part must be 0 or more");
+  if (!(options.dropPartsShare >= 0.0 && options.dropPartsShare <= 1.0))
+    return refuse("the share of the largest part must be between 0 and 1");
+  if (options.fillHolesUpTo < 0 || !isLength(options.fillHolesLength))
+    return refuse("the largest hole to fill must be 0 or more");
+  if (options.triangles < 0) return refuse("the number of triangles must be 0 or more");
+  if (!isLength(options.edgeLength)) return refuse("the edge length must be 0 or more");
+  if (options.triangles > 0 && options.edgeLength > 0.0)
+    return refuse("ask for a number of triangles or for an edge length, not for both");
+  return {};
+}
+
+void tellRemoved(RepairReport& report)
+{
+  const auto tell = [&](Index count, const char* what) {
+    if (count > 0) report.notes.push_back("removed " + std::to_string(count) + what);
+  };
+  tell(report.degenerateFaces, " triangles without area");
+  tell(report.duplicateFaces, " triangles that were there twice");
+  tell(report.uselessSegments, " lines without length or there twice");
+  tell(report.isolatedVertices, " vertices that nothing used");
+}
+
+} // namespace
+
+Status repairMesh(Mesh& mesh, const RepairOptions& options, RepairReport& report, WorkControl* control)
+{
+  report = {};
+  if (const Status fine = checkOptions(options); !fine) return fine;
+  std::vector<Index> vertexOf(static_cast<std::size_t>(mesh.vertexCount()));
+  std::iota(vertexOf.begin(), vertexOf.end(), 0);
+  if (options.doesNothing()) {
+    report.vertexOf = std::move(vertexOf);
+    return {};
+  }
+  Mesh work = mesh;
+  leaveOutNonFinite(work, report, vertexOf);
+  if (options.removeUseless) removeUseless(work, report, vertexOf);
+  if (stopWanted(control)) return cancelledError();
+  if (options.dropPartsBelow > 0 || options.dropPartsShare > 0.0)
+    dropSmallParts(work, options.dropPartsBelow, options.dropPartsShare, report, vertexOf);
+  if (stopWanted(control)) return cancelledError();
+  if (options.unifyOrientation) unifyOrientation(work, report);
+  if (stopWanted(control)) return cancelledError();
+  if (work.triangleCount() + work.segmentCount() + work.tetrahedronCount() == 0)
+    return Error{ErrorCode::EmptyResult, "the repair leaves nothing of the mesh: ask for less of it"};
+  tellRemoved(report);
+  mesh = std::move(work);
+  report.vertexOf = std::move(vertexOf);
+  return {};
+}
+
+} // namespace esm

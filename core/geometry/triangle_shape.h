@@ -1,0 +1,40 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/mesh.h"
+
+#include <Eigen/Geometry>
+
+#include <limits>
+
+namespace esm {
+
+/// Twice the area, along the normal.
+inline Eigen::Vector3d areaVector(const Mesh& mesh, Index triangle)
+{
+  const Eigen::Vector3d a = mesh.position.col(mesh.triangles(0, triangle));
+  const Eigen::Vector3d u = mesh.position.col(mesh.triangles(1, triangle)) - a;
+  const Eigen::Vector3d v = mesh.position.col(mesh.triangles(2, triangle)) - a;
+  return u.cross(v);
+}
+
+inline bool hasEqualCorners(const Mesh& mesh, Index triangle)
+{
+  const Index* corner = mesh.triangles.data() + 3 * std::ptrdiff_t{triangle};
+  return corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
+}
+
+/// Two equal corners, or zero area up to the rounding of the cross product itself; a needle that is thin but
+/// real is none.
+inline bool isDegenerate(const Mesh& mesh, Index triangle)
+{
+  if (hasEqualCorners(mesh, triangle)) return true;
+  const Eigen::Vector3d a = mesh.position.col(mesh.triangles(0, triangle));
+  const Eigen::Vector3d u = mesh.position.col(mesh.triangles(1, triangle)) - a;
+  const Eigen::Vector3d v = mesh.position.col(mesh.triangles(2, triangle)) - a;
+  const double scale = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff();
+  return u.cross(v).cwiseAbs().maxCoeff() <= 16 * std::numeric_limits<double>::epsilon() * scale;
+}
+
+} // namespace esm
