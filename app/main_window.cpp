@@ -98,9 +98,7 @@ void MainWindow::createDocks()
   auto* rules = new RulesPanel(m_evaluation);
   connect(inputs, &InputsPanel::inputFocused, membership, &MembershipPanel::showInput);
   connect(whyPanel, &WhyPanel::ruleActivated, rules, &RulesPanel::showRule);
-  connect(rules, &RulesPanel::variableRequested, membership, [membership](bool isOutput, int variable) {
-    if (!isOutput) membership->showInput(variable);
-  });
+  connect(rules, &RulesPanel::variableRequested, membership, &MembershipPanel::showVariable);
 
   m_dockRegions = addDock("dockRegions", Qt::LeftDockWidgetArea, m_regions);
   m_dockTissue = addDock("dockTissue", Qt::LeftDockWidgetArea, new TissuePanel(m_document));

@@ -77,7 +77,13 @@ MembershipPanel::MembershipPanel(FuzzyEvaluation* evaluation, QWidget* parent)
 
 void MembershipPanel::showInput(int input)
 {
-  m_choice->setCurrentIndex(input);
+  showVariable(false, input);
+}
+
+void MembershipPanel::showVariable(bool isOutput, int variable)
+{
+  const int inputs = static_cast<int>(m_evaluation->document()->ruleBase().inputs.size());
+  m_choice->setCurrentIndex(isOutput ? inputs + variable : variable);
 }
 
 /// Renews the names only if one changed, since every edit of a rule comes here too.

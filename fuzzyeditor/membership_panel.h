@@ -26,6 +26,7 @@ public:
   explicit MembershipPanel(FuzzyEvaluation* evaluation, QWidget* parent = nullptr);
 
   void showInput(int input); ///< connect to InputsPanel::inputFocused
+  void showVariable(bool isOutput, int variable); ///< connect to RulesPanel::variableRequested
   TermPlot* plot() const { return m_plot; }
   TermEdits* edits() const { return m_edits; }
 

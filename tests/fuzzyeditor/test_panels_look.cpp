@@ -126,6 +126,10 @@ TEST_F(PanelsLook, PlotMarksTheValueOfTheVariableChosen)
   emit inputs.inputFocused(1);
   membership.showInput(1);
   EXPECT_EQ(membership.plot()->variableIndex(), 1);
+  EXPECT_FALSE(membership.plot()->showsOutput());
+  membership.showVariable(true, 0); // a finding about the words of a result
+  EXPECT_TRUE(membership.plot()->showsOutput());
+  EXPECT_EQ(membership.plot()->accessibleName(), "Plot of the words for Stiffness");
 }
 
 TEST_F(PanelsLook, LongTextsWrapInsteadOfWideningADock)
