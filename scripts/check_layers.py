@@ -20,11 +20,12 @@ CORE = {
     "core/net": ["core/base", "core/geometry"],
     "core/forces": ["core/base", "core/geometry", "core/net"],
     "core/dynamics": ["core/base", "core/geometry", "core/net", "core/forces"],
+    "core/support": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics"],
     "core/fuzzy": ["core/base"],
     "core/tissue": ["core/base", "core/geometry", "core/net", "core/fuzzy"],
     "core/runtime": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics"],
-    "core/project": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics", "core/fuzzy",
-                     "core/tissue"],
+    "core/project": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics", "core/support",
+                     "core/fuzzy", "core/tissue"],
 }
 ALLOWED = {
     **CORE,

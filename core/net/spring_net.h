@@ -56,7 +56,7 @@ struct AnchorSet {
   Eigen::ArrayXd stiffness, viscosity; ///< A [N/m], A [N s/m]; all >= 0
   /// A [m]; size 0: all 0. Above 0 the anchor belongs to the support layer, and stands for bands of that
   /// length between the node's share of the surface and the cavity; 0: tissue's own bed.
-  Eigen::ArrayXd bandLength;
+  Eigen::ArrayXd bandLength = {};
   bool isBand(Index anchor) const noexcept { return bandLength.size() > 0 && bandLength[anchor] > 0.0; }
   Index count() const noexcept { return static_cast<Index>(node.size()); }
 };

@@ -1,0 +1,61 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/net/net_edit.h"
+#include "core/support/support.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace esm {
+
+namespace {
+
+bool removeBands(AnchorSet& anchors)
+{
+  if (anchors.bandLength.size() == 0) return false;
+  Index kept = 0;
+  for (Index i = 0; i < anchors.count(); ++i) {
+    if (anchors.isBand(i)) continue;
+    anchors.node[static_cast<std::size_t>(kept)] = anchors.node[static_cast<std::size_t>(i)];
+    anchors.point.col(kept) = anchors.point.col(i).eval();
+    anchors.stiffness[kept] = anchors.stiffness[i];
+    anchors.viscosity[kept] = anchors.viscosity[i];
+    ++kept;
+  }
+  const bool any = kept < anchors.count();
+  anchors.node.resize(static_cast<std::size_t>(kept));
+  anchors.point.conservativeResize(Eigen::NoChange, kept);
+  anchors.stiffness.conservativeResize(kept);
+  anchors.viscosity.conservativeResize(kept);
+  anchors.bandLength.resize(0);
+  return any;
+}
+
+} // namespace
+
+bool removeSupport(SpringNet& net, std::vector<Index>* newOfOld)
+{
+  const bool hadBands = removeBands(net.anchors);
+  NetCut cut{net.supportNode, {}};
+  cut.node.resize(static_cast<std::size_t>(net.nodeCount()), 0);
+  for (const SpringKind kind : net.kind) cut.spring.push_back(kind == SpringKind::Strut ? 1 : 0);
+  const auto isMarked = [](const std::vector<std::uint8_t>& marks) {
+    return std::any_of(marks.begin(), marks.end(), [](std::uint8_t mark) { return mark != 0; });
+  };
+  if (!isMarked(cut.node) && !isMarked(cut.spring)) {
+    if (newOfOld) {
+      newOfOld->resize(static_cast<std::size_t>(net.nodeCount()));
+      std::iota(newOfOld->begin(), newOfOld->end(), 0);
+    }
+    return hadBands;
+  }
+  std::vector<Index> map = shrinkNet(net, cut);
+  net.supportNode.clear();
+  // What is left of optional arrays that the layer brought along says nothing.
+  for (Eigen::ArrayXd* array : {&net.section, &net.volume})
+    if (array->size() > 0 && (*array == 0.0).all()) array->resize(0);
+  if (newOfOld) *newOfOld = std::move(map);
+  return true;
+}
+
+} // namespace esm

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+// The pieces of addSupport().
+
+#include "core/support/outward_surface.h"
+#include "core/support/support.h"
+
+#include <cstdint>
+#include <unordered_set>
+#include <vector>
+
+namespace esm::support {
+
+/// A spring to be made, between nodes of the net or new ones (numbered on from the net's).
+struct Strut {
+  Index a = kNoIndex, b = kNoIndex;
+  double section = 0.0; ///< [m^2]
+};
+
+/// What an interior consists of.
+struct Layer {
+  Eigen::Matrix3Xd nodes{3, 0}; ///< new nodes [m]
+  Eigen::ArrayXd volume;        ///< that they carry [m^3], one per new node
+  std::vector<Strut> struts;
+  std::vector<Index> unsupported; ///< nodes of the surface that got nothing
+  std::vector<std::string> notes;
+};
+
+/// The pairs of nodes that a spring joins already; grows with each new one.
+class JoinedPairs {
+public:
+  explicit JoinedPairs(const SpringNet& net);
+  /// Whether the pair was apart until now.
+  bool join(Index a, Index b) { return a != b && m_pairs.insert(keyOf(a, b)).second; }
+  bool has(Index a, Index b) const { return m_pairs.count(keyOf(a, b)) > 0; }
+
+private:
+  static std::uint64_t keyOf(Index a, Index b) noexcept
+  {
+    const auto low = static_cast<std::uint64_t>(a < b ? a : b),
+               high = static_cast<std::uint64_t>(a < b ? b : a);
+    return low << 32U | high;
+  }
+  std::unordered_set<std::uint64_t> m_pairs; ///< asked only, never walked through
+};
+
+Result<Layer> makeStruts(const SpringNet& net, const SupportOptions& options, WorkControl* control);
+
+/// Appends bands to `net` for the nodes that the options name. @return how many.
+Index addBands(SpringNet& net, const SupportOptions& options);
+
+/// The mean of two nodes' surface, each shared among its struts, which makes all struts together as wide as
+/// the surface; of a strut with one end off the surface the other's share.
+void shareSections(const SpringNet& net, std::vector<Strut>& struts);
+
+} // namespace esm::support
