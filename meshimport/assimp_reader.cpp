@@ -2,17 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/assimp_reader.h"
 
+#include "core/base/ascii_case.h"
 #include "meshimport/content.h"
-#include "meshimport/folder_files.h"
 #include "meshimport/raw_mesh.h"
+#include "meshimport/worker/worker_process.h"
 
-#include <Eigen/Geometry>
-
-#include <assimp/Importer.hpp>
-#include <assimp/scene.h>
-
-#include <exception>
-#include <span>
+#include <algorithm>
+#include <filesystem>
 
 namespace esm {
 
@@ -20,144 +16,48 @@ namespace {
 
 constexpr std::size_t kLargestFile = std::size_t{1} << 30; ///< assimp takes up to forty times as much memory
 
-bool isOurs(std::string_view ending)
-{
-  return ending == "obj" || ending == "stl" || ending == "ply" || ending == "off";
-}
-
-Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
-{
-  Eigen::Matrix4d out;
-  for (unsigned row = 0; row < 4; ++row)
-    for (unsigned column = 0; column < 4; ++column) out(row, column) = double{m[row][column]};
-  return out;
-}
-
-/// Gathers the meshes of a scene, each where its nodes put it.
-class SceneCollector {
-public:
-  SceneCollector(const aiScene& scene, const std::string& origin) : m_scene(scene), m_origin(origin) {}
-
-  Result<Mesh> run(std::vector<std::string>& notes)
-  {
-    struct Visit {
-      const aiNode* node;
-      Eigen::Matrix4d transform;
-    };
-    std::vector<Visit> open; // a stack of our own: scenes may be nested tens of thousands deep
-    if (m_scene.mRootNode) open.push_back({m_scene.mRootNode, toEigen(m_scene.mRootNode->mTransformation)});
-    while (!open.empty()) {
-      const Visit visit = open.back();
-      open.pop_back();
-      for (const unsigned mesh : std::span(visit.node->mMeshes, visit.node->mNumMeshes))
-        if (Status status = add(mesh, visit.transform); !status) return status.error();
-      const std::span children(visit.node->mChildren, visit.node->mNumChildren);
-      for (std::size_t i = children.size(); i-- > 0;)
-        open.push_back({children[i], visit.transform * toEigen(children[i]->mTransformation)});
-    }
-    if (m_raw.faceEnd.empty() && m_raw.segments.empty())
-      return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it was read, but it holds neither a face nor a line");
-    if (m_points > 0) notes.push_back(std::to_string(m_points) + " single points were passed over.");
-    return finishMesh(std::move(m_raw), m_origin, notes);
-  }
-
-private:
-  Status add(unsigned number, const Eigen::Matrix4d& transform)
-  {
-    if (number >= m_scene.mNumMeshes)
-      return fault(ErrorCode::InvalidValue, m_origin, 0, "a node names a mesh that the file does not hold");
-    const aiMesh& mesh = *m_scene.mMeshes[number];
-    // A file of a few bytes can place one mesh millions of times.
-    if (m_raw.coordinates.size() + 3 * std::size_t{mesh.mNumVertices} > kMostItems / 4)
-      return tooManyError(m_origin);
-    const Index first = m_raw.vertexCount();
-    for (const aiVector3D& vertex : std::span(mesh.mVertices, mesh.mVertices ? mesh.mNumVertices : 0)) {
-      const Eigen::Vector4d p =
-        transform * Eigen::Vector4d(double{vertex.x}, double{vertex.y}, double{vertex.z}, 1.0);
-      m_raw.addVertex(p.x(), p.y(), p.z(), 0);
-    }
-    for (const aiFace& face : std::span(mesh.mFaces, mesh.mFaces ? mesh.mNumFaces : 0)) {
-      m_corners.clear();
-      for (const unsigned vertex : std::span(face.mIndices, face.mNumIndices)) {
-        if (vertex >= mesh.mNumVertices)
-          return fault(ErrorCode::InvalidValue, m_origin, 0,
-                       "a face uses vertex " + std::to_string(vertex) + ", but its mesh has " +
-                         std::to_string(mesh.mNumVertices));
-        m_corners.push_back(first + static_cast<Index>(vertex));
-      }
-      if (m_corners.size() == 1) ++m_points;
-      m_raw.addFace(m_corners);
-    }
-    if (m_raw.corners.size() > kMostItems / 4) return tooManyError(m_origin);
-    return {};
-  }
-
-  const aiScene& m_scene;
-  const std::string& m_origin;
-  RawMesh m_raw;
-  std::vector<Index> m_corners;
-  std::size_t m_points = 0;
-};
-
-/// What the library is known to read otherwise than it is written.
-void tellWeaknesses(std::string_view ending, std::string_view bytes, std::vector<std::string>& notes)
-{
-  if (ending == "x3d" && bytes.find("IndexedLineSet") != bytes.npos)
-    notes.push_back("X3D line sets arrive as faces; compare the picture, or save the model as OBJ.");
-  if (ending == "dxf" && bytes.find("POLYLINE") != bytes.npos)
-    notes.push_back("DXF polylines may lose segments; compare the picture, or save the model as OBJ.");
-}
+/// What assimp reads beside the formats of our own, sorted. Left out: mere textures, motions and cameras, and
+/// "raw", "xml" and "prj", which mean too many things.
+constexpr std::string_view kEndings[] = {
+  "3d",     "3ds",  "3mf",  "ac",      "ac3d", "acc",  "amf",  "ase", "ask",  "assbin",  "b3d", "blend",
+  "bsp",    "bvh",  "cob",  "csm",     "dae",  "dxf",  "enff", "fbx", "glb",  "gltf",    "hmp", "ifc",
+  "ifczip", "iqm",  "irr",  "irrmesh", "lwo",  "lws",  "lxo",  "md2", "md3",  "md5mesh", "mdc", "mdl",
+  "mesh",   "mot",  "ms3d", "ndo",     "nff",  "ogex", "pk3",  "pmx", "q3o",  "q3s",     "scn", "sib",
+  "smd",    "step", "stp",  "ter",     "uc",   "vta",  "x",    "x3d", "x3db", "xgl",     "zae", "zgl"};
+static_assert(std::is_sorted(std::begin(kEndings), std::end(kEndings)));
 
 std::string endingOf(const std::string& origin)
 {
-  std::string ending = std::filesystem::path(origin).extension().string();
+  std::string ending = asciiLower(std::filesystem::path(origin).extension().string());
   if (!ending.empty()) ending.erase(0, 1);
   return ending;
 }
 
-Result<Mesh> readScene(std::string_view bytes, const std::string& origin, std::string& format,
-                       std::vector<std::string>& notes)
+Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
+                  std::vector<std::string>& notes, WorkControl* control)
 {
   if (bytes.size() > kLargestFile)
     return fault(ErrorCode::Unsupported, origin, 0,
                  "it is larger than 1 GB, which only OBJ, STL, PLY and OFF may be; convert it");
   const std::string_view betrayed = betrayedEnding(bytes);
-  const std::string ending = betrayed.empty() ? endingOf(origin) : std::string(betrayed);
-  format = ending + " (assimp)";
-
-  Assimp::Importer importer;
-  auto* files = new FolderFiles(origin, bytes, ending); // owned by the importer
-  importer.SetIOHandler(files);
-  const aiScene* scene = importer.ReadFile(files->name(), 0);
-  if (!scene)
-    return fault(ErrorCode::BadFormat, origin, 0,
-                 std::string("the assimp library cannot read it (") + importer.GetErrorString() +
-                   "); is it cut short? Otherwise save it as OBJ, PLY or STL");
-  tellWeaknesses(ending, bytes, notes);
-  return SceneCollector(*scene, origin).run(notes);
-}
-
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl*)
-{
-  try {
-    return readScene(bytes, origin, format, notes);
-  } catch (const std::exception& error) {
-    return fault(ErrorCode::BadFormat, origin, 0,
-                 std::string("the assimp library gave up on it (") + error.what() + ")");
-  } catch (...) {
-    return fault(ErrorCode::BadFormat, origin, 0, "the assimp library gave up on it");
-  }
+  WorkerTask task;
+  task.library = "assimp";
+  task.ending = betrayed.empty() ? endingOf(origin) : std::string(betrayed);
+  task.file = origin;
+  Result<WorkerReply> reply = readInWorker(task, control);
+  if (!reply) return reply.error();
+  format = std::move(reply->format);
+  notes.insert(notes.end(), reply->notes.begin(), reply->notes.end());
+  return std::move(reply->mesh);
 }
 
 bool recognises(std::string_view bytes, std::string_view ending)
 {
   if (!betrayedEnding(bytes).empty()) return true;
-  if (ending.empty() || isOurs(ending)) return false;
-  const bool zipped = ending == "3mf" || ending == "zae"; // archives by design
+  const bool zipped =
+    ending == "3mf" || ending == "zae" || ending == "ifczip" || ending == "pk3"; // by design
   if (!zipped && !describeForeign(bytes).empty()) return false;
-  return Assimp::Importer().IsExtensionSupported(std::string(ending));
+  return std::binary_search(std::begin(kEndings), std::end(kEndings), ending);
 }
 
 } // namespace

@@ -6,10 +6,10 @@
 
 namespace esm {
 
-/// Every other format that the assimp library reads: glTF, FBX, COLLADA, 3DS, DXF, X3D, ... No
-/// post-processing of assimp's (its joining has a tolerance of its own and its triangulation makes hubs):
-/// node transforms, polygons and ranges are done here. Coordinates are float32 by nature of the library.
-/// `origin` must be the file's path: companions (.bin, .mtl) are looked for in its folder and nowhere else.
+/// Every other format that the assimp library reads: glTF, FBX, COLLADA, 3DS, X3D, ... The library works in a
+/// process of its own (worker/worker_process.h), since it crashes and hangs on damaged files and heeds no
+/// wish to stop. `origin` must be the file's path: the worker reads it, and companions (.bin, .mtl) in its
+/// folder.
 MeshReader assimpReader();
 
 } // namespace esm

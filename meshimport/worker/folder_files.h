@@ -5,6 +5,7 @@
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -18,7 +19,9 @@ public:
   /// @param model its path; `name()` is what assimp must be asked for
   /// @param bytes of the model; not owned, outlives this
   /// @param ending to give the model in place of its own, empty to keep it
-  FolderFiles(const std::filesystem::path& model, std::string_view bytes, std::string_view ending);
+  /// @param announce is told the size of each companion before it is read
+  FolderFiles(const std::filesystem::path& model, std::string_view bytes, std::string_view ending,
+              void (*announce)(std::uint64_t bytes));
 
   std::string name() const { return m_model.string(); }
 
@@ -34,6 +37,7 @@ private:
 
   std::filesystem::path m_folder, m_model;
   std::string_view m_bytes;
+  void (*m_announce)(std::uint64_t bytes);
 };
 
 } // namespace esm

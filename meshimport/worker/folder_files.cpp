@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "meshimport/folder_files.h"
+#include "meshimport/worker/folder_files.h"
 
 #include "core/base/file_io.h"
 
@@ -48,8 +48,9 @@ private:
 
 } // namespace
 
-FolderFiles::FolderFiles(const fs::path& model, std::string_view bytes, std::string_view ending)
-  : m_bytes(bytes)
+FolderFiles::FolderFiles(const fs::path& model, std::string_view bytes, std::string_view ending,
+                         void (*announce)(std::uint64_t bytes))
+  : m_bytes(bytes), m_announce(announce)
 {
   std::error_code code;
   m_folder = fs::weakly_canonical(fs::absolute(model, code).parent_path(), code);
@@ -82,6 +83,8 @@ Assimp::IOStream* FolderFiles::Open(const char* file, const char* mode)
   if (isModel(file)) return new MemoryStream(m_bytes);
   const fs::path whole = inside(file);
   if (whole.empty()) return nullptr;
+  std::error_code code;
+  if (const std::uintmax_t size = fs::file_size(whole, code); !code) m_announce(size);
   Result<std::string> bytes = readFile(whole);
   return bytes ? new MemoryStream(std::move(*bytes)) : nullptr;
 }
