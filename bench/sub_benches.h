@@ -22,6 +22,9 @@ int runFuzzy(const std::vector<std::string>& words);
 /// Milliseconds from a moved slider to new springs, 100,000 of them, beside the full derivation.
 int runTissueEdit(const std::vector<std::string>& words);
 
+/// Nanoseconds per triangle from a mesh file to a net, beside the assimp library.
+int runImport(const std::vector<std::string>& words);
+
 bool isQuick(const std::vector<std::string>& words);
 
 } // namespace esm::bench

@@ -1,0 +1,165 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// esm_bench import: nanoseconds of processor time per triangle from a mesh file to a finished net (welded,
+// unique edges, components, rest lengths), beside the assimp library in the same run, one thread. Every run
+// has a process of its own, so that memory starts cold and its peak is its own. CSV: file, who, median and
+// best of the runs [ns/triangle], peak memory above the start of the run with and without the file's own size
+// [bytes/triangle], nodes.
+#include "bench/import_files.h"
+#include "bench/sub_benches.h"
+#include "core/net/net_builder.h"
+#include "meshimport/mesh_importer.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <ctime>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+namespace esm::bench {
+
+namespace {
+
+struct Cost {
+  double seconds; ///< of processor time
+  double peak;    ///< bytes above the start
+  long nodes;
+};
+
+double processorSeconds()
+{
+  timespec time = {};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+double peakBytes()
+{
+  rusage usage = {};
+  getrusage(RUSAGE_SELF, &usage);
+  return 1024.0 * static_cast<double>(usage.ru_maxrss);
+}
+
+/// Runs `work` in a child process; it returns the number of nodes, negative for a failure.
+std::optional<Cost> costOf(const std::function<long()>& work)
+{
+  int ends[2];
+  if (pipe(ends) != 0) return std::nullopt;
+  std::fflush(nullptr);
+  const pid_t child = fork();
+  if (child < 0) return std::nullopt;
+  if (child == 0) {
+    const double memory = peakBytes(), start = processorSeconds();
+    const long nodes = work();
+    const Cost cost{processorSeconds() - start, peakBytes() - memory, nodes};
+    const bool told = write(ends[1], &cost, sizeof cost) == sizeof cost;
+    _exit(told ? 0 : 1);
+  }
+  close(ends[1]);
+  Cost cost = {};
+  const bool heard = read(ends[0], &cost, sizeof cost) == sizeof cost;
+  close(ends[0]);
+  waitpid(child, nullptr, 0);
+  return heard && cost.nodes > 0 ? std::optional(cost) : std::nullopt;
+}
+
+long ourNet(const std::filesystem::path& file)
+{
+  const Result<ImportedMesh> imported = importMesh(file);
+  if (!imported) return -1;
+  const Result<SpringNet> net = buildNet(imported->mesh);
+  return net && imported->report.components == 1 ? long{net->nodeCount()} : -1;
+}
+
+long assimpMesh(const std::filesystem::path& file, unsigned flags)
+{
+  Assimp::Importer importer;
+  const aiScene* scene = importer.ReadFile(file.string(), flags);
+  return scene && scene->mNumMeshes > 0 ? long{scene->mMeshes[0]->mNumVertices} : -1;
+}
+
+struct Contender {
+  const char* name;
+  std::function<long(const std::filesystem::path&)> run;
+};
+
+const std::vector<Contender>& contenders()
+{
+  static const std::vector<Contender> all{
+    {"esm", ourNet},
+    {"assimp flags 0", [](const auto& file) { return assimpMesh(file, 0); }},
+    {"assimp Triangulate+Join", [](const auto& file) {
+       return assimpMesh(file, aiProcess_Triangulate | aiProcess_JoinIdenticalVertices);
+     }}};
+  return all;
+}
+
+double medianOf(std::vector<double> values)
+{
+  std::sort(values.begin(), values.end());
+  return values[values.size() / 2];
+}
+
+/// All contenders on one file, in turns. @return whether all could read it
+bool race(const std::filesystem::path& file, double triangles, int runs)
+{
+  std::vector<std::vector<double>> times(contenders().size());
+  std::vector<Cost> last(contenders().size());
+  for (int run = 0; run < runs; ++run) {
+    for (std::size_t c = 0; c < contenders().size(); ++c) {
+      const std::optional<Cost> cost = costOf([&] { return contenders()[c].run(file); });
+      if (!cost) {
+        std::fprintf(stderr, "esm_bench: %s did not read %s\n", contenders()[c].name, file.c_str());
+        return false;
+      }
+      times[c].push_back(1e9 * cost->seconds / triangles);
+      last[c] = *cost;
+    }
+  }
+  const double size = static_cast<double>(std::filesystem::file_size(file));
+  for (std::size_t c = 0; c < contenders().size(); ++c) {
+    const double median = medianOf(times[c]), best = *std::min_element(times[c].begin(), times[c].end());
+    std::printf("%s,%s,%.1f,%.1f,%.1f,%.1f,%ld,%.1f\n", file.filename().c_str(), contenders()[c].name, median,
+                best, last[c].peak / triangles, (last[c].peak - size) / triangles, last[c].nodes,
+                median / medianOf(times[0]));
+    std::fflush(stdout);
+  }
+  return true;
+}
+
+} // namespace
+
+int runImport(const std::vector<std::string>& words)
+{
+  const bool quick = isQuick(words);
+  const int runs = quick ? 3 : 5;
+  std::string folder = (std::filesystem::temp_directory_path() / "esm_bench_import.XXXXXX").string();
+  if (!mkdtemp(folder.data())) {
+    std::fprintf(stderr, "esm_bench: no folder for the mesh files in %s\n", folder.c_str());
+    return 1;
+  }
+  std::printf("file,who,ns_per_triangle,best,peak_bytes_per_triangle,peak_over_file,nodes,times_esm\n");
+  bool good = true;
+  for (const MeshFile& file : meshFiles()) {
+    const std::filesystem::path path = std::filesystem::path(folder) / file.name;
+    const double triangles = quick ? 100'000 : 1'000'000;
+    // In a process of its own, so that this one stays small and the runs' peaks are their own.
+    const auto written = costOf([&] { return file.write(path, static_cast<int>(triangles)) ? 1L : -1L; });
+    good = written && race(path, triangles, runs) && good;
+    std::filesystem::remove(path);
+  }
+  std::filesystem::remove_all(folder);
+  if (!good) std::fprintf(stderr, "esm_bench: a file could not be written or read\n");
+  return good ? 0 : 1;
+}
+
+} // namespace esm::bench
