@@ -17,7 +17,7 @@ int usage()
 {
   std::fprintf(stderr,
                "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
-               "       esm_bench kernel|stability|growth|realtime|fuzzy|tissue_edit|import [--quick]\n"
+               "       esm_bench kernel|stability|growth|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
                "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
   return 2;
 }
@@ -39,6 +39,7 @@ int run(const std::vector<std::string>& words)
   if (words[0] == "growth") return runGrowth(rest);
   if (words[0] == "realtime") return runRealTime(rest);
   if (words[0] == "fuzzy") return runFuzzy(rest);
+  if (words[0] == "remesh") return runRemesh(rest);
   if (words[0] == "tissue_edit") return runTissueEdit(rest);
   if (words[0] == "import") return runImport(rest);
 #if defined(ESM_BENCH_KERNEL)

@@ -24,6 +24,8 @@ int runTissueEdit(const std::vector<std::string>& words);
 
 /// Nanoseconds per triangle from a mesh file to a net, beside the assimp library.
 int runImport(const std::vector<std::string>& words);
+/// Simplifying and remeshing a bumpy sphere of a million triangles, beside meshoptimizer.
+int runRemesh(const std::vector<std::string>& words);
 
 bool isQuick(const std::vector<std::string>& words);
 

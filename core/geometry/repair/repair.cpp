@@ -3,6 +3,7 @@
 #include "core/geometry/repair/repair.h"
 
 #include "core/geometry/repair/clean.h"
+#include "core/geometry/repair/remesh.h"
 
 #include <cmath>
 #include <numeric>
@@ -62,6 +63,13 @@ Status repairMesh(Mesh& mesh, const RepairOptions& options, RepairReport& report
   if (stopWanted(control)) return cancelledError();
   if (options.unifyOrientation) unifyOrientation(work, report);
   if (stopWanted(control)) return cancelledError();
+  if (options.triangles > 0 || options.edgeLength > 0.0) {
+    removeUseless(work, report, vertexOf); // the new net stands on sound triangles only
+    if (const Status done =
+          remeshSurface(work, options.triangles, options.edgeLength, report, vertexOf, control);
+        !done)
+      return done;
+  }
   if (work.triangleCount() + work.segmentCount() + work.tetrahedronCount() == 0)
     return Error{ErrorCode::EmptyResult, "the repair leaves nothing of the mesh: ask for less of it"};
   tellRemoved(report);

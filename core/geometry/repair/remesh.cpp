@@ -1,0 +1,237 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/geometry/repair/remesh.h"
+
+#include "core/base/text_number.h"
+#include "core/geometry/edge_table.h"
+#include "core/geometry/repair/remesher.h"
+#include "core/geometry/repair/sheets.h"
+#include "core/geometry/triangle_shape.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+constexpr double kMostTriangles = 2e7;               // some gigabytes
+constexpr double kEquilateral = 0.43301270189221932; // area of the triangle with sides of 1: sqrt(3) / 4
+
+std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
+
+double areaOf(const Mesh& mesh)
+{
+  double twice = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t) twice += areaVector(mesh, t).norm();
+  return 0.5 * twice;
+}
+
+/// A place and a power of two, so that squares and products of lengths stay far from the ends of double.
+struct Frame {
+  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+  double scale = 1.0;
+
+  explicit Frame(const Mesh& mesh)
+  {
+    const Eigen::Vector3d low = mesh.position.rowwise().minCoeff(), high = mesh.position.rowwise().maxCoeff();
+    centre = 0.5 * low + 0.5 * high;
+    const double size = (0.5 * high - 0.5 * low).maxCoeff();
+    if (size > 0.0) scale = std::ldexp(1.0, -std::ilogb(size));
+  }
+  Eigen::Matrix3Xd in(const Eigen::Matrix3Xd& position) const
+  {
+    return (position.colwise() - centre) * scale;
+  }
+  Eigen::Vector3d out(const Eigen::Vector3d& p) const { return p / scale + centre; }
+};
+
+/// The new net of one mesh, from the first look to the last.
+class SurfaceNet {
+public:
+  /// @param mesh  in its frame, stays alive.
+  SurfaceNet(const Mesh& mesh, double edgeLength, WorkControl* control)
+    : m_original(mesh), m_sheets(cutToSheets(mesh, pinned(mesh))), m_control(control)
+  {
+    m_isRough = markCurves(m_sheets.surface, edgeLength);
+    findCurves();
+  }
+
+  /// @param most  triangles; 0 if only the length counts.
+  void make(double edgeLength, Index most)
+  {
+    constexpr int kRounds = 8;
+    const NearestPoint surface(m_original.position, m_original.triangles),
+      curves(m_original.position, m_curves);
+    Remesher remesher(m_sheets.surface, {&surface, &curves}, m_control);
+    remesher.reduce(edgeLength);
+    for (int round = 0; round < kRounds && !stopWanted(m_control); ++round) {
+      tellDone(m_control, static_cast<double>(round + 1) / (kRounds + 1));
+      remesher.improve(edgeLength);
+      if (most > 0)
+        edgeLength *= std::clamp(std::sqrt(m_sheets.surface.liveTriangles / (0.97 * most)), 0.8, 1.25);
+    }
+    if (most > 0) remesher.collapseTo(most);
+    for (int round = 0; round < 3; ++round) {
+      remesher.flipToRegular();
+      remesher.relax();
+    }
+  }
+  bool isRough() const { return m_isRough; }
+
+  /// Puts the sheets together again. `mesh` has the positions of the file; what has not moved keeps its bits.
+  void writeTo(Mesh& mesh, const Frame& frame, std::vector<Index>& vertexOf) const;
+
+private:
+  static std::vector<std::uint8_t> pinned(const Mesh& mesh)
+  {
+    std::vector<std::uint8_t> pinned(at(mesh.vertexCount()), 0);
+    for (Index i = 0; i < mesh.segments.size(); ++i) pinned[at(mesh.segments.data()[i])] = 1;
+    for (Index i = 0; i < mesh.tetrahedra.size(); ++i) pinned[at(mesh.tetrahedra.data()[i])] = 1;
+    return pinned;
+  }
+  void findCurves()
+  {
+    const HalfEdgeMesh& surface = m_sheets.surface;
+    std::vector<Index> ends;
+    for (Index h = 0; h < surface.halfEdges(); ++h)
+      if (surface.isLead(h) && surface.isCurve[at(h)]) {
+        ends.push_back(m_sheets.origin[at(surface.from(h))]);
+        ends.push_back(m_sheets.origin[at(surface.to(h))]);
+      }
+    m_curves.resize(3, static_cast<Eigen::Index>(ends.size() / 2));
+    for (Eigen::Index i = 0; i < m_curves.cols(); ++i)
+      m_curves.col(i) << ends[static_cast<std::size_t>(2 * i)], ends[static_cast<std::size_t>(2 * i + 1)],
+        ends[static_cast<std::size_t>(2 * i + 1)];
+  }
+
+  const Mesh& m_original;
+  Sheets m_sheets;
+  TriangleMatrix m_curves;
+  bool m_isRough = false;
+  WorkControl* m_control;
+};
+
+void SurfaceNet::writeTo(Mesh& mesh, const Frame& frame, std::vector<Index>& vertexOf) const
+{
+  const HalfEdgeMesh& surface = m_sheets.surface;
+  std::vector<std::uint8_t> hadTriangles(at(mesh.vertexCount()), 0);
+  for (Index i = 0; i < mesh.triangles.size(); ++i) hadTriangles[at(mesh.triangles.data()[i])] = 1;
+  std::vector<Index> newOf(at(mesh.vertexCount()), kNoIndex), placeOf(surface.position.size(), kNoIndex);
+  Eigen::Matrix3Xd position(3, surface.vertices());
+  Index count = 0;
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    const bool isOld = v < mesh.vertexCount();
+    const bool isCopy = !isOld && v < static_cast<Index>(m_sheets.origin.size());
+    if (isCopy) {
+      placeOf[at(v)] = newOf[at(m_sheets.origin[at(v)])];
+      continue;
+    }
+    if (surface.firstOut[at(v)] == kNoIndex && !(isOld && !hadTriangles[at(v)])) continue;
+    const bool hasMoved = !isOld || surface.position[at(v)] != m_original.position.col(v);
+    position.col(count) =
+      hasMoved ? frame.out(surface.position[at(v)]) : Eigen::Vector3d(mesh.position.col(v));
+    if (isOld) newOf[at(v)] = count;
+    placeOf[at(v)] = count++;
+  }
+  mesh.position = position.leftCols(count);
+  mesh.triangles.resize(3, surface.liveTriangles);
+  Eigen::Index t = 0;
+  for (Index h = 0; h < surface.halfEdges(); h += 3)
+    if (surface.isLive(h)) {
+      for (int k = 0; k < 3; ++k) mesh.triangles(k, t) = placeOf[at(surface.from(h + k))];
+      ++t;
+    }
+  const auto renumber = [&](Index& vertex) { vertex = newOf[at(vertex)]; };
+  std::for_each(mesh.segments.data(), mesh.segments.data() + mesh.segments.size(), renumber);
+  std::for_each(mesh.tetrahedra.data(), mesh.tetrahedra.data() + mesh.tetrahedra.size(), renumber);
+  for (Index& vertex : vertexOf)
+    if (vertex != kNoIndex) renumber(vertex);
+}
+
+bool isDone(const Mesh& mesh, Index triangles, double edgeLength)
+{
+  const EdgeLengths lengths = edgeLengths(mesh);
+  if (!lengths.areAlike()) return false;
+  if (triangles > 0) return mesh.triangleCount() <= triangles && mesh.triangleCount() >= 0.85 * triangles;
+  return std::abs(lengths.mean - edgeLength) <= 0.15 * edgeLength;
+}
+
+void tell(const Mesh& mesh, bool isRough, Index triangles, RepairReport& report)
+{
+  const EdgeLengths lengths = edgeLengths(mesh);
+  report.remeshedTo = mesh.triangleCount();
+  report.shortestEdge = lengths.shortest;
+  report.longestEdge = lengths.longest;
+  report.notes.push_back("made " + std::to_string(report.remeshedTo) + " triangles of " +
+                         std::to_string(report.remeshedFrom) + ", with edges from " +
+                         formatDouble(lengths.shortest, 3) + " to " + formatDouble(lengths.longest, 3));
+  if (isRough)
+    report.notes.push_back(
+      "took the many fine creases for roughness and smoothed them over; ask for shorter edges to "
+      "keep them");
+  if (triangles > 0 && report.remeshedTo > triangles)
+    report.notes.push_back("could not come down to " + std::to_string(triangles) +
+                           " triangles: lines, creases, seams or many small parts hold the others");
+  if (!lengths.areAlike())
+    report.notes.push_back(
+      "some edges stay more than 5 times shorter than others: lines, creases, seams or small "
+      "parts hold them, and the shortest sets the time step");
+}
+
+} // namespace
+
+EdgeLengths edgeLengths(const Mesh& mesh)
+{
+  EdgeLengths lengths;
+  double sum = 0.0;
+  for (Index t = 0; t < mesh.triangleCount(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const double length =
+        (mesh.position.col(mesh.triangles((k + 1) % 3, t)) - mesh.position.col(mesh.triangles(k, t)))
+          .stableNorm();
+      const bool isFirst = t == 0 && k == 0;
+      lengths.shortest = isFirst ? length : std::min(lengths.shortest, length);
+      lengths.longest = std::max(lengths.longest, length);
+      sum += length;
+    }
+  if (mesh.triangleCount() > 0) lengths.mean = sum / (3.0 * mesh.triangleCount());
+  return lengths;
+}
+
+Status remeshSurface(Mesh& mesh, Index triangles, double edgeLength, RepairReport& report,
+                     std::vector<Index>& vertexOf, WorkControl* control)
+{
+  if (mesh.triangleCount() == 0) return {};
+  const Frame frame(mesh);
+  Mesh framed = mesh;
+  framed.position = frame.in(mesh.position);
+  const double area = areaOf(framed);
+  if (!(area > 0.0) || !std::isfinite(area))
+    return Error{ErrorCode::InvalidValue,
+                 "the surface has no area that a number can hold, so no new net can be laid on it"};
+  const double wished =
+    triangles > 0 ? std::sqrt(area / (kEquilateral * triangles)) : edgeLength * frame.scale;
+  if (area / (kEquilateral * wished * wished) > kMostTriangles)
+    return Error{ErrorCode::InvalidValue,
+                 "edges of " + formatDouble(edgeLength, 3) +
+                   " would make more than 20 million triangles: ask for longer ones"};
+  if (isDone(framed, triangles, wished)) return {};
+
+  report.remeshedFrom = mesh.triangleCount();
+  SurfaceNet net(framed, wished, control);
+  if (stopWanted(control)) return cancelledError();
+  net.make(wished, triangles);
+  if (stopWanted(control)) return cancelledError();
+  net.writeTo(mesh, frame, vertexOf);
+  tell(mesh, net.isRough(), triangles, report);
+  return {};
+}
+
+} // namespace esm
