@@ -21,6 +21,7 @@ void Arming::obey(std::uint32_t orderWord) noexcept
     if (m_fault == ServoReason::DeviceLost || m_fault == ServoReason::Closed) break;
     m_fault = ServoReason::Plain;
     m_silence = 0.0;
+    if (!m_wanted) m_safeTicks = 0;
     m_wanted = !m_needsHome;
     break;
   }
@@ -47,10 +48,17 @@ void Arming::watch(DeviceLink link, double dt) noexcept
   }
 }
 
-void Arming::advance(double dt) noexcept
+void Arming::advance(double dt, double wish) noexcept
 {
-  const double change = m_wanted ? dt / std::max(m_armTime, 1e-3) : -dt / kDisarmTime;
+  if (waits()) m_safeTicks = wish < kSafeForce ? m_safeTicks + 1 : 0; // NaN is not small
+  const double change = m_wanted && !waits() ? dt / std::max(m_armTime, 1e-3) : -dt / kDisarmTime;
   m_gain = std::clamp(m_gain + change, 0.0, 1.0);
+}
+
+double Arming::dampingShare() const noexcept
+{
+  if (!m_wanted) return 0.0;
+  return kDampingShare * std::min({1.0, 20.0 * m_gain, 10.0 * (1.0 - m_gain)});
 }
 
 DeviceState Arming::state(bool present, bool forceFlows) const noexcept

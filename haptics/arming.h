@@ -36,10 +36,12 @@ private:
 enum class ServoReason : std::uint8_t {
   Plain,
   NeedsHome,
-  NoContact,  ///< armed, but nothing is held or the simulation is paused
-  StaleModel, ///< the simulation has not answered for a while
+  ForceTooLarge, ///< armed, but force waits until it would begin with almost nothing
+  NoContact,     ///< armed, but nothing is held or the simulation is paused
+  StaleModel,    ///< the simulation has not answered for a while
   EmergencyStop,
-  BadModel, ///< the simulation sent a force that is no number
+  BadModel,      ///< the simulation sent a force that is no number
+  EnergyTooHigh, ///< the loop gave energy that nobody had put in
   NoReply,
   DeviceLost,
   Closed
@@ -50,22 +52,30 @@ enum class ServoReason : std::uint8_t {
 ///     Absent <-- lost -- any;   any -- fault --> Fault -- arm --> Arming --> Active
 ///     Idle -- arm --> Arming;   Arming, Active -- disarm, home lost --> Fading --> Idle
 ///
-/// Opening takes the profile's armTime, closing 50 ms; a fault closes at once (the limiter's slew rate then
-/// is what the arm feels).
+/// Opening waits until the force would have been below 0.2 N for 50 ticks, so that it begins with nothing in
+/// the hand, then takes the profile's armTime, with some damping besides. Closing takes 50 ms; a fault closes
+/// at once (the limiter's slew rate then is what the arm feels).
 /// @note Threads: servo only.
 class Arming {
 public:
   static constexpr double kDisarmTime = 0.05;   ///< [s]
   static constexpr double kReplyTimeout = 0.02; ///< [s]
+  static constexpr double kSafeForce = 0.2;     ///< [N]
+  static constexpr int kSafeTicks = 50;
+  static constexpr double kDampingShare = 0.2; ///< of the device's most, while force fades in
 
   explicit Arming(double armTime) noexcept : m_armTime(armTime) {}
 
   void obey(std::uint32_t orderWord) noexcept; ///< does nothing for a word it has seen
   void fail(ServoReason reason) noexcept;      ///< the first reason stays until arm()
   void watch(DeviceLink link, double dt) noexcept;
-  void advance(double dt) noexcept;
+  /// @param wish  size of the force that would be sent with gain 1 [N].
+  void advance(double dt, double wish) noexcept;
 
   double gain() const noexcept { return m_gain; } ///< 0 ... 1
+  /// Damping to add while force fades in, over the device's most [1]; comes and goes without a jump.
+  double dampingShare() const noexcept;
+  bool waits() const noexcept { return m_wanted && m_safeTicks < kSafeTicks; }
   bool wanted() const noexcept { return m_wanted; }
   ServoReason fault() const noexcept { return m_fault; }
   /// @param forceFlows whether the force now sent is not zero.
@@ -76,6 +86,7 @@ private:
   double m_armTime;
   double m_gain = 0.0, m_silence = 0.0;
   std::uint32_t m_seen = 0;
+  int m_safeTicks = 0;
   bool m_wanted = false, m_needsHome = false;
   ServoReason m_fault = ServoReason::Plain;
 };

@@ -14,6 +14,8 @@ namespace {
 constexpr double kBlendShare = 0.25;                          ///< of the time between two models
 constexpr double kLeastInterval = 0.001, kMostInterval = 0.1; ///< [s]
 constexpr double kTickSmoothing = 1.0;                        ///< [s]
+constexpr double kUnevenShare = 2.0;                          ///< of the ticks' deviation counts as tick
+constexpr double kSlack = 1.0;                                ///< [N/m]; a softer spring stores nothing
 
 constexpr double kImplausible = 1e9; ///< [m], [N], [N/m], [N s/m]; sums of such numbers stay finite
 
@@ -27,17 +29,38 @@ bool isPlausible(const Matrix& matrix)
 bool isPlausible(const ContactModel& model)
 {
   return isPlausible(model.position) && isPlausible(model.force) && isPlausible(model.stiffness) &&
-         isPlausible(model.viscosity);
+         isPlausible(model.viscosity) && isPlausible(model.normal) && std::abs(model.friction) < kImplausible;
 }
 
-/// The symmetric part with its eigenvalues moved into [0, most].
-Eigen::Matrix3d capped(const Eigen::Matrix3d& matrix, double most, double& least) noexcept
+/// The symmetric part of a matrix in its own axes, with its eigenvalues moved into [0, most].
+struct CappedMatrix {
+  CappedMatrix(const Eigen::Matrix3d& matrix, double most) noexcept
+  {
+    Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
+    eigen.computeDirect(0.5 * (matrix + matrix.transpose()));
+    axes = eigen.eigenvectors();
+    values = eigen.eigenvalues().cwiseMax(0.0).cwiseMin(most);
+  }
+  Eigen::Matrix3d matrix() const noexcept { return axes * values.asDiagonal() * axes.transpose(); }
+  Eigen::Matrix3d inverse() const noexcept
+  {
+    const Eigen::Vector3d inverses = (values.array() > kSlack).select(values.cwiseInverse(), 0.0);
+    return axes * inverses.asDiagonal() * axes.transpose();
+  }
+  Eigen::Matrix3d axes;
+  Eigen::Vector3d values;
+};
+
+/// A touched surface pushes along its normal, and drags no more than its friction allows.
+Eigen::Vector3d touching(const Eigen::Vector3d& force, const Eigen::Vector3d& normal,
+                         double friction) noexcept
 {
-  Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen;
-  eigen.computeDirect(0.5 * (matrix + matrix.transpose()));
-  const Eigen::Vector3d values = eigen.eigenvalues().cwiseMax(0.0).cwiseMin(most);
-  least = values.minCoeff();
-  return eigen.eigenvectors() * values.asDiagonal() * eigen.eigenvectors().transpose();
+  if (normal.isZero(0.0)) return force;
+  const double push = force.dot(normal);
+  if (push <= 0.0) return Eigen::Vector3d::Zero();
+  const Eigen::Vector3d drag = force - push * normal;
+  const double size = drag.norm(), most = friction * push;
+  return size > most ? Eigen::Vector3d(push * normal + drag * (most / size)) : force;
 }
 
 } // namespace
@@ -46,36 +69,33 @@ ContactLaw::ContactLaw(const DeviceProfile& profile) noexcept
   : m_maxStiffness(profile.maxStiffness),
     m_maxDamping(profile.maxDamping),
     m_ownDamping(profile.ownDamping),
+    m_leastDelay(profile.delay),
     m_delay(profile.delay),
     m_tick(profile.period)
 {}
 
 double ContactLaw::stiffnessCap(double damping) const noexcept
 {
-  const double limit = 2.0 * (m_ownDamping + damping) / (m_tick + 2.0 * m_delay);
+  const double tick = m_tick + kUnevenShare * m_unevenness;
+  const double limit = 2.0 * (m_ownDamping + damping) / (tick + 2.0 * m_delay);
   return std::min(m_maxStiffness, kStabilityShare * limit);
 }
 
-ContactLaw::Plane ContactLaw::planeOf(const ContactModel& model) const noexcept
+ContactLaw::Plane ContactLaw::planeOf(const ContactModel& model, double scale) const noexcept
 {
   Plane plane;
-  double least = 0.0, ignored = 0.0;
-  plane.viscosity = capped(model.viscosity, m_maxDamping, least);
-  plane.stiffness = capped(model.stiffness, stiffnessCap(least), ignored);
-  plane.constant = model.force + plane.stiffness * model.position;
+  const CappedMatrix viscosity(scale * model.viscosity, m_maxDamping);
+  plane.viscosity = viscosity.matrix();
+  const CappedMatrix stiffness(scale * model.stiffness, stiffnessCap(viscosity.values.minCoeff()));
+  plane.stiffness = stiffness.matrix();
+  plane.compliance = stiffness.inverse();
+  plane.constant = scale * model.force + plane.stiffness * model.position;
+  if (const double length = model.normal.norm(); length > 0.0) plane.normal = model.normal / length;
+  plane.friction = std::max(model.friction, 0.0);
   return plane;
 }
 
-ContactLaw::Plane ContactLaw::blended() const noexcept
-{
-  Plane plane;
-  plane.constant = m_from.constant + m_blend * (m_to.constant - m_from.constant);
-  plane.stiffness = m_from.stiffness + m_blend * (m_to.stiffness - m_from.stiffness);
-  plane.viscosity = m_from.viscosity + m_blend * (m_to.viscosity - m_from.viscosity);
-  return plane;
-}
-
-bool ContactLaw::take(const ContactModel& model, double now) noexcept
+bool ContactLaw::take(const ContactModel& model, double now, double scale) noexcept
 {
   if (model.sequence == m_sequence) return true;
   m_sequence = model.sequence;
@@ -86,29 +106,54 @@ bool ContactLaw::take(const ContactModel& model, double now) noexcept
   if (goesOn) m_interval += 0.2 * (std::clamp(now - m_arrival, kLeastInterval, kMostInterval) - m_interval);
   m_arrival = now;
   m_stale = false;
-  m_from = blended();
-  m_to = planeOf(model);
-  m_blend = 0.0;
-  if (m_presence == 0.0) m_blend = 1.0; // nothing is felt yet that could jump
+  m_plane = planeOf(model, scale);
+  m_isNew = true;
   return true;
 }
 
 void ContactLaw::forget() noexcept
 {
   m_active = m_stale = false;
-  m_presence = 0.0;
+  m_presence = m_stored = 0.0;
+}
+
+/// Mean and mean deviation of the ticks; the age rises at once and falls slowly.
+void ContactLaw::measure(double dt, double age) noexcept
+{
+  const double weight = 1.0 - std::exp(-dt / kTickSmoothing);
+  m_tick += weight * (dt - m_tick);
+  m_unevenness += weight * (std::abs(dt - m_tick) - m_unevenness);
+  const double delay = std::max(age, m_leastDelay);
+  m_delay = std::max(delay, m_delay + weight * (delay - m_delay));
 }
 
 Eigen::Vector3d ContactLaw::force(double now, double dt, const Eigen::Vector3d& position,
-                                  const Eigen::Vector3d& velocity) noexcept
+                                  const Eigen::Vector3d& velocity, double age) noexcept
 {
-  m_tick += (1.0 - std::exp(-dt / kTickSmoothing)) * (dt - m_tick);
-  m_blend = std::min(1.0, m_blend + dt / (kBlendShare * m_interval));
+  measure(dt, age);
   m_stale = m_active && now - m_arrival > kStaleAfter;
+  const bool wasAbsent = m_presence == 0.0;
   m_presence = std::clamp(m_presence + (present() ? dt : -dt) / kFadeTime, 0.0, 1.0);
+  m_stored = 0.0;
   if (m_presence == 0.0) return Eigen::Vector3d::Zero();
-  const Plane plane = blended();
-  return m_presence * (plane.constant - plane.stiffness * position - plane.viscosity * velocity);
+
+  const Eigen::Vector3d elastic =
+    touching(m_plane.constant - m_plane.stiffness * position, m_plane.normal, m_plane.friction);
+  m_stored = 0.5 * elastic.dot(m_plane.compliance * elastic);
+  const Eigen::Vector3d full =
+    touching(m_plane.constant - m_plane.stiffness * position - m_plane.viscosity * velocity, m_plane.normal,
+             m_plane.friction);
+  if (m_isNew) {
+    // Nothing is felt yet that could jump while a contact only begins.
+    m_jump = wasAbsent ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(m_shown - full);
+    m_blend = 0.0;
+    m_isNew = false;
+  }
+  m_blend = std::min(1.0, m_blend + dt / (kBlendShare * m_interval));
+  m_shown = full + (1.0 - m_blend) * m_jump;
+  if (!m_plane.normal.isZero(0.0))
+    if (const double push = m_shown.dot(m_plane.normal); push < 0.0) m_shown -= push * m_plane.normal;
+  return m_presence * m_shown;
 }
 
 } // namespace esm

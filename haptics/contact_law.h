@@ -13,10 +13,12 @@ namespace esm {
 
 /// The force that the tissue exerts on the hand, each tick, from models that come at the simulation's pace.
 ///
-/// Each model is a plane, F = c - K x - C v. The newest one takes over within a quarter of the time between
-/// models, so that no jump is felt. K and C are first capped to what the device can render without
+/// A model is a plane, F = c - K x - C v, that a touched surface cuts off where it would pull (see
+/// ContactModel). The newest one counts at once; what it would make the force jump by is taken back within a
+/// quarter of the time between models. K and C are first capped to what the device can render without
 /// oscillating: 2 (b + B) / (T + 2 tau) is where a held spring begins to gain energy (b own damping, B added
-/// damping, T tick, tau delay); half of it leaves room for irregular ticks.
+/// damping, T tick, tau delay). T is the mean tick plus twice its deviation, tau the age of positions, both
+/// as measured; half of that stiffness leaves room for what was not.
 ///
 /// Presence fades in over 50 ms when a contact begins and out when it ends or when no model has come for
 /// 100 ms: a dead simulation is not a wall.
@@ -30,38 +32,48 @@ public:
   explicit ContactLaw(const DeviceProfile& profile) noexcept;
 
   /// Takes a model if its sequence is new.
+  /// @param scale  force felt over force of the tissue [1]; stiffness is capped after it.
   /// @return false for one with a NaN, an infinity or a number beyond 1e9; it is not taken.
-  bool take(const ContactModel& model, double now) noexcept;
+  bool take(const ContactModel& model, double now, double scale = 1.0) noexcept;
 
   /// Advances fading and blending by `dt` [s] and evaluates. Not limited: that is ForceLimiter's.
+  /// @param age  of the position [s].
   Eigen::Vector3d force(double now, double dt, const Eigen::Vector3d& position,
-                        const Eigen::Vector3d& velocity) noexcept;
+                        const Eigen::Vector3d& velocity, double age = 0.0) noexcept;
 
   void forget() noexcept; ///< ends the contact at once; a model that was already seen does not come back
 
   bool present() const noexcept { return m_active && !m_stale; }
   bool stale() const noexcept { return m_active && m_stale; }
   double presence() const noexcept { return m_presence; } ///< 0 ... 1
+  /// What the springs of the last force() hold, the energy that they may give back, without presence [J].
+  double stored() const noexcept { return m_stored; }
   /// Largest stiffness [N/m] that goes with an added damping [N s/m].
   double stiffnessCap(double damping) const noexcept;
 
 private:
   struct Plane {
-    Eigen::Vector3d constant = Eigen::Vector3d::Zero();  ///< [N]
-    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero(); ///< [N/m]
-    Eigen::Matrix3d viscosity = Eigen::Matrix3d::Zero(); ///< [N s/m]
+    Eigen::Vector3d constant = Eigen::Vector3d::Zero();   ///< [N]
+    Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero();  ///< [N/m]
+    Eigen::Matrix3d compliance = Eigen::Matrix3d::Zero(); ///< inverse of it, 0 where it is slack [m/N]
+    Eigen::Matrix3d viscosity = Eigen::Matrix3d::Zero();  ///< [N s/m]
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    double friction = 0.0;
   };
-  Plane planeOf(const ContactModel& model) const noexcept;
-  Plane blended() const noexcept;
+  Plane planeOf(const ContactModel& model, double scale) const noexcept;
+  void measure(double dt, double age) noexcept;
 
-  double m_maxStiffness, m_maxDamping, m_ownDamping, m_delay;
-  double m_tick; ///< as measured, smoothed [s]
-  Plane m_from, m_to;
-  double m_blend = 1.0;           ///< 0 = m_from, 1 = m_to
+  double m_maxStiffness, m_maxDamping, m_ownDamping, m_leastDelay;
+  double m_delay, m_tick, m_unevenness = 0.0; ///< as measured, smoothed [s]
+  Plane m_plane;
+  Eigen::Vector3d m_jump = Eigen::Vector3d::Zero();  ///< that the newest plane would have made [N]
+  Eigen::Vector3d m_shown = Eigen::Vector3d::Zero(); ///< last force, without presence [N]
+  bool m_isNew = false;
+  double m_blend = 1.0;           ///< 1: nothing is left of m_jump
   double m_interval = 1.0 / 60.0; ///< between models, smoothed [s]
   double m_arrival = 0.0;         ///< of the newest model [s]
   std::uint64_t m_sequence = 0;
-  double m_presence = 0.0;
+  double m_presence = 0.0, m_stored = 0.0;
   bool m_active = false, m_stale = false;
 };
 

@@ -20,6 +20,8 @@ std::string reasonText(ServoReason reason)
     return {};
   case ServoReason::NeedsHome:
     return "The device does not know its position yet; move its grip out and in once";
+  case ServoReason::ForceTooLarge:
+    return "Force waits until it would begin below 0.2 N; move the tool away from the tissue";
   case ServoReason::NoContact:
     return "Nothing is held, or the simulation is paused";
   case ServoReason::StaleModel:
@@ -28,6 +30,9 @@ std::string reasonText(ServoReason reason)
     return "Stopped by the user; arm again to go on";
   case ServoReason::BadModel:
     return "The simulation sent a force that is not a number; reset it, then arm again";
+  case ServoReason::EnergyTooHigh:
+    return "The force gave the hand more energy than the tissue holds; lower the gain or the stiffness, then "
+           "arm again";
   case ServoReason::NoReply:
     return "The device does not reply; check its cable, then arm again";
   case ServoReason::DeviceLost:
@@ -80,12 +85,20 @@ Result<std::unique_ptr<HapticSession>> HapticSession::open(const std::string& de
 {
   Result<std::unique_ptr<HapticDevice>> opened = openDevice(device);
   if (!opened) return opened.error();
+  return start(std::move(*opened), tool, contact);
+}
+
+Result<std::unique_ptr<HapticSession>> HapticSession::start(std::unique_ptr<HapticDevice> device,
+                                                            TripleBuffer<ToolState>& tool,
+                                                            TripleBuffer<ContactModel>& contact)
+{
+  const std::string name = device->profile().name;
   try {
-    auto impl = std::make_unique<Impl>(std::move(*opened), tool, contact);
+    auto impl = std::make_unique<Impl>(std::move(device), tool, contact);
     impl->loop.start();
     return std::unique_ptr<HapticSession>(new HapticSession(std::move(impl)));
   } catch (const std::exception& trouble) { // no memory or no thread to be had
-    return Error{ErrorCode::NoDevice, "The device '" + device + "' could not be started: " + trouble.what()};
+    return Error{ErrorCode::NoDevice, "The device '" + name + "' could not be started: " + trouble.what()};
   }
 }
 
@@ -107,6 +120,11 @@ void HapticSession::emergencyStop()
 void HapticSession::setForceLimit(double newtons)
 {
   m_impl->loop.core().setForceLimit(newtons);
+}
+
+void HapticSession::setForceScale(double scale)
+{
+  m_impl->loop.core().setForceScale(scale);
 }
 
 void HapticSession::moveHand(const Eigen::Vector3d& target)
@@ -134,7 +152,14 @@ HapticStatus HapticSession::status()
   status.position = servo.position;
   status.force = servo.force;
   status.forceLimit = servo.forceLimit;
+  status.generated = servo.generated;
+  status.tickTime = servo.tickTime;
   return status;
+}
+
+JitterCounts HapticSession::jitter() const
+{
+  return m_impl->loop.jitter();
 }
 
 void HapticSession::takeTrace(std::vector<TraceSample>& samples)

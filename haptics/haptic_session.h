@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/runtime/hand_over.h"
 #include "haptics/haptic_types.h"
+#include "haptics/jitter_histogram.h"
 
 #include <Eigen/Core>
 
@@ -13,6 +14,8 @@
 #include <vector>
 
 namespace esm {
+
+class HapticDevice;
 
 /// A device with its servo thread, as the window sees it. Forces are zero until arm().
 /// @note Threads: all members on one thread (the GUI's). The destructor stops, sends zero force and joins.
@@ -23,18 +26,24 @@ public:
   /// @param tool, contact the simulation's buffers; they must outlive the session.
   static Result<std::unique_ptr<HapticSession>> open(const std::string& device, TripleBuffer<ToolState>& tool,
                                                      TripleBuffer<ContactModel>& contact);
+  /// The same with a device that is open already.
+  static Result<std::unique_ptr<HapticSession>> start(std::unique_ptr<HapticDevice> device,
+                                                      TripleBuffer<ToolState>& tool,
+                                                      TripleBuffer<ContactModel>& contact);
   ~HapticSession();
 
   void arm();
   void disarm(); ///< fades out
   /// Force falls to exactly zero at the slew limit from the next tick on (5 N: 5 ms); Fault until arm().
   void emergencyStop();
-  void setForceLimit(double newtons);
+  void setForceLimit(double newtons); ///< the smaller one of this and the profile's holds
+  void setForceScale(double scale);   ///< force felt over force of the tissue [1]
   /// Simulated device: where the mouse wants the hand. The hand pulls the device there with its own spring.
   void moveHand(const Eigen::Vector3d& target);
   void placeHand(const Eigen::Vector3d& position); ///< jumps there at rest: a new grab
 
   HapticStatus status();
+  JitterCounts jitter() const; ///< since the device was opened
   /// Appends the ticks since the last call, oldest first (the ring keeps the last 4 s).
   void takeTrace(std::vector<TraceSample>& samples);
 

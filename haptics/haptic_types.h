@@ -29,6 +29,8 @@ struct HapticStatus {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< scene [m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();    ///< sent to the device last [N]
   double forceLimit = 0.0;                            ///< [N] in force: the smaller of user's and profile's
+  double generated = 0.0; ///< energy that nobody had put in and that damping has not taken out yet [J]
+  double tickTime = 0.0;  ///< longest tick of the last second: device, law and device again [s]
 };
 
 /// One tick for plots and records.
@@ -37,6 +39,8 @@ struct TraceSample {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< [m]
   Eigen::Vector3d velocity = Eigen::Vector3d::Zero(); ///< [m/s]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();    ///< [N]
+  double work = 0.0;                                  ///< done on the hand since the device was opened [J]
+  double lateness = 0.0;                              ///< of the tick's begin [s]
 };
 
 } // namespace esm

@@ -10,16 +10,18 @@ namespace esm {
 
 namespace {
 
-constexpr double kVelocityCutoff = 200.0; ///< [Hz]; below it encoder steps show, above it damping comes late
+constexpr double kVelocityCutoff = 200.0; ///< [Hz]; above it encoder steps show, below it damping comes late
+constexpr double kMostScale = 10.0;
 
-}
+} // namespace
 
 ServoCore::ServoCore(HapticDevice& device, TripleBuffer<ToolState>& tool, TripleBuffer<ContactModel>& contact)
   : m_device(device),
     m_toolBuffer(tool),
     m_contactBuffer(contact),
     m_arming(device.profile().armTime),
-    m_law(device.profile())
+    m_law(device.profile()),
+    m_energy(device.profile().maxDamping)
 {}
 
 void ServoCore::tick(double now, double dt) noexcept
@@ -27,26 +29,43 @@ void ServoCore::tick(double now, double dt) noexcept
   m_arming.obey(m_orders.latest());
   const DeviceLink link = m_device.read(now, m_sample);
   m_arming.watch(link, dt);
+  m_motion.setZero();
   if (link == DeviceLink::Ready && m_sample.position.allFinite()) {
-    estimateVelocity(dt);
+    take(m_sample, dt);
     sendTool(now);
   }
-  if (!m_law.take(m_contactBuffer.latest(), now)) m_arming.fail(ServoReason::BadModel);
-  Eigen::Vector3d wish = m_law.force(now, dt, m_lastPosition, m_velocity);
-  if (!wish.allFinite()) m_arming.fail(ServoReason::BadModel);
-  m_arming.advance(dt);
-  if (m_arming.gain() == 0.0)
-    wish.setZero(); // 0 x NaN would be NaN
-  else
-    wish *= m_arming.gain();
-
   const DeviceProfile& profile = m_device.profile();
   const double limit = std::min(profile.maxForce, m_userLimit.load(std::memory_order_relaxed));
+  const Eigen::Vector3d wanted = wish(now, dt, limit);
   // A late tick earns no larger step, one that follows it closely only a part; a clock's rounding is neither.
   const double slewTime = dt < 0.999 * profile.period ? dt : profile.period;
-  const Eigen::Vector3d& force = m_limiter.limit(wish, limit, slewTime);
+  const Eigen::Vector3d& force = m_limiter.limit(wanted, limit, slewTime);
   if (!m_device.write(force) && link != DeviceLink::Lost) m_arming.fail(ServoReason::NoReply);
   report(now, limit);
+}
+
+/// What the device should be sent, but for the limiter; zero for what is no number.
+Eigen::Vector3d ServoCore::wish(double now, double dt, double limit) noexcept
+{
+  if (!m_law.take(m_contactBuffer.latest(), now, m_scale.load(std::memory_order_relaxed)))
+    m_arming.fail(ServoReason::BadModel);
+  Eigen::Vector3d force = m_law.force(now, dt, m_lastPosition, m_velocity, m_sample.age);
+  if (!force.allFinite()) {
+    m_arming.fail(ServoReason::BadModel);
+    force.setZero(); // 0 x NaN would be NaN
+  }
+  if (!m_energy.account(m_limiter.force(), m_motion, m_law.stored(), m_share, dt)) {
+    if (m_arming.gain() > 0.0) m_arming.fail(ServoReason::EnergyTooHigh);
+    m_energy.forget();
+  }
+  const double size = force.stableNorm();
+  force += m_energy.damping(m_velocity);
+  if (const double norm = force.stableNorm(); norm > limit) force *= std::max(limit, 0.0) / norm;
+  m_arming.advance(dt, size);
+  const double gain = m_arming.gain();
+  m_share = m_law.presence() * gain * (size > limit ? std::max(limit, 0.0) / size : 1.0);
+  if (gain == 0.0) return Eigen::Vector3d::Zero();
+  return gain * force - m_arming.dampingShare() * m_device.profile().maxDamping * m_velocity;
 }
 
 void ServoCore::sendZero() noexcept
@@ -59,18 +78,24 @@ void ServoCore::setForceLimit(double newtons) noexcept
   if (std::isfinite(newtons)) m_userLimit.store(std::max(newtons, 0.0), std::memory_order_relaxed);
 }
 
-/// First-order low-pass on the difference quotient.
-void ServoCore::estimateVelocity(double dt) noexcept
+void ServoCore::setForceScale(double scale) noexcept
 {
-  if (!m_hasSample || m_sample.epoch != m_epoch) {
+  if (std::isfinite(scale)) m_scale.store(std::clamp(scale, 0.0, kMostScale), std::memory_order_relaxed);
+}
+
+/// The velocity is a first-order low-pass on the difference quotient.
+void ServoCore::take(const DeviceSample& sample, double dt) noexcept
+{
+  if (!m_hasSample || sample.epoch != m_epoch) {
     m_velocity.setZero();
   } else {
+    m_motion = sample.position - m_lastPosition;
     const double lag = 1.0 / (2.0 * std::numbers::pi * kVelocityCutoff);
-    m_velocity += ((m_sample.position - m_lastPosition) - dt * m_velocity) / (dt + lag);
+    m_velocity += (m_motion - dt * m_velocity) / (dt + lag);
   }
   m_hasSample = true;
-  m_epoch = m_sample.epoch;
-  m_lastPosition = m_sample.position;
+  m_epoch = sample.epoch;
+  m_lastPosition = sample.position;
 }
 
 void ServoCore::sendTool(double now) noexcept
@@ -84,6 +109,7 @@ ServoReason ServoCore::reason() const noexcept
   if (m_arming.fault() != ServoReason::Plain) return m_arming.fault();
   if (m_arming.needsHome()) return ServoReason::NeedsHome;
   if (m_arming.wanted() && m_law.stale()) return ServoReason::StaleModel;
+  if (m_arming.waits() && m_law.present()) return ServoReason::ForceTooLarge;
   if (m_arming.wanted() && !m_law.present()) return ServoReason::NoContact;
   return ServoReason::Plain;
 }
@@ -96,9 +122,10 @@ void ServoCore::report(double now, double limit) noexcept
   m_figures.position = m_lastPosition;
   m_figures.force = force;
   m_figures.forceLimit = limit;
+  m_figures.generated = m_energy.generated();
   m_status.back() = m_figures;
   m_status.publish();
-  m_trace.push({now, m_lastPosition, m_velocity, force});
+  m_trace.push({now, m_lastPosition, m_velocity, force, m_energy.work(), m_figures.lateness});
 }
 
 } // namespace esm

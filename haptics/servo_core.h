@@ -6,6 +6,7 @@
 #include "core/runtime/hand_over.h"
 #include "haptics/arming.h"
 #include "haptics/contact_law.h"
+#include "haptics/energy_guard.h"
 #include "haptics/force_limiter.h"
 #include "haptics/haptic_device.h"
 #include "haptics/trace_ring.h"
@@ -25,15 +26,21 @@ struct ServoStatus {
   Eigen::Vector3d position = Eigen::Vector3d::Zero(); ///< [m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();    ///< [N]
   double forceLimit = 0.0;                            ///< [N]
+  double generated = 0.0;                             ///< [J]
+  double lateness = 0.0, tickTime = 0.0;              ///< of this tick; longest of the last second [s]
 };
 
 /// One tick of the force loop, from the device's position to the device's force:
 ///
 ///     device --position--> velocity filter --> ToolState to the simulation
 ///        ^                      |
-///        |                 ContactLaw (newest ContactModel: cap, blend, stale) -- finite? -- x Arming gain
-///        |                                                                                       |
-///        +--------------- ForceLimiter: norm, slew <---------------------------------------------+
+///        |         ContactLaw: newest ContactModel, blended, capped to what stays stable
+///        |                      |
+///        |         EnergyGuard: damps what was generated, trips
+///        |                      |
+///        |         norm --> Arming: waits, fades in --> damping while it does
+///        |                      |
+///        +------ ForceLimiter: finite, norm, slew
 ///
 /// ForceLimiter stands last: no stage before it can let a large or sudden force through.
 /// @note Threads: tick() and close() on the servo thread, without locks, allocation, logging or exceptions;
@@ -53,11 +60,14 @@ public:
 
   ForceOrders& orders() noexcept { return m_orders; }
   void setForceLimit(double newtons) noexcept; ///< non-finite: no change
+  /// Force felt over force of the tissue; kept in [0, 10], non-finite: no change.
+  void setForceScale(double scale) noexcept;
   const ServoStatus& status() noexcept { return m_status.latest(); }
   TraceRing& trace() noexcept { return m_trace; }
 
 private:
-  void estimateVelocity(double dt) noexcept;
+  void take(const DeviceSample& sample, double dt) noexcept;
+  Eigen::Vector3d wish(double now, double dt, double limit) noexcept;
   void sendTool(double now) noexcept;
   ServoReason reason() const noexcept;
   void report(double now, double limit) noexcept;
@@ -66,16 +76,19 @@ private:
   TripleBuffer<ToolState>& m_toolBuffer;
   TripleBuffer<ContactModel>& m_contactBuffer;
   ForceOrders m_orders;
-  std::atomic<double> m_userLimit{kDefaultForceLimit};
+  std::atomic<double> m_userLimit{kDefaultForceLimit}, m_scale{1.0};
   TripleBuffer<ServoStatus> m_status;
   TraceRing m_trace;
 
   Arming m_arming;
   ContactLaw m_law;
+  EnergyGuard m_energy;
   ForceLimiter m_limiter;
+  double m_share = 0.0; ///< of the law's force that was sent last [1]
   DeviceSample m_sample;
   Eigen::Vector3d m_lastPosition = Eigen::Vector3d::Zero();
   Eigen::Vector3d m_velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d m_motion = Eigen::Vector3d::Zero(); ///< since the last tick [m]
   std::uint32_t m_epoch = 0;
   bool m_hasSample = false;
   std::uint64_t m_toolSequence = 0;

@@ -2,39 +2,21 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/servo_loop.h"
 
+#include "haptics/exit_guard.h"
+
 #include <algorithm>
 #include <cmath>
-
-#include <pthread.h>
-#include <sched.h>
-#include <sys/prctl.h>
-#include <sys/resource.h>
+#include <utility>
 
 namespace esm {
 
 namespace {
 
-constexpr int kRealTimePriority = 15; ///< above ordinary programs, below the kernel's own threads
-constexpr int kRaisedNice = -11;
-constexpr unsigned long kTimerSlack = 1000; ///< [ns]
-constexpr double kLateShare = 0.5;          ///< of a period; a later tick counts as late
-constexpr double kRateSmoothing = 0.5;      ///< [s]
-constexpr double kLatenessWindow = 0.5;     ///< [s]; the worst of the last two is shown
-constexpr int kMostFallingTicks = 200;      ///< far more than the largest force needs
+constexpr double kLateShare = 0.5;      ///< of a period; a later tick counts as late
+constexpr double kRateSmoothing = 0.5;  ///< [s]
+constexpr double kLatenessWindow = 0.5; ///< [s]; the worst of the last two is shown
+constexpr int kMostFallingTicks = 200;  ///< far more than the largest force needs
 constexpr int kZeroPackets = 3;
-
-/// The best that the system allows this thread; most users are allowed none of it, and the loop then runs
-/// with what it has.
-ServoPriority raisePriority() noexcept
-{
-  prctl(PR_SET_TIMERSLACK, kTimerSlack); // by default sleeping may take 50 us longer to spare power
-  sched_param parameter{};
-  parameter.sched_priority = kRealTimePriority;
-  if (pthread_setschedparam(pthread_self(), SCHED_FIFO, &parameter) == 0) return ServoPriority::RealTime;
-  // On Linux this sets the calling thread only.
-  if (setpriority(PRIO_PROCESS, 0, kRaisedNice) == 0) return ServoPriority::Raised;
-  return ServoPriority::Normal;
-}
 
 } // namespace
 
@@ -57,12 +39,16 @@ ServoLoop::~ServoLoop()
 
 void ServoLoop::start()
 {
-  m_thread = std::jthread([this](const std::stop_token& stop) {
-    m_priority.store(raisePriority(), std::memory_order_relaxed);
-    m_lastTick = m_deadline = m_clock->now();
-    while (!stop.stop_requested()) nextTick();
-    fallToZero();
-  });
+  m_thread = std::jthread([this](const std::stop_token& stop) { run(stop); });
+}
+
+void ServoLoop::run(const std::stop_token& stop) noexcept
+{
+  const LiveServo alive([](void* core) noexcept { static_cast<ServoCore*>(core)->sendZero(); }, &m_core);
+  m_priority.store(raiseThreadPriority(), std::memory_order_relaxed);
+  m_lastTick = m_deadline = m_clock->now();
+  while (!stop.stop_requested() && !ExitGuard::requested()) nextTick();
+  fallToZero();
 }
 
 void ServoLoop::runTicks(int count) noexcept
@@ -96,7 +82,10 @@ void ServoLoop::nextTick() noexcept
   ++figures.ticks;
   figures.rate = 1.0 / m_meanTick;
   figures.worstLateness = std::max(m_worstNow, m_worstBefore);
+  figures.tickTime = std::max(m_longestNow, m_longestBefore);
+  figures.lateness = lateness;
   m_core.tick(now, dt);
+  m_longestNow = std::max(m_longestNow, m_clock->now() - now);
 }
 
 void ServoLoop::countLateness(double now, double lateness) noexcept
@@ -104,12 +93,14 @@ void ServoLoop::countLateness(double now, double lateness) noexcept
   if (now >= m_windowEnd) {
     m_worstBefore = m_worstNow;
     m_worstNow = 0.0;
+    m_longestBefore = std::exchange(m_longestNow, 0.0);
     m_windowEnd = now + kLatenessWindow;
   }
   m_worstNow = std::max(m_worstNow, lateness);
   if (lateness > kLateShare * m_period) ++m_core.figures().lateTicks;
   const double missed = std::floor(lateness / m_period);
   m_core.figures().lateTicks += static_cast<std::uint64_t>(missed);
+  m_jitter.add(lateness, static_cast<std::uint64_t>(missed));
   m_deadline += missed * m_period; // the grid stays, the missed ticks are dropped
 }
 

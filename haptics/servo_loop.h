@@ -3,8 +3,10 @@
 #pragma once
 
 #include "haptics/haptic_device.h"
+#include "haptics/jitter_histogram.h"
 #include "haptics/servo_clock.h"
 #include "haptics/servo_core.h"
+#include "haptics/thread_priority.h"
 
 #include <atomic>
 #include <memory>
@@ -12,14 +14,11 @@
 
 namespace esm {
 
-/// What the system granted the servo thread.
-enum class ServoPriority : std::uint8_t { Normal, Raised, RealTime };
-
 /// Calls ServoCore once per period, by absolute deadlines, and owns the device meanwhile.
 ///
 /// A tick measures the time since the last one; late ticks are counted, missed ones dropped, never made up
-/// for: two forces in quick succession help nobody. Ending the loop, for whatever reason, lets the force fall
-/// at the slew rate and then sends zero three times, since a packet may be lost.
+/// for: two forces in quick succession help nobody. Ending the loop, for whatever reason (see ExitGuard too),
+/// lets the force fall at the slew rate and then sends zero three times, since a packet may be lost.
 ///
 ///     ServoLoop loop(std::move(device), std::make_unique<SteadyClock>(), tool, contact);
 ///     loop.start();        // own thread
@@ -38,10 +37,12 @@ public:
 
   ServoCore& core() noexcept { return m_core; }
   HapticDevice& device() noexcept { return *m_device; }
+  JitterCounts jitter() const noexcept { return m_jitter.counts(); } ///< any thread
   ServoPriority priority() const noexcept { return m_priority.load(std::memory_order_relaxed); }
 
 private:
   void nextTick() noexcept;
+  void run(const std::stop_token& stop) noexcept;
   void countLateness(double now, double lateness) noexcept;
   void fallToZero() noexcept;
 
@@ -52,6 +53,8 @@ private:
   double m_deadline, m_lastTick;
   double m_meanTick;                                         ///< smoothed [s]
   double m_worstNow = 0.0, m_worstBefore = 0.0, m_windowEnd; ///< half-second windows
+  double m_longestNow = 0.0, m_longestBefore = 0.0;
+  JitterHistogram m_jitter;
   std::atomic<ServoPriority> m_priority{ServoPriority::Normal};
   bool m_finished = false;
   std::jthread m_thread; ///< last: joins before the rest goes

@@ -13,6 +13,8 @@ void TraceRing::push(const TraceSample& sample) noexcept
   slot.word[w++].store(sample.time, std::memory_order_release);
   for (const Eigen::Vector3d* part : {&sample.position, &sample.velocity, &sample.force})
     for (int i = 0; i < 3; ++i) slot.word[w++].store((*part)[i], std::memory_order_release);
+  slot.word[w++].store(sample.work, std::memory_order_release);
+  slot.word[w++].store(sample.lateness, std::memory_order_release);
   slot.number.store(2 * tick + 2, std::memory_order_release);
   m_count.store(tick + 1, std::memory_order_release);
 }
@@ -25,6 +27,8 @@ bool TraceRing::read(std::uint64_t tick, TraceSample& sample) const noexcept
   sample.time = slot.word[w++].load(std::memory_order_acquire);
   for (Eigen::Vector3d* part : {&sample.position, &sample.velocity, &sample.force})
     for (int i = 0; i < 3; ++i) (*part)[i] = slot.word[w++].load(std::memory_order_acquire);
+  sample.work = slot.word[w++].load(std::memory_order_acquire);
+  sample.lateness = slot.word[w++].load(std::memory_order_acquire);
   return slot.number.load(std::memory_order_relaxed) == 2 * tick + 2;
 }
 

@@ -29,7 +29,7 @@ public:
   void takeNew(std::vector<TraceSample>& samples);
 
 private:
-  static constexpr std::size_t kWords = 10;
+  static constexpr std::size_t kWords = 12;
   struct Slot {
     std::atomic<std::uint64_t> number{0}; ///< 2 n + 2 holds tick n, odd: in work
     std::array<std::atomic<double>, kWords> word{};

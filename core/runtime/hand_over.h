@@ -24,6 +24,11 @@ struct ToolState {
 /// Simulation to servo: how the tissue answers near the tool. The servo evaluates
 ///     F(x) = force - stiffness (x - position) - viscosity v
 /// on the hand each tick, so a slow frame is felt as a slightly old tissue, never as a gap.
+///
+/// With a normal the tool only touches: where F.normal <= 0 there is no force, and what acts across the
+/// normal is held below `friction` F.normal. Such a model may come before the contact does: the servo then
+/// meets the surface on time instead of a frame later. Without a normal the tool holds on, and F has any
+/// direction.
 struct ContactModel {
   std::uint64_t sequence = 0;
   double time = 0.0; ///< simulated time [s]
@@ -32,6 +37,8 @@ struct ContactModel {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< on the hand at that position [N]
   Eigen::Matrix3d stiffness = Eigen::Matrix3d::Zero(); ///< symmetric, positive semidefinite [N/m]
   Eigen::Matrix3d viscosity = Eigen::Matrix3d::Zero(); ///< [N s/m]
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();    ///< unit, out of the tissue; zero: held, not touched
+  double friction = 0.0;                               ///< coefficient [1]
 };
 
 } // namespace esm

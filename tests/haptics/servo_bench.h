@@ -26,6 +26,16 @@ inline std::unique_ptr<Hand> handAlong(std::function<Eigen::Vector3d(double)> pa
   return std::make_unique<PathHand>(std::move(path));
 }
 
+/// Of a device in a hand that hardly gives way: a force without springs behind it is energy that nobody had
+/// put in, and more than 20 mJ of it would be a fault.
+inline SimulatedDeviceSettings firmlyHeld()
+{
+  SimulatedDeviceSettings settings;
+  settings.handStiffness = 3000.0;
+  settings.handDamping = 30.0;
+  return settings;
+}
+
 /// A simulated device on a servo loop in virtual time, with both buffers at hand: the test is the simulation.
 struct ServoBench {
   explicit ServoBench(const SimulatedDeviceSettings& settings = {}, std::unique_ptr<Hand> hand = nullptr)
@@ -38,6 +48,19 @@ struct ServoBench {
   Eigen::Vector3d force() const { return device.force(); } ///< what has arrived at the device
   const ServoStatus& status() { return loop.core().status(); }
   void order(ForceOrder what) { loop.core().orders().give(what); }
+  /// Armed, and the wait for a small force is over.
+  void armWithoutForce()
+  {
+    const auto rest = [this](int ticks) {
+      for (int i = 0; i < ticks; ++i) {
+        send({});
+        tick();
+      }
+    };
+    rest(60); // the last contact fades out
+    order(ForceOrder::Arm);
+    rest(Arming::kSafeTicks);
+  }
 
   void send(ContactModel model)
   {

@@ -50,12 +50,18 @@ SpringNet membrane()
 }
 
 constexpr Index kCentre = 24;
+const Eigen::Vector3d kNode(0.03, 0.03, 0.0);
 
 /// Simulation and servo in lockstep: 50 ticks of 1 ms are three frames of 1/60 s.
 class ClosedLoop {
 public:
   ClosedLoop(const SimulatedDeviceSettings& settings, std::function<Eigen::Vector3d(double)> path)
-    : bench(settings, handAlong(std::move(path))), runner(60.0, bench.tool, bench.contact)
+    : bench(settings, handAlong([path = std::move(path)](double t) {
+              // From the node's place, where it is armed, into the motion.
+              const double share = std::clamp((t - 0.1) / 0.4, 0.0, 1.0);
+              return Eigen::Vector3d(kNode + share * (path(t) - kNode));
+            })),
+      runner(60.0, bench.tool, bench.contact)
   {
     const SpringNet net = membrane();
     const Eigen::Vector3d node = net.restPosition.col(kCentre);
@@ -78,8 +84,6 @@ public:
 private:
   int m_ticks = 0;
 };
-
-const Eigen::Vector3d kNode(0.03, 0.03, 0.0);
 
 } // namespace
 

@@ -22,7 +22,7 @@ protected:
     for (int i = 0; i < 2000; ++i) {
       ContactModel model;
       model.sequence = ++sequence;
-      model.active = true;
+      model.active = pushes;
       model.force = {1.0, 0.0, 0.0};
       contact.back() = model;
       contact.publish();
@@ -30,6 +30,16 @@ protected:
       std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
     return false;
+  }
+  /// Force begins only where it would be small: armed first, pushed after.
+  bool armThenPush()
+  {
+    pushes = false;
+    session->placeHand(Eigen::Vector3d::Zero());
+    session->arm();
+    if (!pushUntil([](const HapticStatus& s) { return s.state == DeviceState::Active; })) return false;
+    pushes = true;
+    return true;
   }
   void open()
   {
@@ -41,6 +51,7 @@ protected:
   TripleBuffer<ToolState> tool;
   TripleBuffer<ContactModel> contact;
   std::uint64_t sequence = 0;
+  bool pushes = false;
   std::unique_ptr<HapticSession> session;
 };
 
@@ -68,7 +79,7 @@ TEST_F(HapticSessionTest, ArmPushStopAndArmAgain)
   EXPECT_EQ(session->status().state, DeviceState::Idle);
   EXPECT_TRUE(session->status().force.isZero(0.0));
 
-  session->arm();
+  ASSERT_TRUE(armThenPush());
   EXPECT_TRUE(
     pushUntil([](const HapticStatus& s) { return s.state == DeviceState::Active && s.force.x() > 0.9; }));
   session->emergencyStop();
@@ -76,7 +87,7 @@ TEST_F(HapticSessionTest, ArmPushStopAndArmAgain)
   EXPECT_TRUE(pushUntil([](const HapticStatus& s) { return s.force.isZero(0.0); }));
   EXPECT_FALSE(session->status().reason.empty());
   EXPECT_FALSE(session->status().priority.empty());
-  session->arm();
+  ASSERT_TRUE(armThenPush());
   EXPECT_TRUE(pushUntil([](const HapticStatus& s) { return s.force.x() > 0.9; }));
   session->disarm();
   EXPECT_TRUE(pushUntil([](const HapticStatus& s) { return s.state == DeviceState::Idle; }));
@@ -101,7 +112,7 @@ TEST_F(HapticSessionTest, TheMouseMovesTheHandAndTheTraceTellsIt)
 TEST_F(HapticSessionTest, ClosingWhileForceFlowsEndsTheThread)
 {
   open();
-  session->arm();
+  ASSERT_TRUE(armThenPush());
   ASSERT_TRUE(pushUntil([](const HapticStatus& s) { return s.force.x() > 0.5; }));
   session.reset();
   const std::uint64_t last = tool.latest().sequence;

@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "haptics/exit_guard.h"
+
+#include <array>
+#include <atomic>
+#include <csignal>
+#include <cstdint>
+#include <ctime>
+#include <exception>
+
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+namespace esm {
+
+namespace {
+
+constexpr std::array kPolite{SIGINT, SIGTERM, SIGHUP};
+constexpr std::array kDeadly{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
+constexpr int kLongestWait = 100; ///< [ms]
+constexpr int kZeroPackets = 3;
+
+std::atomic<bool> s_requested{false};
+std::atomic<int> s_signal{0}, s_liveServos{0}, s_descriptor{-1};
+std::terminate_handler s_formerTerminate = nullptr;
+static_assert(std::atomic<int>::is_always_lock_free); // a handler may touch nothing else
+
+struct LastBreath {
+  void (*sendZero)(void*) noexcept = nullptr;
+  void* context = nullptr;
+};
+thread_local LastBreath t_lastBreath;
+
+void request(int signal) noexcept
+{
+  s_signal.store(signal, std::memory_order_relaxed);
+  s_requested.store(true, std::memory_order_release);
+  const std::uint64_t one = 1;
+  if (const int descriptor = s_descriptor.load(std::memory_order_relaxed); descriptor >= 0) [[maybe_unused]]
+    const auto written = write(descriptor, &one, sizeof one);
+}
+
+/// On the thread that is dying: the servo threads are alive, unless it is one of them.
+void silenceAll() noexcept
+{
+  request(0);
+  const LastBreath& own = t_lastBreath;
+  if (own.sendZero != nullptr)
+    for (int i = 0; i < kZeroPackets; ++i) own.sendZero(own.context);
+  const int mine = own.sendZero != nullptr ? 1 : 0;
+  const std::timespec millisecond{0, 1000000};
+  for (int i = 0; i < kLongestWait && s_liveServos.load(std::memory_order_acquire) > mine; ++i)
+    nanosleep(&millisecond, nullptr);
+}
+
+void onPolite(int signal)
+{
+  request(signal);
+}
+
+void onDeadly(int signal)
+{
+  silenceAll();
+  raise(signal); // SA_RESETHAND: now it does what it does to any program
+}
+
+[[noreturn]] void onTerminate()
+{
+  silenceAll();
+  if (s_formerTerminate != nullptr) s_formerTerminate();
+  std::abort();
+}
+
+void handle(int signal, void (*handler)(int))
+{
+  struct sigaction former {};
+  if (sigaction(signal, nullptr, &former) != 0) return;
+  if ((former.sa_flags & SA_SIGINFO) != 0 || former.sa_handler != SIG_DFL) return;
+  struct sigaction action {};
+  action.sa_handler = handler;
+  action.sa_flags = static_cast<int>(SA_RESETHAND);
+  sigaction(signal, &action, nullptr);
+}
+
+void release(int signal, void (*handler)(int))
+{
+  struct sigaction present {};
+  if (sigaction(signal, nullptr, &present) != 0 || present.sa_handler != handler) return;
+  std::signal(signal, SIG_DFL);
+}
+
+} // namespace
+
+ExitGuard::ExitGuard()
+{
+  s_descriptor.store(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK), std::memory_order_relaxed);
+  for (const int signal : kPolite) handle(signal, onPolite);
+  for (const int signal : kDeadly) handle(signal, onDeadly);
+  s_formerTerminate = std::set_terminate(onTerminate);
+}
+
+ExitGuard::~ExitGuard()
+{
+  std::set_terminate(s_formerTerminate);
+  for (const int signal : kPolite) release(signal, onPolite);
+  for (const int signal : kDeadly) release(signal, onDeadly);
+  if (const int descriptor = s_descriptor.exchange(-1); descriptor >= 0) close(descriptor);
+  s_requested.store(false);
+  s_signal.store(0);
+}
+
+bool ExitGuard::requested() noexcept
+{
+  return s_requested.load(std::memory_order_acquire);
+}
+
+int ExitGuard::signal() noexcept
+{
+  return s_signal.load(std::memory_order_relaxed);
+}
+
+int ExitGuard::descriptor() noexcept
+{
+  return s_descriptor.load(std::memory_order_relaxed);
+}
+
+LiveServo::LiveServo(void (*sendZero)(void*) noexcept, void* context) noexcept
+{
+  t_lastBreath = {sendZero, context};
+  s_liveServos.fetch_add(1, std::memory_order_acq_rel);
+}
+
+LiveServo::~LiveServo()
+{
+  t_lastBreath = {};
+  s_liveServos.fetch_sub(1, std::memory_order_acq_rel);
+}
+
+} // namespace esm
