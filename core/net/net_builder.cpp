@@ -5,6 +5,7 @@
 #include "core/geometry/distance.h"
 #include "core/geometry/edge_table.h"
 #include "core/geometry/first_appearance.h"
+#include "core/net/solid_net.h"
 
 #include <Eigen/Geometry>
 
@@ -86,12 +87,26 @@ TriangleMatrix surfaceOf(const Mesh& mesh, const std::vector<Index>& nodeOf, Wor
   return surface;
 }
 
+constexpr double kRegularArea = 0.4330127018922193; ///< of an equilateral triangle over L^2: sqrt(3)/4
+
 double triangleArea(const SpringNet& net, Index triangle)
 {
   const Eigen::Vector3d a = net.restPosition.col(net.triangles(0, triangle));
   const Eigen::Vector3d u = net.restPosition.col(net.triangles(1, triangle)) - a;
   const Eigen::Vector3d v = net.restPosition.col(net.triangles(2, triangle)) - a;
   return 0.5 * u.cross(v).norm();
+}
+
+Result<SpringNet> buildSolidNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, WorkControl* control)
+{
+  if (Status good = checkIndices(mesh.tetrahedra, mesh.vertexCount(), "tetrahedron"); !good)
+    return good.error();
+  std::vector<Index> nodeOf;
+  Result<SpringNet> net = buildNet(withoutTetrahedra(mesh), &nodeOf, control);
+  if (!net) return net.error();
+  addSolidShares(mesh.position, mesh.tetrahedra, nodeOf, *net);
+  if (nodeOfVertex) *nodeOfVertex = std::move(nodeOf);
+  return net;
 }
 
 } // namespace
@@ -122,6 +137,8 @@ Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, W
 {
   if (Status good = checkIndices(mesh.triangles, mesh.vertexCount(), "triangle"); !good) return good.error();
   if (Status good = checkIndices(mesh.segments, mesh.vertexCount(), "line"); !good) return good.error();
+
+  if (mesh.tetrahedronCount() > 0) return buildSolidNet(mesh, nodeOfVertex, control);
 
   const EdgeTable edges = findEdges(mesh, control);
   if (stopWanted(control)) return cancelledError();
@@ -181,9 +198,11 @@ Eigen::ArrayXd edgeTriangleAreas(const SpringNet& net)
   Eigen::ArrayXd area = Eigen::ArrayXd::Zero(springs);
   for (Index t = 0; t < net.triangleCount(); ++t) {
     const double whole = triangleArea(net, t);
+    const bool isRegular = net.material.edges == EdgeFormula::Regular;
     for (Index c = 0; c < 3; ++c) {
       const Index spring = first[static_cast<std::size_t>(springs + 3 * t + c)];
-      if (spring < springs) area[spring] += whole;
+      if (spring < springs)
+        area[spring] += isRegular ? kRegularArea * net.restLength[spring] * net.restLength[spring] : whole;
     }
   }
   // Several springs over the same two nodes share them alike.

@@ -19,7 +19,9 @@ void resizeNet(SpringNet& net, Index nodes, Index springs);
 /// mass 1 kg, stiffness 0: tissue gives them their values.
 /// Degenerate and duplicate triangles add no surface twice: triangles with two equal corners or a
 /// non-finite vertex, and later duplicates, are left out of `triangles`; zero-length springs are kept out.
-/// Isolated and non-finite vertices are left out of the net; `nodeOfVertex` says where each went.
+/// Tetrahedra give their edges as springs and their boundary as the surface, if the mesh has none; sections
+/// and volumes make a solid of them, see solid_net.h. Isolated and non-finite vertices are left out of the
+/// net; `nodeOfVertex` says where each went.
 /// @param nodeOfVertex old-to-new map, kNoIndex for a vertex that is left out; may be null.
 /// Errors: EmptyResult if no spring comes out, InvalidValue for an index out of range, Cancelled.
 Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex = nullptr,
@@ -34,7 +36,8 @@ Status checkNet(const SpringNet& net);
 /// Area of the surface that belongs to each node: a third of each adjoining triangle. N [m^2].
 Eigen::ArrayXd nodeDualAreas(const SpringNet& net);
 
-/// For each spring the area of its adjoining triangles. S [m^2]; 0 for lines.
+/// For each spring the area of its adjoining triangles, each as the net's EdgeFormula counts it. S [m^2]; 0
+/// for lines.
 Eigen::ArrayXd edgeTriangleAreas(const SpringNet& net);
 
 } // namespace esm

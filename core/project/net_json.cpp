@@ -12,6 +12,8 @@ namespace esm::json {
 
 namespace {
 
+constexpr const char* kEdgeFormulas[] = {"van_gelder", "regular"};
+
 /// The places where a flag is set.
 template <class Flags, class Predicate>
 Json placesOf(const Flags& flags, Predicate isSet)
@@ -85,7 +87,7 @@ VectorCurve readCurve(const View& object, const char* valueKey)
 
 void readNodes(const View& nodes, SpringNet& net)
 {
-  nodes.expectKeys({"mass", "fixed"}, {"id", "velocity", "mass_damping"});
+  nodes.expectKeys({"mass", "fixed"}, {"id", "velocity", "mass_damping", "volume", "support"});
   const Index count = net.nodeCount();
   net.mass = nodes["mass"].numbers(count, Range::Positive);
   for (const Index node : nodes["fixed"].indexList(count)) net.fixed[static_cast<std::size_t>(node)] = 1;
@@ -95,6 +97,12 @@ void readNodes(const View& nodes, SpringNet& net)
     if (net.initialVelocity.cols() != count)
       nodes["velocity"].mustBe(("a flat list of " + std::to_string(count) + " x, y, z triples").c_str());
   }
+  if (nodes.has("volume")) net.volume = nodes["volume"].numbers(count, Range::NotNegative);
+  if (nodes.has("support")) {
+    net.supportNode.assign(static_cast<std::size_t>(count), 0);
+    for (const Index node : nodes["support"].indexList(count))
+      net.supportNode[static_cast<std::size_t>(node)] = 1;
+  }
   readIds(nodes, net.nodeId);
 }
 
@@ -102,7 +110,7 @@ void readSprings(const View& springs, SpringNet& net)
 {
   springs.expectKeys(
     {"ends", "rest_length", "stiffness", "viscosity", "law", "law_parameter", "tension_only", "lines"},
-    {"id"});
+    {"id", "struts", "section"});
   const Index count = net.springCount();
   net.restLength = springs["rest_length"].numbers(count, Range::NotNegative);
   net.stiffness = springs["stiffness"].numbers(count, Range::NotNegative);
@@ -114,7 +122,18 @@ void readSprings(const View& springs, SpringNet& net)
     net.tensionOnly[static_cast<std::size_t>(spring)] = 1;
   for (const Index spring : springs["lines"].indexList(count))
     net.kind[static_cast<std::size_t>(spring)] = SpringKind::Line;
+  if (springs.has("struts"))
+    for (const Index spring : springs["struts"].indexList(count))
+      net.kind[static_cast<std::size_t>(spring)] = SpringKind::Strut;
+  if (springs.has("section")) net.section = springs["section"].numbers(count, Range::NotNegative);
   readIds(springs, net.springId);
+}
+
+void readMaterial(const View& object, SpringNet& net)
+{
+  object.expectKeys({"edges", "modulus_scale"});
+  net.material.edges = EdgeFormula(object["edges"].choice(kEdgeFormulas));
+  net.material.modulusScale = object["modulus_scale"].number(Range::Positive);
 }
 
 void readTables(const View& list, SpringNet& net)
@@ -204,7 +223,7 @@ std::vector<PrescribedMotion> readMotions(const View& list, Index nodes)
 
 void readAnchors(const View& object, SpringNet& net)
 {
-  object.expectKeys({"node", "point", "stiffness", "viscosity"});
+  object.expectKeys({"node", "point", "stiffness", "viscosity"}, {"band_length"});
   net.anchors.node = object["node"].indexList(net.nodeCount());
   net.anchors.point = object["point"].points();
   if (net.anchors.point.cols() != net.anchors.count())
@@ -213,6 +232,8 @@ void readAnchors(const View& object, SpringNet& net)
         .c_str());
   net.anchors.stiffness = object["stiffness"].numbers(net.anchors.count(), Range::NotNegative);
   net.anchors.viscosity = object["viscosity"].numbers(net.anchors.count(), Range::NotNegative);
+  if (object.has("band_length"))
+    net.anchors.bandLength = object["band_length"].numbers(net.anchors.count(), Range::NotNegative);
 }
 
 Json geometryOf(const SpringNet& net)
@@ -226,6 +247,9 @@ Json netOf(const SpringNet& net)
   Json nodes = {{"mass", uniformOrList(net.mass)}, {"fixed", placesOf(net.fixed, isOne)}};
   if (net.initialVelocity.cols() > 0) nodes["velocity"] = listOf(net.initialVelocity);
   if (net.massDamping.size() > 0) nodes["mass_damping"] = uniformOrList(net.massDamping);
+  // Only where they are: files are read by older programs, which know no such keys.
+  if (net.volume.size() > 0) nodes["volume"] = uniformOrList(net.volume);
+  if (!net.supportNode.empty()) nodes["support"] = placesOf(net.supportNode, isOne);
   addIds(nodes, net.nodeId);
 
   Json springs = {{"ends", listOf(net.ends)},
@@ -236,6 +260,9 @@ Json netOf(const SpringNet& net)
                   {"law_parameter", uniformOrList(net.lawParameter)},
                   {"tension_only", placesOf(net.tensionOnly, isOne)},
                   {"lines", placesOf(net.kind, [](SpringKind k) { return k == SpringKind::Line; })}};
+  const auto isStrut = [](SpringKind k) { return k == SpringKind::Strut; };
+  if (std::any_of(net.kind.begin(), net.kind.end(), isStrut)) springs["struts"] = placesOf(net.kind, isStrut);
+  if (net.section.size() > 0) springs["section"] = uniformOrList(net.section);
   addIds(springs, net.springId);
 
   Json tables = Json::array();
@@ -245,16 +272,21 @@ Json netOf(const SpringNet& net)
                   {"point", listOf(net.anchors.point)},
                   {"stiffness", uniformOrList(net.anchors.stiffness)},
                   {"viscosity", uniformOrList(net.anchors.viscosity)}};
-  return {{"nodes", std::move(nodes)},
-          {"springs", std::move(springs)},
-          {"anchors", std::move(anchors)},
-          {"tables", std::move(tables)}};
+  if (net.anchors.bandLength.size() > 0) anchors["band_length"] = uniformOrList(net.anchors.bandLength);
+  Json object = {{"nodes", std::move(nodes)},
+                 {"springs", std::move(springs)},
+                 {"anchors", std::move(anchors)},
+                 {"tables", std::move(tables)}};
+  if (net.material != NetMaterial{})
+    object["material"] = {{"edges", kEdgeFormulas[static_cast<std::size_t>(net.material.edges)]},
+                          {"modulus_scale", net.material.modulusScale}};
+  return object;
 }
 
 SpringNet readNet(const View& geometry, const View& block)
 {
   geometry.expectKeys({"position", "triangles"});
-  block.expectKeys({"nodes", "springs", "anchors", "tables"});
+  block.expectKeys({"nodes", "springs", "anchors", "tables"}, {"material"});
   SpringNet net;
   const Eigen::Matrix3Xd position = geometry["position"].points();
   const auto nodes = static_cast<Index>(position.cols());
@@ -267,6 +299,7 @@ SpringNet readNet(const View& geometry, const View& block)
   readSprings(block["springs"], net);
   readTables(block["tables"], net);
   readAnchors(block["anchors"], net);
+  if (block.has("material")) readMaterial(block["material"], net);
   return net;
 }
 

@@ -27,6 +27,7 @@ DerivationPlaces::DerivationPlaces(const SpringNet& net)
     nodes(net.nodeCount()),
     point(3, springs + nodes),
     dualArea(nodeDualAreas(net)),
+    volume(net.volume),
     edgeArea(edgeTriangleAreas(net)),
     perModulus(springs),
     section(Eigen::ArrayXd::Zero(springs))
@@ -36,7 +37,7 @@ DerivationPlaces::DerivationPlaces(const SpringNet& net)
   point.rightCols(nodes) = net.restPosition;
 
   for (Index node = 0; node < nodes; ++node)
-    if (!(dualArea[node] > 0.0)) loose.push_back(node);
+    if (!hasTissue(node)) loose.push_back(node);
   if (loose.empty()) return;
   looseOfNode.assign(static_cast<std::size_t>(nodes), kNoIndex);
   for (std::size_t i = 0; i < loose.size(); ++i)
@@ -50,14 +51,16 @@ DerivationPlaces::DerivationPlaces(const SpringNet& net)
 
 SpringGeometry DerivationPlaces::springGeometry(Index spring, double thickness, const SpringNet& net) const
 {
-  const double areaA = dualArea[net.ends(0, spring)], areaB = dualArea[net.ends(1, spring)];
-  const double line = lineSection(areaA, areaB, thickness), length = net.restLength[spring];
-  const bool isEdge = net.kind[static_cast<std::size_t>(spring)] == SpringKind::Edge;
+  const Index a = net.ends(0, spring), b = net.ends(1, spring);
+  const double own = net.sectionOf(spring), length = net.restLength[spring];
+  const double line = own > 0.0 ? own : lineSection(dualArea[a], dualArea[b], thickness);
   SpringGeometry geometry;
-  geometry.area = isEdge ? edgeArea[spring] : line;
+  geometry.isWall = net.kind[static_cast<std::size_t>(spring)] == SpringKind::Edge && !(own > 0.0);
+  geometry.area = geometry.isWall ? edgeArea[spring] : line;
   if (length > 0.0)
-    geometry.perModulus = isEdge ? thickness * edgeArea[spring] / (length * length) : line / length;
-  geometry.section = areaA > 0.0 && areaB > 0.0 ? 0.0 : line;
+    geometry.perModulus = geometry.isWall ? thickness * edgeArea[spring] / (length * length) : line / length;
+  geometry.perModulus *= net.material.modulusScale;
+  geometry.section = hasTissue(a) && hasTissue(b) ? 0.0 : line;
   return geometry;
 }
 

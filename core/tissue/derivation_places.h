@@ -12,9 +12,10 @@ namespace esm {
 
 /// What a net's geometry makes of the tissue at a spring.
 struct SpringGeometry {
-  double area = 0.0;       ///< of edges A, of lines a [m^2]
+  double area = 0.0;       ///< of the wall's edges A, of others a [m^2]
   double perModulus = 0.0; ///< k / E [m]
   double section = 0.0;    ///< of lines that carry mass a, else 0 [m^2]
+  bool isWall = false;     ///< an edge of the wall: E h A / L^2; else E a / L
 };
 
 /// The formulas of applyTissue(), for all who write or explain numbers.
@@ -35,12 +36,22 @@ inline double massOfSurface(const TissueParameters& tissue, double thickness, do
 {
   return tissue.density * thickness * dualArea;
 }
+inline double massOfVolume(const TissueParameters& tissue, double volume) noexcept
+{
+  return tissue.density * volume;
+}
 struct AnchorNumbers {
   double stiffness = 0.0, viscosity = 0.0;
 };
 inline AnchorNumbers anchorNumbers(const TissueParameters& tissue, double dualArea) noexcept
 {
   const double k = tissue.anchoring * dualArea;
+  return {k, tissue.viscosity * k};
+}
+/// Of a band of the support layer, see AnchorSet::bandLength.
+inline AnchorNumbers bandNumbers(const TissueParameters& tissue, double dualArea, double length) noexcept
+{
+  const double k = tissue.youngsModulus * dualArea / length;
   return {k, tissue.viscosity * k};
 }
 inline double halfMassOfLine(double density, double section, double length) noexcept
@@ -55,16 +66,20 @@ struct DerivationPlaces {
   /// Sections depend on the wall's thickness, which can be edited.
   void setThickness(double thickness, const SpringNet& net);
   SpringGeometry springGeometry(Index spring, double thickness, const SpringNet& net) const;
+  /// Whether a node has tissue of its own; else that of its lines.
+  bool hasTissue(Index node) const noexcept { return dualArea[node] > 0.0 || volumeOf(node) > 0.0; }
+  double volumeOf(Index node) const noexcept { return volume.size() > 0 ? volume[node] : 0.0; }
 
   Index springs = 0, nodes = 0;
   Eigen::Matrix3Xd point;         ///< 3 x (S + N) [m]
   Eigen::ArrayXd dualArea;        ///< per node [m^2]
+  Eigen::ArrayXd volume;          ///< SpringNet::volume [m^3]
   Eigen::ArrayXd edgeArea;        ///< per spring [m^2]
   Eigen::ArrayXd perModulus;      ///< per spring, k / E [m]
   Eigen::ArrayXd section;         ///< per spring of those that carry mass, else 0 [m^2]
-  std::vector<Index> loose;       ///< nodes off the surface, ascending
+  std::vector<Index> loose;       ///< nodes off the surface without a volume, ascending
   Grouped<Index> looseSprings;    ///< by place in `loose`: the springs whose mass they share
-  std::vector<Index> looseOfNode; ///< place in `loose`, kNoIndex on the surface; empty without loose nodes
+  std::vector<Index> looseOfNode; ///< place in `loose`, kNoIndex for others; empty without loose nodes
 };
 
 /// The places that a region's weight is above 0 at, ascending.

@@ -24,6 +24,11 @@ const ExplainedKind kEdgeStiffness{"stiffness", "N/m", "E h A / L^2", {"stiffnes
                                    "N/m",       kE};
 const ExplainedKind kLineStiffness{"stiffness", "N/m", "E a / L", {"stiffness", "Steifigkeit"},
                                    1.0,         "N/m", kE};
+/// The same times the material's scale s, where a net has one.
+const ExplainedKind kScaledEdgeStiffness{
+  "stiffness", "N/m", "s E h A / L^2", {"stiffness", "Steifigkeit"}, 1.0, "N/m", kE};
+const ExplainedKind kScaledLineStiffness{"stiffness", "N/m", "s E a / L", {"stiffness", "Steifigkeit"},
+                                         1.0,         "N/m", kE};
 const ExplainedKind kViscosity{"viscosity", "N s/m",  "tau k", {"viscosity", "Viskosität"},
                                1e-3,        "mN s/m", kTauE};
 const ExplainedKind kLawB{
@@ -33,6 +38,7 @@ const ExplainedKind kLawCubic{
   "law_parameter", "", "b^2 / 6", {"parameter of the force law", "Parameter des Kraftgesetzes"}, 1.0, "",
   kStiffening2};
 const ExplainedKind kSurfaceMass{"mass", "kg", "rho h A", {"mass", "Masse"}, 1e-6, "mg", kDensity};
+const ExplainedKind kVolumeMass{"mass", "kg", "rho V", {"mass", "Masse"}, 1e-6, "mg", kDensity};
 const ExplainedKind kLineMass{"mass", "kg", "sum of rho a L / 2", {"mass", "Masse"}, 1e-6, "mg", kNone};
 const ExplainedKind kAnchor{
   "anchor_stiffness", "N/m", "q A", {"stiffness of the anchor", "Steifigkeit des Ankers"}, 1.0, "N/m",
@@ -40,6 +46,11 @@ const ExplainedKind kAnchor{
 const ExplainedKind kAnchorViscosity{
   "anchor_viscosity", "N s/m",      "tau q A", {"viscosity of the anchor", "Viskosität des Ankers"}, 1e-3,
   "mN s/m",           kTauAnchoring};
+const ExplainedKind kBand{
+  "band_stiffness", "N/m", "E A / l", {"stiffness of the bands", "Steifigkeit der Bänder"}, 1.0, "N/m", kE};
+const ExplainedKind kBandViscosity{
+  "band_viscosity", "N s/m", "tau E A / l", {"viscosity of the bands", "Viskosität der Bänder"}, 1e-3,
+  "mN s/m",         kTauE};
 
 /// The tissue's parameters as kinds, in the order of kTissueOutputs.
 const std::array<ExplainedKind, kTissueOutputCount>& parameterKinds()
@@ -164,8 +175,8 @@ void addLayers(const TissueField& field, std::vector<TissueLayer> layers, Tissue
   }
 }
 
-ExplainedGeometry length(const char* id, const char* symbol, const char* english, const char* german,
-                         double value)
+ExplainedGeometry lengthOf(const char* id, const char* symbol, const char* english, const char* german,
+                           double value)
 {
   return {id, symbol, "m", {english, german}, value, 1e-3, "mm"};
 }
@@ -176,12 +187,32 @@ ExplainedGeometry area(const char* id, const char* symbol, const char* english, 
   return {id, symbol, "m^2", {english, german}, value, 1e-6, "mm²"};
 }
 
-double anchorOf(const SpringNet& net, Index node, const Eigen::ArrayXd& numbers)
+/// Sum over the node's anchors: those of tissue's own bed, or the bands of the support layer.
+double anchorOf(const SpringNet& net, Index node, const Eigen::ArrayXd& numbers, bool bands)
 {
   double sum = 0.0;
   for (Index anchor = 0; anchor < net.anchors.count(); ++anchor)
-    if (net.anchors.node[static_cast<std::size_t>(anchor)] == node) sum += numbers[anchor];
+    if (net.anchors.node[static_cast<std::size_t>(anchor)] == node && net.anchors.isBand(anchor) == bands)
+      sum += numbers[anchor];
   return sum;
+}
+
+void addBands(const SpringNet& net, Index node, const TissueParameters& tissue, double dualArea,
+              TissueExplanation& why)
+{
+  AnchorNumbers sum;
+  double length = 0.0;
+  for (Index anchor = 0; anchor < net.anchors.count(); ++anchor)
+    if (net.anchors.node[static_cast<std::size_t>(anchor)] == node && net.anchors.isBand(anchor)) {
+      length = net.anchors.bandLength[anchor];
+      const AnchorNumbers one = bandNumbers(tissue, dualArea, length);
+      sum.stiffness += one.stiffness;
+      sum.viscosity += one.viscosity;
+    }
+  if (!(length > 0.0)) return;
+  why.values.push_back({&kBand, anchorOf(net, node, net.anchors.stiffness, true), sum.stiffness});
+  why.values.push_back({&kBandViscosity, anchorOf(net, node, net.anchors.viscosity, true), sum.viscosity});
+  why.geometry.push_back(lengthOf("band_length", "l", "length of the bands", "Länge der Bänder", length));
 }
 
 } // namespace
@@ -206,21 +237,32 @@ void TissueExplainer::explainSpring(const TissueField& field, const SpringNet& n
   const auto place = static_cast<std::size_t>(s);
   const TissueModel& model = field.model();
   const SpringGeometry geometry = m_places.springGeometry(s, model.thickness, net);
-  const bool cubic = cubicFromStiffening(model), isEdge = net.kind[place] == SpringKind::Edge;
+  const bool cubic = cubicFromStiffening(model), isEdge = geometry.isWall;
+  const bool isScaled = net.material.modulusScale != 1.0;
+  const ExplainedKind& edge = isScaled ? kScaledEdgeStiffness : kEdgeStiffness;
+  const ExplainedKind& line = isScaled ? kScaledLineStiffness : kLineStiffness;
   const SpringNumbers numbers = springNumbers(field.at(why.place), geometry.perModulus, cubic);
   why.id = static_cast<Index>(net.springId[place]);
   for (int end = 0; end < 2; ++end)
     why.nodes.push_back(static_cast<Index>(net.nodeId[static_cast<std::size_t>(net.ends(end, s))]));
-  why.values.push_back({isEdge ? &kEdgeStiffness : &kLineStiffness, net.stiffness[s], numbers.stiffness});
+  why.values.push_back({isEdge ? &edge : &line, net.stiffness[s], numbers.stiffness});
   why.values.push_back({&kViscosity, net.viscosity[s], numbers.viscosity});
   why.values.push_back({cubic ? &kLawCubic : &kLawB, net.lawParameter[s], numbers.lawParameter});
   if (isEdge) {
     why.geometry.push_back(area("area", "A", "area", "Fläche", geometry.area));
-    why.geometry.push_back(length("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
+    why.geometry.push_back(lengthOf("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
   } else {
     why.geometry.push_back(area("section", "a", "section", "Querschnitt", geometry.area));
   }
-  why.geometry.push_back(length("length", "L", "length", "Länge", net.restLength[s]));
+  why.geometry.push_back(lengthOf("length", "L", "length", "Länge", net.restLength[s]));
+  if (isScaled)
+    why.geometry.push_back({"modulus_scale",
+                            "s",
+                            "",
+                            {"scale of the material", "Maßstab des Materials"},
+                            net.material.modulusScale,
+                            1.0,
+                            ""});
 }
 
 /// Of a node off the surface: half of each of its lines; as of nodes to which nothing belongs, whatever
@@ -250,16 +292,26 @@ void TissueExplainer::explainNode(const TissueField& field, const SpringNet& net
   why.id = static_cast<Index>(net.nodeId[place]);
   why.isFixed = net.fixed[place] != 0;
   why.isOnSurface = dualArea > 0.0;
-  if (!why.isOnSurface) {
+  const double volume = m_places.volumeOf(node);
+  if (!why.isOnSurface && !(volume > 0.0)) {
     why.values.push_back({&kLineMass, net.mass[node], massOff(field, net, node)});
     return;
   }
-  why.values.push_back({&kSurfaceMass, net.mass[node], massOfSurface(tissue, model.thickness, dualArea)});
+  if (volume > 0.0) {
+    why.values.push_back({&kVolumeMass, net.mass[node], massOfVolume(tissue, volume)});
+    why.geometry.push_back({"volume", "V", "m^3", {"volume", "Volumen"}, volume, 1e-9, "mm³"});
+    if (!why.isOnSurface) return;
+  } else {
+    why.values.push_back({&kSurfaceMass, net.mass[node], massOfSurface(tissue, model.thickness, dualArea)});
+  }
   const AnchorNumbers anchor = anchorNumbers(tissue, dualArea);
-  why.values.push_back({&kAnchor, anchorOf(net, node, net.anchors.stiffness), anchor.stiffness});
-  why.values.push_back({&kAnchorViscosity, anchorOf(net, node, net.anchors.viscosity), anchor.viscosity});
+  why.values.push_back({&kAnchor, anchorOf(net, node, net.anchors.stiffness, false), anchor.stiffness});
+  why.values.push_back(
+    {&kAnchorViscosity, anchorOf(net, node, net.anchors.viscosity, false), anchor.viscosity});
   why.geometry.push_back(area("area", "A", "area", "Fläche", dualArea));
-  why.geometry.push_back(length("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
+  if (!(volume > 0.0))
+    why.geometry.push_back(lengthOf("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
+  addBands(net, node, tissue, dualArea, why);
 }
 
 TissueExplanation TissueExplainer::explain(const TissueField& field, const SpringNet& net,

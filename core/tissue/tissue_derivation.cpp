@@ -79,7 +79,12 @@ TissueDerivation::TissueDerivation(TissueField field, const SpringNet& net)
     m_anchoring(Eigen::ArrayXd::Zero(m_places.nodes)),
     m_anchorViscosity(Eigen::ArrayXd::Zero(m_places.nodes)),
     m_anchorOfNode(static_cast<std::size_t>(m_places.nodes), kNoIndex)
-{}
+{
+  for (Index anchor = 0; anchor < net.anchors.count(); ++anchor)
+    if (net.anchors.isBand(anchor))
+      m_bands.push_back({net.anchors.node[static_cast<std::size_t>(anchor)], net.anchors.point.col(anchor),
+                         net.anchors.bandLength[anchor]});
+}
 
 Result<TissueDerivation> TissueDerivation::create(const TissueModel& model, SpringNet& net)
 {
@@ -177,6 +182,7 @@ void TissueDerivation::deriveTouched(SpringNet& net)
   m_cubicFromStiffening = cubicFromStiffening(m_field.model());
   deriveSprings(net);
   deriveNodes(net);
+  deriveBands();
   deriveAnchors(net);
   if (m_places.springs > 0) {
     m_report.minYoungsModulus = m_modulus.minCoeff();
@@ -219,10 +225,10 @@ void TissueDerivation::deriveNodes(SpringNet& net)
     const Index place = m_places.springs + node;
     if (!m_touched[static_cast<std::size_t>(place)]) continue;
     ++m_report.nodesChanged;
-    const double area = m_places.dualArea[node];
-    if (area > 0.0) {
+    const double area = m_places.dualArea[node], volume = m_places.volumeOf(node);
+    if (m_places.hasTissue(node)) {
       const TissueParameters tissue = m_field.plain(blender.at(place), kNodeParameters);
-      net.mass[node] = massOfSurface(tissue, thickness, area);
+      net.mass[node] = volume > 0.0 ? massOfVolume(tissue, volume) : massOfSurface(tissue, thickness, area);
       const AnchorNumbers anchor = anchorNumbers(tissue, area);
       m_anchorsChangePlaces |= (anchor.stiffness > 0.0) != (m_anchoring[node] > 0.0);
       m_anchoring[node] = anchor.stiffness;
@@ -256,6 +262,14 @@ void TissueDerivation::fillLoneMasses(SpringNet& net) const
                        : m_field.base().density * std::pow(m_field.model().thickness, 3.0); // only lone nodes
 }
 
+void TissueDerivation::deriveBands()
+{
+  for (Band& band : m_bands)
+    if (m_touched[placeOfNode(band.node)])
+      band.numbers = bandNumbers(m_field.at(m_places.point.col(m_places.springs + band.node)),
+                                 m_places.dualArea[band.node], band.length);
+}
+
 void TissueDerivation::deriveAnchors(SpringNet& net)
 {
   AnchorSet& anchors = net.anchors;
@@ -263,12 +277,20 @@ void TissueDerivation::deriveAnchors(SpringNet& net)
     anchors.stiffness[anchor] = m_anchoring[node];
     anchors.viscosity[anchor] = m_anchorViscosity[node];
   };
+  const auto writeBands = [&] {
+    Index anchor = anchors.count() - static_cast<Index>(m_bands.size());
+    for (const Band& band : m_bands) {
+      anchors.stiffness[anchor] = band.numbers.stiffness;
+      anchors.viscosity[anchor++] = band.numbers.viscosity;
+    }
+  };
   const bool isFirst = m_report.nodesChanged == m_places.nodes; // whatever anchors the net brought go
   if (!m_anchorsChangePlaces && !isFirst) {
     for (Index node = 0; node < m_places.nodes; ++node)
       if (const Index anchor = m_anchorOfNode[static_cast<std::size_t>(node)];
           anchor != kNoIndex && m_touched[placeOfNode(node)])
         write(anchor, node);
+    writeBands();
     return;
   }
   anchors.node.clear();
@@ -277,14 +299,27 @@ void TissueDerivation::deriveAnchors(SpringNet& net)
     m_anchorOfNode[static_cast<std::size_t>(node)] = isHeld ? anchors.count() : kNoIndex;
     if (isHeld) anchors.node.push_back(node);
   }
+  const Index ownAnchors = anchors.count();
+  for (const Band& band : m_bands) anchors.node.push_back(band.node);
   anchors.point.resize(3, anchors.count());
   anchors.stiffness.resize(anchors.count());
   anchors.viscosity.resize(anchors.count());
-  for (Index anchor = 0; anchor < anchors.count(); ++anchor) {
+  for (Index anchor = 0; anchor < ownAnchors; ++anchor) {
     const Index node = anchors.node[static_cast<std::size_t>(anchor)];
     anchors.point.col(anchor) = net.restPosition.col(node);
     write(anchor, node);
   }
+  if (m_bands.empty()) {
+    anchors.bandLength.resize(0);
+    return;
+  }
+  anchors.bandLength.setZero(anchors.count());
+  for (std::size_t i = 0; i < m_bands.size(); ++i) {
+    const Index anchor = ownAnchors + static_cast<Index>(i);
+    anchors.point.col(anchor) = m_bands[i].point;
+    anchors.bandLength[anchor] = m_bands[i].length;
+  }
+  writeBands();
 }
 
 } // namespace esm

@@ -44,6 +44,7 @@ private:
   void deriveTouched(SpringNet& net);
   void deriveSprings(SpringNet& net);
   void deriveNodes(SpringNet& net);
+  void deriveBands();
   void deriveAnchors(SpringNet& net);
   void writeSpring(Index spring, const TissueParameters& tissue, SpringNet& net);
   void fillLoneMasses(SpringNet& net) const;
@@ -59,8 +60,15 @@ private:
   Eigen::ArrayXd m_modulus;                      ///< per spring [Pa]
   Eigen::ArrayXd m_springDensity;                ///< per spring, of those that carry mass [kg/m^3]
   Eigen::ArrayXd m_anchoring, m_anchorViscosity; ///< per node [N/m], [N s/m]
-  std::vector<Index> m_anchorOfNode;             ///< place among the net's anchors, kNoIndex
-  bool m_anchorsChangePlaces = true;             ///< a node gained or lost its anchor
+  struct Band {
+    Index node;
+    Eigen::Vector3d point;
+    double length;
+    AnchorNumbers numbers = {};
+  };
+  std::vector<Band> m_bands;         ///< of the support layer; they come after tissue's own anchors
+  std::vector<Index> m_anchorOfNode; ///< place among the net's anchors, kNoIndex
+  bool m_anchorsChangePlaces = true; ///< a node gained or lost its anchor
   bool m_cubicFromStiffening = false;
   ApplyReport m_report;
 };

@@ -139,23 +139,26 @@ struct ApplyReport {
 /// spring's midpoint (rest) and the net's geometry:
 ///
 ///     edges    k = E h A / L^2        A the area of the adjoining triangles (Van Gelder 1998, in 2D
-///                                     times the thickness h)
+///                                     times the thickness h), see also EdgeFormula
 ///     lines    k = E a / L            a the mean dual area of both ends, so that the struts of a wall
 ///                                     together have its section; if one end lies off the surface the
 ///                                     other's; off it altogether pi/4 h^2, a round cord as thick as
 ///                                     the wall
-///     nodes    m = density h A_dual   off the surface density a L / 2 of each of its lines instead;
+///     springs with a section of their own (SpringNet::section, struts and edges of solids)
+///              k = E section / L
+///     nodes    m = density h A_dual   of nodes with a volume (SpringNet::volume) density volume; off the
+///     surface density a L / 2 of each of its lines instead;
 ///                                     without springs the smallest mass of the others
 ///     law      the exponential law has b = stiffening, the cubic one a = b^2 / 6, which is the term of
 ///              third order in the exponential's series (its term of second order has no counterpart)
 ///     anchors  k = anchoring A_dual   on the surface only, at the rest position
-///     all      c = tau k
+///     bands    k = E A_dual / length  of the support layer (AnchorSet::bandLength)
+///     all      c = tau k, and springs k times the scale of NetMaterial
 ///
-/// Anchors that the net had are replaced; those of zero anchoring are left out. Topology, rest shape, fixed
-/// flags, ids and tables stay. Every mass is above 0.
-/// To follow edits at the price of what they touch: TissueDerivation.
-/// Errors: those of TissueField::create, or a surface without area (detail says what to do); `net` is then as
-/// before.
+/// Anchors that the net had are replaced, but for bands; those of zero anchoring are left out. Topology, rest
+/// shape, fixed flags, ids and tables stay. Every mass is above 0. To follow edits at the price of what they
+/// touch: TissueDerivation. Errors: those of TissueField::create, or a surface without area (detail says what
+/// to do); `net` is then as before.
 Result<ApplyReport> applyTissue(const TissueModel& model, SpringNet& net);
 
 } // namespace esm

@@ -117,13 +117,19 @@ SpringNet randomNet(Dice& dice)
     net.law[place] = oneLaw ? SpringLaw::Cubic : SpringLaw(dice.below(4));
     net.lawParameter[s] = net.law[place] == SpringLaw::Table ? dice.below(2) : dice.any();
     net.tensionOnly[place] = dice.coin();
-    net.kind[place] = dice.coin() ? SpringKind::Line : SpringKind::Edge;
+    net.kind[place] = SpringKind(dice.below(3));
     if (dice.coin()) net.springId[place] = SpringId{1000 + s};
   }
   const auto anchored = dice.nodes(nodes);
   const auto anchors = static_cast<Index>(anchored.size());
   net.anchors = {anchored, dice.points(anchors), dice.array(anchors, [&] { return dice.notNegative(); }),
                  dice.array(anchors, [&] { return dice.notNegative(); })};
+  if (dice.coin()) net.anchors.bandLength = dice.array(anchors, [&] { return dice.notNegative(); });
+  if (dice.coin()) net.section = dice.array(springs, [&] { return dice.notNegative(); });
+  if (dice.coin()) net.volume = dice.array(nodes, [&] { return dice.notNegative(); });
+  if (dice.coin())
+    for (Index i = 0; i < nodes; ++i) net.supportNode.push_back(dice.coin());
+  if (dice.coin()) net.material = {EdgeFormula(dice.below(2)), dice.positive()};
   net.triangles = TriangleMatrix::NullaryExpr(3, dice.below(20), [&] { return dice.below(nodes); });
   return net;
 }
