@@ -29,7 +29,7 @@ constexpr std::size_t kTakenAtOnce = 1 << 22;        ///< bytes, then somebody m
 constexpr std::size_t kMostComplaint = 1 << 12;      ///< bytes kept of what the worker says on stderr
 constexpr std::size_t kMostComplaintShown = 160;     ///< bytes of it in a message
 constexpr std::chrono::milliseconds kLookAround{10}; ///< how often a wish to stop is looked for
-constexpr std::chrono::seconds kLastBreath{5};       ///< between the closed pipe and the end of the worker
+constexpr std::chrono::seconds kLastBreath{1};       ///< between the closed pipe and the end of the worker
 const char* const kWayOut = "the file may be damaged: convert it to OBJ, PLY or STL";
 
 /// An open file that closes itself.
