@@ -6,13 +6,17 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
+#include <cstdint>
+#include <limits>
 
 namespace esm {
 
 namespace {
 
-constexpr Index kLeafSize = 4;
+/// Single precision of the boxes and of the point is taken off their distance: no box is passed over wrongly.
+constexpr float kSlack = 1e-6f;
 
 std::size_t at(Index i)
 {
@@ -26,6 +30,13 @@ std::uint32_t spread(std::uint32_t x)
   x = (x | (x << 8)) & 0x0300f00fu;
   x = (x | (x << 4)) & 0x030c30c3u;
   return (x | (x << 2)) & 0x09249249u;
+}
+
+/// The largest float that is no larger.
+float roundedDown(double x)
+{
+  const auto f = static_cast<float>(x);
+  return static_cast<double>(f) <= x ? f : std::nextafter(f, -std::numeric_limits<float>::infinity());
 }
 
 struct Key {
@@ -90,7 +101,7 @@ std::vector<Index> spatialOrder(const Eigen::Matrix3Xd& position, const Triangle
     const Eigen::Vector3d cell = (middle(t) - low) * scale;
     std::uint32_t code = 0;
     for (int k = 0; k < 3; ++k)
-      code |= spread(static_cast<std::uint32_t>(std::clamp(cell[k], 0.0, 1023.0))) << k;
+      code |= spread(cell[k] > 0.0 ? static_cast<std::uint32_t>(std::min(cell[k], 1023.0)) : 0u) << k;
     keys[at(t)] = {code, t};
   }
   sortKeys(keys);
@@ -99,73 +110,107 @@ std::vector<Index> spatialOrder(const Eigen::Matrix3Xd& position, const Triangle
   return order;
 }
 
-NearestPoint::NearestPoint(const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles)
-  : m_position(position), m_triangles(triangles), m_order(spatialOrder(position, triangles))
-{
-  const auto count = static_cast<Index>(m_order.size());
-  Index leaves = 1;
-  while (leaves * kLeafSize < count) leaves *= 2;
-  m_firstLeaf = leaves - 1;
-  m_boxes.resize(at(2 * leaves - 1));
-  for (Index i = 0; i < count; ++i) {
-    Box& box = m_boxes[at(m_firstLeaf + i / kLeafSize)];
-    for (int k = 0; k < 3; ++k) {
-      const auto corner = position.col(triangles(k, m_order[at(i)]));
-      box.low = box.low.cwiseMin(corner);
-      box.high = box.high.cwiseMax(corner);
-    }
-  }
-  for (Index i = m_firstLeaf - 1; i >= 0; --i) {
-    const Box &left = m_boxes[at(2 * i + 1)], &right = m_boxes[at(2 * i + 2)];
-    m_boxes[at(i)].low = left.low.cwiseMin(right.low);
-    m_boxes[at(i)].high = left.high.cwiseMax(right.high);
-  }
-}
-
-/// Infinite for empty boxes.
-double NearestPoint::squaredDistance(const Box& box, const Eigen::Vector3d& p) const
-{
-  const Eigen::Vector3d below = box.low - p, above = p - box.high;
-  return below.cwiseMax(above).cwiseMax(0.0).squaredNorm();
-}
-
-Eigen::Vector3d NearestPoint::find(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const
-{
-  struct Entry {
-    Index box;
-    double squared;
-  };
-  std::array<Entry, 64> stack; // two per level at most
-  std::size_t depth = 0;
-  stack[depth++] = {0, squaredDistance(m_boxes[0], p)};
-  Eigen::Vector3d nearest = p;
+struct NearestPoint::Search {
+  Eigen::Vector3d p, normal, nearest;
   double least = std::numeric_limits<double>::infinity();
-  while (depth > 0) {
-    const Entry entry = stack[--depth];
-    if (!(entry.squared < least)) continue;
-    if (entry.box < m_firstLeaf) {
-      Entry left{2 * entry.box + 1, 0.0}, right{2 * entry.box + 2, 0.0};
-      left.squared = squaredDistance(m_boxes[at(left.box)], p);
-      right.squared = squaredDistance(m_boxes[at(right.box)], p);
-      if (left.squared < right.squared) std::swap(left, right); // the nearer one is looked at first
-      if (left.squared < least) stack[depth++] = left;
-      if (right.squared < least) stack[depth++] = right;
-      continue;
-    }
-    const auto begin = static_cast<std::size_t>(entry.box - m_firstLeaf) * kLeafSize;
-    for (std::size_t i = begin; i < std::min(begin + kLeafSize, m_order.size()); ++i) {
-      const Index* corner = m_triangles.data() + 3 * std::ptrdiff_t{m_order[i]};
-      const Eigen::Vector3d a = m_position.col(corner[0]), b = m_position.col(corner[1]),
-                            c = m_position.col(corner[2]);
-      const Eigen::Vector3d point = nearestOnTriangle(p, a, b, c);
-      const double squared = (point - p).squaredNorm();
-      if (squared < least && (b - a).cross(c - a).dot(normal) >= 0.0) {
-        least = squared;
-        nearest = point;
+  Index triangle = kNoIndex;
+};
+
+NearestPoint::NearestPoint(const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles)
+  : m_position(position), m_triangles(triangles)
+{
+  constexpr float kFar = std::numeric_limits<float>::infinity();
+  Boxes none;
+  for (auto& axis : none.low) axis.fill(kFar);
+  for (auto& axis : none.high) axis.fill(-kFar);
+  // Level 0 has a box per four triangles, each further level one per eight boxes.
+  Index boxes = (static_cast<Index>(triangles.cols()) + kLeafSize - 1) / kLeafSize;
+  for (Index level = 0; boxes > 0; ++level) {
+    const auto start = static_cast<Index>(m_boxes.size());
+    m_levelStart.push_back(start);
+    m_boxes.resize(m_boxes.size() + at((boxes + kWidth - 1) / kWidth), none);
+    for (Index i = 0; i < boxes; ++i) {
+      Boxes& into = m_boxes[at(start + i / kWidth)];
+      const auto lane = at(i % kWidth);
+      const auto take = [&](int axis, float low, float high) {
+        auto& from = into.low[static_cast<std::size_t>(axis)][lane];
+        auto& to = into.high[static_cast<std::size_t>(axis)][lane];
+        from = std::min(from, low);
+        to = std::max(to, high);
+      };
+      if (level == 0) {
+        const Index end = std::min((i + 1) * kLeafSize, static_cast<Index>(triangles.cols()));
+        for (Index c = 3 * kLeafSize * i; c < 3 * end; ++c)
+          for (int axis = 0; axis < 3; ++axis) {
+            const double x = position(axis, triangles.data()[c]);
+            take(axis, roundedDown(x), -roundedDown(-x));
+          }
+      } else {
+        const Boxes& below = m_boxes[at(m_levelStart[at(level - 1)] + i)];
+        for (std::size_t axis = 0; axis < 3; ++axis)
+          for (std::size_t k = 0; k < below.low[axis].size(); ++k)
+            take(static_cast<int>(axis), below.low[axis][k], below.high[axis][k]);
       }
     }
+    if (boxes == 1) break;
+    boxes = (boxes + kWidth - 1) / kWidth;
   }
-  return nearest;
+}
+
+void NearestPoint::lookAt(Index t, Search& search) const
+{
+  const Eigen::Vector3d a = m_position.col(m_triangles(0, t)), b = m_position.col(m_triangles(1, t)),
+                        c = m_position.col(m_triangles(2, t));
+  const Eigen::Vector3d point = nearestOnTriangle(search.p, a, b, c);
+  const double squared = (point - search.p).squaredNorm();
+  const bool isNearer = squared < search.least || (squared == search.least && t < search.triangle);
+  if (!isNearer || (b - a).cross(c - a).dot(search.normal) < 0.0) return;
+  search.least = squared;
+  search.nearest = point;
+  search.triangle = t;
+}
+
+Eigen::Vector3d NearestPoint::find(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, Index& hint) const
+{
+  struct Entry {
+    float squared;
+    Index level, group; ///< what lies in this place: eight boxes of the level, or (-1) a few triangles
+  };
+  Search search{p, normal, p};
+  if (hint != kNoIndex) lookAt(hint, search);
+  std::array<Entry, 12 * kWidth> stack; // at most 11 levels of eight
+  std::size_t depth = 0;
+  if (!m_levelStart.empty()) stack[depth++] = {0.0f, static_cast<Index>(m_levelStart.size()) - 1, 0};
+  const Eigen::Vector3f at32 = p.cast<float>();
+  while (depth > 0) {
+    const Entry entry = stack[--depth];
+    if (!(static_cast<double>(entry.squared) < search.least)) continue;
+    if (entry.level < 0) {
+      const Index end = std::min((entry.group + 1) * kLeafSize, static_cast<Index>(m_triangles.cols()));
+      for (Index t = entry.group * kLeafSize; t < end; ++t) lookAt(t, search);
+      continue;
+    }
+    const Boxes& boxes = m_boxes[at(m_levelStart[at(entry.level)] + entry.group)];
+    std::array<float, kWidth> squared{};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      const float x = at32[static_cast<Eigen::Index>(axis)];
+      for (std::size_t k = 0; k < squared.size(); ++k) {
+        const float outside =
+          std::max(std::max(boxes.low[axis][k] - x, x - boxes.high[axis][k]) - kSlack, 0.0f);
+        squared[k] += outside * outside;
+      }
+    }
+    const std::size_t bottom = depth;
+    for (std::size_t k = 0; k < squared.size(); ++k) {
+      if (!(static_cast<double>(squared[k]) < search.least)) continue;
+      std::size_t place = depth++; // the nearest one ends on top
+      for (; place > bottom && stack[place - 1].squared < squared[k]; --place)
+        stack[place] = stack[place - 1];
+      stack[place] = {squared[k], entry.level - 1, entry.group * kWidth + static_cast<Index>(k)};
+    }
+  }
+  hint = search.triangle;
+  return search.nearest;
 }
 
 } // namespace esm

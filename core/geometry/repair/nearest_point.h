@@ -6,8 +6,7 @@
 
 #include <Eigen/Core>
 
-#include <cstdint>
-#include <limits>
+#include <array>
 #include <vector>
 
 namespace esm {
@@ -20,29 +19,33 @@ Eigen::Vector3d nearestOnTriangle(const Eigen::Vector3d& p, const Eigen::Vector3
 /// space is near in memory.
 std::vector<Index> spatialOrder(const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles);
 
-/// Finds the point of a surface that is nearest to a point in space. A tree of boxes without pointers: leaves
-/// are a few triangles each, in spatial order, and box i holds boxes 2i + 1 and 2i + 2. Quick to build (0.1 s
-/// for a million triangles), which matters more here than the last per cent of the queries. Deterministic.
+/// Finds the point of a surface that is nearest to a point in space. Eight triangles in a row share a box,
+/// eight boxes in a row the next larger one, and so on to a single box; no pointers, and few places in memory
+/// to look at. Quick to build, which matters here as much as the queries. Deterministic.
 class NearestPoint {
 public:
-  /// @param position, triangles  stay alive and unchanged as long as this.
+  /// @param position, triangles  stay alive and unchanged as long as this; coordinates around 1. Any order of
+  ///        the triangles is right, the spatial one is quick.
   NearestPoint(const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles);
 
   /// @param normal  if not zero, triangles that look the other way do not count: the far wall of a thin sheet
   ///                is not the surface that is meant. If no triangle is left, `p` itself.
-  Eigen::Vector3d find(const Eigen::Vector3d& p, const Eigen::Vector3d& normal) const;
+  /// @param hint    a triangle that may be near, or kNoIndex; then the one that was found. Speed only.
+  Eigen::Vector3d find(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, Index& hint) const;
 
 private:
-  struct Box {
-    Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity()), high = -low;
+  static constexpr Index kWidth = 8, kLeafSize = 4;
+  /// Eight boxes side by side, axis by axis; rounded outwards. Absent ones are infinitely far.
+  struct Boxes {
+    std::array<std::array<float, kWidth>, 3> low, high;
   };
-  double squaredDistance(const Box& box, const Eigen::Vector3d& p) const;
+  struct Search;
+  void lookAt(Index triangle, Search& search) const;
 
   const Eigen::Matrix3Xd& m_position;
   const TriangleMatrix& m_triangles;
-  std::vector<Index> m_order;
-  std::vector<Box> m_boxes;
-  Index m_firstLeaf = 0;
+  std::vector<Boxes> m_boxes;      ///< the lowest level first
+  std::vector<Index> m_levelStart; ///< in m_boxes
 };
 
 } // namespace esm

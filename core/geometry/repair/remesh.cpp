@@ -43,21 +43,46 @@ struct Frame {
     const Eigen::Vector3d low = mesh.position.rowwise().minCoeff(), high = mesh.position.rowwise().maxCoeff();
     centre = 0.5 * low + 0.5 * high;
     const double size = (0.5 * high - 0.5 * low).maxCoeff();
-    if (size > 0.0) scale = std::ldexp(1.0, -std::ilogb(size));
+    if (size > 0.0) scale = std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000));
   }
-  Eigen::Matrix3Xd in(const Eigen::Matrix3Xd& position) const
-  {
-    return (position.colwise() - centre) * scale;
-  }
+  Eigen::Vector3d in(const Eigen::Vector3d& p) const { return (p - centre) * scale; }
   Eigen::Vector3d out(const Eigen::Vector3d& p) const { return p / scale + centre; }
+};
+
+/// The triangles of a mesh and their vertices, both in spatial order whatever their order in the file, so
+/// that neighbours are neighbours in memory too.
+struct OrderedSurface {
+  Mesh mesh;
+  std::vector<Index> fileVertex; ///< by vertex of `mesh`
+  std::vector<Index> ofFile;     ///< by vertex of the file: that of `mesh`, or kNoIndex
+
+  OrderedSurface(const Mesh& file, const Frame& frame) : ofFile(at(file.vertexCount()), kNoIndex)
+  {
+    const std::vector<Index> order = spatialOrder(file.position, file.triangles);
+    mesh.triangles.resize(3, file.triangles.cols());
+    for (Index t = 0; t < file.triangleCount(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Index vertex = file.triangles(k, order[at(t)]);
+        Index& place = ofFile[at(vertex)];
+        if (place == kNoIndex) {
+          place = static_cast<Index>(fileVertex.size());
+          fileVertex.push_back(vertex);
+        }
+        mesh.triangles(k, t) = place;
+      }
+    mesh.position.resize(3, static_cast<Eigen::Index>(fileVertex.size()));
+    for (Index v = 0; v < mesh.vertexCount(); ++v)
+      mesh.position.col(v) = frame.in(file.position.col(fileVertex[at(v)]));
+  }
 };
 
 /// The new net of one mesh, from the first look to the last.
 class SurfaceNet {
 public:
-  /// @param mesh  in its frame, stays alive.
-  SurfaceNet(const Mesh& mesh, double edgeLength, WorkControl* control)
-    : m_original(mesh), m_sheets(cutToSheets(mesh, pinned(mesh))), m_control(control)
+  /// @param mesh  without segments and tetrahedra, stays alive.
+  SurfaceNet(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned, double edgeLength,
+             WorkControl* control)
+    : m_original(mesh), m_sheets(cutToSheets(mesh, isPinned)), m_control(control)
   {
     m_isRough = markCurves(m_sheets.surface, edgeLength);
     findCurves();
@@ -66,7 +91,7 @@ public:
   /// @param most  triangles; 0 if only the length counts.
   void make(double edgeLength, Index most)
   {
-    constexpr int kRounds = 8;
+    constexpr int kRounds = 6;
     const NearestPoint surface(m_original.position, m_original.triangles),
       curves(m_original.position, m_curves);
     Remesher remesher(m_sheets.surface, {&surface, &curves}, m_control);
@@ -78,67 +103,60 @@ public:
         edgeLength *= std::clamp(std::sqrt(m_sheets.surface.liveTriangles / (0.97 * most)), 0.8, 1.25);
     }
     if (most > 0) remesher.collapseTo(most);
-    for (int round = 0; round < 3; ++round) {
+    for (int round = 0; round < 2; ++round) {
       remesher.flipToRegular();
       remesher.relax();
     }
   }
   bool isRough() const { return m_isRough; }
 
-  /// Puts the sheets together again. `mesh` has the positions of the file; what has not moved keeps its bits.
-  void writeTo(Mesh& mesh, const Frame& frame, std::vector<Index>& vertexOf) const;
+  /// Puts the sheets together again; what has not moved keeps its bits.
+  /// @param mesh  as it was in the file.
+  void writeTo(Mesh& mesh, const Frame& frame, const OrderedSurface& ordered,
+               std::vector<Index>& vertexOf) const;
 
 private:
-  static std::vector<std::uint8_t> pinned(const Mesh& mesh)
-  {
-    std::vector<std::uint8_t> pinned(at(mesh.vertexCount()), 0);
-    for (Index i = 0; i < mesh.segments.size(); ++i) pinned[at(mesh.segments.data()[i])] = 1;
-    for (Index i = 0; i < mesh.tetrahedra.size(); ++i) pinned[at(mesh.tetrahedra.data()[i])] = 1;
-    return pinned;
-  }
   void findCurves()
   {
     const HalfEdgeMesh& surface = m_sheets.surface;
-    std::vector<Index> ends;
+    std::vector<Index> corners;
     for (Index h = 0; h < surface.halfEdges(); ++h)
       if (surface.isLead(h) && surface.isCurve[at(h)]) {
-        ends.push_back(m_sheets.origin[at(surface.from(h))]);
-        ends.push_back(m_sheets.origin[at(surface.to(h))]);
+        const Index a = m_sheets.origin[at(surface.from(h))], b = m_sheets.origin[at(surface.to(h))];
+        corners.insert(corners.end(), {a, b, b});
       }
-    m_curves.resize(3, static_cast<Eigen::Index>(ends.size() / 2));
-    for (Eigen::Index i = 0; i < m_curves.cols(); ++i)
-      m_curves.col(i) << ends[static_cast<std::size_t>(2 * i)], ends[static_cast<std::size_t>(2 * i + 1)],
-        ends[static_cast<std::size_t>(2 * i + 1)];
+    m_curves = Eigen::Map<TriangleMatrix>(corners.data(), 3, static_cast<Eigen::Index>(corners.size() / 3));
   }
 
   const Mesh& m_original;
   Sheets m_sheets;
-  TriangleMatrix m_curves;
+  TriangleMatrix m_curves; ///< borders and creases as triangles without area
   bool m_isRough = false;
   WorkControl* m_control;
 };
 
-void SurfaceNet::writeTo(Mesh& mesh, const Frame& frame, std::vector<Index>& vertexOf) const
+void SurfaceNet::writeTo(Mesh& mesh, const Frame& frame, const OrderedSurface& ordered,
+                         std::vector<Index>& vertexOf) const
 {
   const HalfEdgeMesh& surface = m_sheets.surface;
-  std::vector<std::uint8_t> hadTriangles(at(mesh.vertexCount()), 0);
-  for (Index i = 0; i < mesh.triangles.size(); ++i) hadTriangles[at(mesh.triangles.data()[i])] = 1;
   std::vector<Index> newOf(at(mesh.vertexCount()), kNoIndex), placeOf(surface.position.size(), kNoIndex);
-  Eigen::Matrix3Xd position(3, surface.vertices());
+  Eigen::Matrix3Xd position(3, mesh.vertexCount() + surface.vertices());
   Index count = 0;
-  for (Index v = 0; v < surface.vertices(); ++v) {
-    const bool isOld = v < mesh.vertexCount();
-    const bool isCopy = !isOld && v < static_cast<Index>(m_sheets.origin.size());
-    if (isCopy) {
-      placeOf[at(v)] = newOf[at(m_sheets.origin[at(v)])];
-      continue;
-    }
-    if (surface.firstOut[at(v)] == kNoIndex && !(isOld && !hadTriangles[at(v)])) continue;
-    const bool hasMoved = !isOld || surface.position[at(v)] != m_original.position.col(v);
+  for (Index v = 0; v < mesh.vertexCount(); ++v) { // those of the file first, in their order
+    const Index place = ordered.ofFile[at(v)];
+    if (place != kNoIndex && surface.firstOut[at(place)] == kNoIndex) continue; // collapsed away
+    const bool hasMoved = place != kNoIndex && surface.position[at(place)] != m_original.position.col(place);
     position.col(count) =
-      hasMoved ? frame.out(surface.position[at(v)]) : Eigen::Vector3d(mesh.position.col(v));
-    if (isOld) newOf[at(v)] = count;
-    placeOf[at(v)] = count++;
+      hasMoved ? frame.out(surface.position[at(place)]) : Eigen::Vector3d(mesh.position.col(v));
+    newOf[at(v)] = count++;
+  }
+  for (Index v = 0; v < surface.vertices(); ++v) {
+    if (v < static_cast<Index>(m_sheets.origin.size())) {
+      placeOf[at(v)] = newOf[at(ordered.fileVertex[at(m_sheets.origin[at(v)])])];
+    } else if (surface.firstOut[at(v)] != kNoIndex) {
+      position.col(count) = frame.out(surface.position[at(v)]);
+      placeOf[at(v)] = count++;
+    }
   }
   mesh.position = position.leftCols(count);
   mesh.triangles.resize(3, surface.liveTriangles);
@@ -153,6 +171,18 @@ void SurfaceNet::writeTo(Mesh& mesh, const Frame& frame, std::vector<Index>& ver
   std::for_each(mesh.tetrahedra.data(), mesh.tetrahedra.data() + mesh.tetrahedra.size(), renumber);
   for (Index& vertex : vertexOf)
     if (vertex != kNoIndex) renumber(vertex);
+}
+
+/// Ends of segments and corners of tetrahedra.
+std::vector<std::uint8_t> pinnedVertices(const Mesh& mesh, const OrderedSurface& ordered)
+{
+  std::vector<std::uint8_t> isPinned(ordered.fileVertex.size(), 0);
+  const auto pin = [&](Index vertex) {
+    if (const Index place = ordered.ofFile[at(vertex)]; place != kNoIndex) isPinned[at(place)] = 1;
+  };
+  std::for_each(mesh.segments.data(), mesh.segments.data() + mesh.segments.size(), pin);
+  std::for_each(mesh.tetrahedra.data(), mesh.tetrahedra.data() + mesh.tetrahedra.size(), pin);
+  return isPinned;
 }
 
 bool isDone(const Mesh& mesh, Index triangles, double edgeLength)
@@ -210,9 +240,8 @@ Status remeshSurface(Mesh& mesh, Index triangles, double edgeLength, RepairRepor
 {
   if (mesh.triangleCount() == 0) return {};
   const Frame frame(mesh);
-  Mesh framed = mesh;
-  framed.position = frame.in(mesh.position);
-  const double area = areaOf(framed);
+  const OrderedSurface ordered(mesh, frame);
+  const double area = areaOf(ordered.mesh);
   if (!(area > 0.0) || !std::isfinite(area))
     return Error{ErrorCode::InvalidValue,
                  "the surface has no area that a number can hold, so no new net can be laid on it"};
@@ -222,14 +251,14 @@ Status remeshSurface(Mesh& mesh, Index triangles, double edgeLength, RepairRepor
     return Error{ErrorCode::InvalidValue,
                  "edges of " + formatDouble(edgeLength, 3) +
                    " would make more than 20 million triangles: ask for longer ones"};
-  if (isDone(framed, triangles, wished)) return {};
+  if (isDone(ordered.mesh, triangles, wished)) return {};
 
   report.remeshedFrom = mesh.triangleCount();
-  SurfaceNet net(framed, wished, control);
+  SurfaceNet net(ordered.mesh, pinnedVertices(mesh, ordered), wished, control);
   if (stopWanted(control)) return cancelledError();
   net.make(wished, triangles);
   if (stopWanted(control)) return cancelledError();
-  net.writeTo(mesh, frame, vertexOf);
+  net.writeTo(mesh, frame, ordered, vertexOf);
   tell(mesh, net.isRough(), triangles, report);
   return {};
 }

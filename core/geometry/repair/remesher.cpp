@@ -70,6 +70,10 @@ bool Remesher::tryCollapse(Index h, double longest)
   return false;
 }
 
+Remesher::Remesher(HalfEdgeMesh& mesh, const Shape& shape, WorkControl* control)
+  : m_mesh(mesh), m_shape(shape), m_control(control), m_hints(mesh.position.size(), kNoIndex)
+{}
+
 void Remesher::reduce(double edgeLength)
 {
   double mean = 0.0;
@@ -119,7 +123,10 @@ void Remesher::splitLong(double longest)
       const bool isCurve = m_mesh.isCurve[at(h)] != 0;
       const NearestPoint* shape = isCurve ? m_shape.curves : m_shape.surface;
       const Index added = m_mesh.split(h, middle);
-      if (shape) moveTo(added, shape->find(middle, isCurve ? Eigen::Vector3d::Zero() : normalAt(added)));
+      m_hints.push_back(kNoIndex);
+      if (shape)
+        moveTo(added,
+               shape->find(middle, isCurve ? Eigen::Vector3d::Zero() : normalAt(added), m_hints.back()));
     }
   }
 }
@@ -219,9 +226,9 @@ void Remesher::relax()
     const Eigen::Vector3d normal = normalAt(v);
     Eigen::Vector3d target = middleOfNeighbours(v, normal);
     if (isCurve)
-      target = m_shape.curves->find(target, Eigen::Vector3d::Zero());
+      target = m_shape.curves->find(target, Eigen::Vector3d::Zero(), m_hints[at(v)]);
     else if (m_shape.surface)
-      target = m_shape.surface->find(target, normal);
+      target = m_shape.surface->find(target, normal, m_hints[at(v)]);
     moveTo(v, target);
   }
 }

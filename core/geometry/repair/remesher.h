@@ -21,9 +21,7 @@ public:
     const NearestPoint* curves = nullptr; ///< borders and creases, as triangles without area
   };
 
-  Remesher(HalfEdgeMesh& mesh, const Shape& shape, WorkControl* control)
-    : m_mesh(mesh), m_shape(shape), m_control(control)
-  {}
+  Remesher(HalfEdgeMesh& mesh, const Shape& shape, WorkControl* control);
 
   /// Collapses edges, shorter ones first by powers of two, until few shorter than `edgeLength` are left.
   void reduce(double edgeLength);
@@ -55,6 +53,7 @@ private:
   HalfEdgeMesh& m_mesh;
   Shape m_shape;
   WorkControl* m_control;
+  std::vector<Index> m_hints; ///< by vertex: where on the shape it was last
   struct Candidate {
     double squaredLength;
     Index halfEdge;

@@ -4,7 +4,6 @@
 
 #include "core/geometry/edge_table.h"
 #include "core/geometry/orientation.h"
-#include "core/geometry/repair/nearest_point.h"
 
 #include <utility>
 
@@ -23,20 +22,20 @@ std::size_t at(Index i)
 class Stitcher {
 public:
   Stitcher(const Mesh& mesh, Sheets& sheets)
-    : m_mesh(mesh), m_edges(findEdges(mesh)), m_surface(sheets.surface), m_sheets(sheets)
+    : m_mesh(mesh), m_edges(findEdges(mesh)), m_surface(sheets.surface)
   {}
 
   void stitch()
   {
     const Orientation orientation = findOrientation(m_mesh, m_edges);
-    const std::vector<Index> order = spatialOrder(m_mesh.position, m_mesh.triangles);
-    m_surface.corner.resize(3 * order.size());
-    m_surface.twin.assign(3 * order.size(), kNoIndex);
-    m_surface.isCurve.assign(3 * order.size(), 0);
-    m_surface.isRigid.assign(3 * order.size(), 0);
+    const auto halfEdges = static_cast<std::size_t>(m_mesh.triangles.size());
+    m_surface.corner.resize(halfEdges);
+    m_surface.twin.assign(halfEdges, kNoIndex);
+    m_surface.isCurve.assign(halfEdges, 0);
+    m_surface.isRigid.assign(halfEdges, 0);
     std::vector<Index> waiting(at(m_edges.surfaceEdges), kNoIndex);
     Index h = 0;
-    for (const Index t : order) {
+    for (Index t = 0; t < m_mesh.triangleCount(); ++t) {
       const bool isTurned = orientation.isTurned[at(t)] != 0;
       for (int k = 0; k < 3; ++k, ++h) {
         m_surface.corner[at(h)] = m_mesh.triangles(isTurned ? (3 - k) % 3 : k, t);
@@ -78,7 +77,6 @@ private:
   const Mesh& m_mesh;
   const EdgeTable m_edges;
   HalfEdgeMesh& m_surface;
-  Sheets& m_sheets;
 };
 
 /// Every fan of triangles beyond a vertex' first one gets a copy of the vertex.

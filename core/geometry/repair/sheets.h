@@ -18,7 +18,7 @@ struct Sheets {
   std::vector<Index> origin; ///< by vertex of the surface: the mesh's
 };
 
-/// Triangles come in spatial order, and are turned until neighbours agree.
+/// Triangles stay in their order, and are turned until neighbours agree.
 /// @param isPinned  V: must stay where they are.
 /// @pre no triangle has equal corners or comes twice.
 Sheets cutToSheets(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned);
