@@ -110,7 +110,9 @@ Result<support::Layer> makeInterior(const SpringNet& net, const SupportOptions& 
   case Interior::Struts:
     return support::makeStruts(net, options, control);
   case Interior::Hub:
+    return support::makeHubs(net, options, control);
   case Interior::Lattice:
+    return support::makeLattice(net, options, control);
   case Interior::Tetrahedra:
     break;
   }

@@ -47,6 +47,8 @@ private:
 };
 
 Result<Layer> makeStruts(const SpringNet& net, const SupportOptions& options, WorkControl* control);
+Result<Layer> makeHubs(const SpringNet& net, const SupportOptions& options, WorkControl* control);
+Result<Layer> makeLattice(const SpringNet& net, const SupportOptions& options, WorkControl* control);
 
 /// Appends bands to `net` for the nodes that the options name. @return how many.
 Index addBands(SpringNet& net, const SupportOptions& options);

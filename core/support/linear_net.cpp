@@ -1,0 +1,252 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/support/linear_net.h"
+
+#include "core/geometry/union_find.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace esm {
+
+namespace {
+
+NodeBlock blockOf(const Eigen::Matrix3d& matrix)
+{
+  NodeBlock block;
+  for (int column = 0; column < 3; ++column) block.column[column] = toLanes(matrix.col(column));
+  return block;
+}
+
+Eigen::Matrix3d skew(const Eigen::Vector3d& r)
+{
+  Eigen::Matrix3d matrix;
+  matrix << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
+  return matrix;
+}
+
+double dotOf(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b)
+{
+  return a.cwiseProduct(b).sum();
+}
+
+} // namespace
+
+LinearNet::LinearNet(const SpringNet& net, const Eigen::ArrayXd& stiffness, bool withAnchors)
+  : m_net(net),
+    m_stiffness(stiffness),
+    m_direction(3, net.springCount()),
+    m_blockOf(static_cast<std::size_t>(net.nodeCount()), kNoIndex),
+    m_diagonal(static_cast<std::size_t>(net.nodeCount()), Eigen::Matrix3d::Zero())
+{
+  for (Index node = 0; node < net.nodeCount(); ++node)
+    if (!net.fixed[static_cast<std::size_t>(node)]) {
+      m_blockOf[static_cast<std::size_t>(node)] = static_cast<Index>(m_nodeOf.size());
+      m_nodeOf.push_back(node);
+    }
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index a = net.ends(0, s), b = net.ends(1, s);
+    m_direction.col(s) = (net.restPosition.col(b) - net.restPosition.col(a)).normalized();
+    const Eigen::Matrix3d block = stiffness[s] * m_direction.col(s) * m_direction.col(s).transpose();
+    m_diagonal[static_cast<std::size_t>(a)] += block;
+    m_diagonal[static_cast<std::size_t>(b)] += block;
+    const Index blockA = m_blockOf[static_cast<std::size_t>(a)],
+                blockB = m_blockOf[static_cast<std::size_t>(b)];
+    if (blockA == kNoIndex || blockB == kNoIndex) continue;
+    m_pairs.push_back({blockA, blockB});
+    m_coupling.push_back(blockOf(-block));
+  }
+  for (Index i = 0; withAnchors && i < net.anchors.count(); ++i)
+    m_diagonal[static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(i)])] +=
+      net.anchors.stiffness[i] * Eigen::Matrix3d::Identity();
+}
+
+void LinearNet::addSupport(Index node, const Eigen::Vector3d& axis, double k)
+{
+  m_diagonal[static_cast<std::size_t>(node)] += k * axis * axis.transpose();
+}
+
+bool LinearNet::factor(double shift)
+{
+  if (m_nodeOf.empty()) return false;
+  if (m_cholesky.nodeCount() == 0 && !m_cholesky.analyze(freeCount(), m_pairs)) return false;
+  NodeBlocks diagonal;
+  for (const Index node : m_nodeOf)
+    diagonal.push_back(blockOf(m_diagonal[static_cast<std::size_t>(node)] +
+                               shift * m_net.mass[node] * Eigen::Matrix3d::Identity()));
+  return m_cholesky.factor(diagonal.data(), m_coupling.data());
+}
+
+Eigen::Matrix3Xd LinearNet::solve(const Eigen::Matrix3Xd& force)
+{
+  m_vector.resize(m_nodeOf.size());
+  for (std::size_t i = 0; i < m_nodeOf.size(); ++i) m_vector[i] = toLanes(force.col(m_nodeOf[i]));
+  m_cholesky.solve(m_vector.data());
+  Eigen::Matrix3Xd displacement = Eigen::Matrix3Xd::Zero(3, m_net.nodeCount());
+  for (std::size_t i = 0; i < m_nodeOf.size(); ++i)
+    for (int axis = 0; axis < 3; ++axis) displacement(axis, m_nodeOf[i]) = m_vector[i][axis];
+  return displacement;
+}
+
+Eigen::Matrix3Xd LinearNet::multiply(const Eigen::Matrix3Xd& displacement) const
+{
+  Eigen::Matrix3Xd product(3, m_net.nodeCount());
+  for (Index node = 0; node < m_net.nodeCount(); ++node)
+    product.col(node) = m_diagonal[static_cast<std::size_t>(node)] * displacement.col(node);
+  for (Index s = 0; s < m_net.springCount(); ++s) {
+    const Index a = m_net.ends(0, s), b = m_net.ends(1, s);
+    const Eigen::Vector3d u = m_direction.col(s);
+    product.col(a) -= m_stiffness[s] * u.dot(displacement.col(b)) * u;
+    product.col(b) -= m_stiffness[s] * u.dot(displacement.col(a)) * u;
+  }
+  return product;
+}
+
+double LinearNet::stiffestRate() const noexcept
+{
+  double rate = 0.0;
+  for (const Index node : m_nodeOf)
+    rate = std::max(rate, m_diagonal[static_cast<std::size_t>(node)].trace() / (3.0 * m_net.mass[node]));
+  return rate;
+}
+
+SlowModes slowestModes(LinearNet& net, int count, WorkControl* control)
+{
+  constexpr int kSpare = 4, kMostRounds = 60;
+  constexpr double kShift = 1e-8; ///< of the stiffest rate
+  SlowModes modes;
+  const int size = std::min(count + kSpare, 3 * net.freeCount());
+  if (size <= 0 || !net.factor(kShift * net.stiffestRate())) return modes;
+  const RigidMotions rigid(net.net(), true);
+  const Index nodes = net.net().nodeCount();
+  std::vector<Eigen::Matrix3Xd> basis;
+  for (int k = 0; k < size; ++k) // smooth waves of several lengths: fixed, and not blind to any slow mode
+    basis.push_back(Eigen::Matrix3Xd::NullaryExpr(3, nodes, [&](Eigen::Index axis, Eigen::Index node) {
+      const double phase = static_cast<double>((node * 2654435761LL + 97 * axis + 31 * k) % 1009) / 1009.0;
+      return net.net().fixed[static_cast<std::size_t>(node)] ? 0.0 : phase - 0.5;
+    }));
+  Eigen::VectorXd before = Eigen::VectorXd::Zero(size);
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (stopWanted(control)) return {};
+    std::vector<Eigen::Matrix3Xd> stiff; // K times the new basis
+    for (Eigen::Matrix3Xd& u : basis) {
+      Eigen::Matrix3Xd load = u * net.net().mass.matrix().asDiagonal();
+      rigid.removeFromForce(load);
+      u = net.solve(load);
+      rigid.removeFromMotion(u);
+      stiff.push_back(net.multiply(u));
+    }
+    Eigen::MatrixXd K(size, size), M(size, size);
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j) {
+        K(i, j) = dotOf(basis[static_cast<std::size_t>(i)], stiff[static_cast<std::size_t>(j)]);
+        M(i, j) = dotOf(basis[static_cast<std::size_t>(i)],
+                        basis[static_cast<std::size_t>(j)] * net.net().mass.matrix().asDiagonal());
+      }
+    const Eigen::VectorXd scale = M.diagonal().cwiseMax(1e-300).cwiseSqrt().cwiseInverse();
+    K = (scale.asDiagonal() * 0.5 * (K + K.transpose()) * scale.asDiagonal()).eval();
+    M = (scale.asDiagonal() * 0.5 * (M + M.transpose()) * scale.asDiagonal()).eval();
+    const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> ritz(K, M);
+    if (ritz.info() != Eigen::Success || !ritz.eigenvectors().allFinite()) return {};
+    std::vector<Eigen::Matrix3Xd> next(static_cast<std::size_t>(size), Eigen::Matrix3Xd::Zero(3, nodes));
+    for (int i = 0; i < size; ++i)
+      for (int j = 0; j < size; ++j)
+        next[static_cast<std::size_t>(i)] +=
+          ritz.eigenvectors()(j, i) * scale[j] * basis[static_cast<std::size_t>(j)];
+    basis = std::move(next);
+    const Eigen::VectorXd values = ritz.eigenvalues();
+    const bool settled = ((values - before).head(std::min(count, size)).cwiseAbs().array() <=
+                          1e-7 * values.head(std::min(count, size)).array().abs())
+                           .all();
+    before = values;
+    if (settled) break;
+  }
+  const int found = std::min(count, size);
+  modes.frequency = before.head(found).array().max(0.0).sqrt() / (2.0 * std::numbers::pi);
+  for (int i = 0; i < found; ++i) {
+    Eigen::Matrix3Xd& shape = basis[static_cast<std::size_t>(i)];
+    const double largest = shape.colwise().norm().maxCoeff();
+    modes.shape.push_back(largest > 0.0 ? Eigen::Matrix3Xd(shape / largest) : shape);
+  }
+  return modes;
+}
+
+RigidMotions::RigidMotions(const SpringNet& net, bool withAnchors)
+  : m_net(net), m_part(static_cast<std::size_t>(net.nodeCount()), kNoIndex)
+{
+  UnionFind sets(net.nodeCount());
+  for (Index s = 0; s < net.springCount(); ++s) sets.join(net.ends(0, s), net.ends(1, s));
+  for (Index node = 0; node < net.nodeCount(); ++node) {
+    const Index root = sets.root(node);
+    Index& part = m_part[static_cast<std::size_t>(node)];
+    if (root == node) {
+      part = partCount();
+      m_loose.push_back(1);
+    } else {
+      part = m_part[static_cast<std::size_t>(root)]; // the smallest member comes first
+    }
+    if (net.fixed[static_cast<std::size_t>(node)]) m_loose[static_cast<std::size_t>(part)] = 0;
+  }
+  for (Index i = 0; withAnchors && i < net.anchors.count(); ++i)
+    if (net.anchors.stiffness[i] > 0.0)
+      m_loose[static_cast<std::size_t>(partOf(net.anchors.node[static_cast<std::size_t>(i)]))] = 0;
+
+  const auto parts = static_cast<std::size_t>(partCount());
+  std::vector<double> mass(parts, 0.0);
+  m_centre.assign(parts, Eigen::Vector3d::Zero());
+  for (Index node = 0; node < net.nodeCount(); ++node) {
+    const auto part = static_cast<std::size_t>(partOf(node));
+    mass[part] += net.mass[node];
+    m_centre[part] += net.mass[node] * net.restPosition.col(node);
+  }
+  for (std::size_t part = 0; part < parts; ++part) m_centre[part] /= mass[part];
+  std::vector<Eigen::Matrix<double, 6, 6>> inertia(parts, Eigen::Matrix<double, 6, 6>::Zero());
+  for (Index node = 0; node < net.nodeCount(); ++node) {
+    const auto part = static_cast<std::size_t>(partOf(node));
+    Eigen::Matrix<double, 3, 6> motion;
+    motion << Eigen::Matrix3d::Identity(), -skew(net.restPosition.col(node) - m_centre[part]);
+    inertia[part] += net.mass[node] * motion.transpose() * motion;
+  }
+  for (const auto& matrix : inertia) // a line of nodes does not resist being turned about itself
+    m_inverseInertia.push_back(matrix.completeOrthogonalDecomposition().pseudoInverse());
+}
+
+Eigen::Vector3d RigidMotions::motionOf(const Motion6& motion, Index node) const
+{
+  const Eigen::Vector3d r = m_net.restPosition.col(node) - m_centre[static_cast<std::size_t>(partOf(node))];
+  return motion.head<3>() + motion.tail<3>().cross(r);
+}
+
+std::vector<RigidMotions::Motion6> RigidMotions::coefficients(const Eigen::Matrix3Xd& impulse) const
+{
+  std::vector<Motion6> sums(m_loose.size(), Motion6::Zero());
+  for (Index node = 0; node < m_net.nodeCount(); ++node) {
+    const auto part = static_cast<std::size_t>(partOf(node));
+    const Eigen::Vector3d r = m_net.restPosition.col(node) - m_centre[part], p = impulse.col(node);
+    sums[part].head<3>() += p;
+    sums[part].tail<3>() += r.cross(p);
+  }
+  for (std::size_t part = 0; part < sums.size(); ++part)
+    sums[part] = m_loose[part] ? Motion6(m_inverseInertia[part] * sums[part]) : Motion6(Motion6::Zero());
+  return sums;
+}
+
+void RigidMotions::removeFromMotion(Eigen::Matrix3Xd& motion) const
+{
+  const std::vector<Motion6> rigid = coefficients(motion * m_net.mass.matrix().asDiagonal());
+  for (Index node = 0; node < m_net.nodeCount(); ++node)
+    motion.col(node) -= motionOf(rigid[static_cast<std::size_t>(partOf(node))], node);
+}
+
+void RigidMotions::removeFromForce(Eigen::Matrix3Xd& force) const
+{
+  const std::vector<Motion6> rigid = coefficients(force);
+  for (Index node = 0; node < m_net.nodeCount(); ++node)
+    force.col(node) -= m_net.mass[node] * motionOf(rigid[static_cast<std::size_t>(partOf(node))], node);
+}
+
+} // namespace esm

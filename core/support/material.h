@@ -1,0 +1,52 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/work_control.h"
+#include "core/net/spring_net.h"
+
+#include <cstdint>
+
+namespace esm {
+
+/// How a net's geometry makes masses and springs of tissue. The tissue itself (Young's modulus, density)
+/// comes from the rules and multiplies what is prepared here, see applyTissue(). The defaults change nothing.
+struct MaterialOptions {
+  /// What the tissue fills:
+  ///
+  ///     Wall   the surface is a wall of the tissue's thickness: mass = density thickness area
+  ///     Solid  the inside of a closed surface, or tetrahedra: mass = density volume
+  enum class Body : std::uint8_t { Wall, Solid } body = Body::Wall;
+  EdgeFormula edges = EdgeFormula::VanGelder;
+  /// Measures the net in a virtual tension test and scales all springs, so that Young's modulus means Young's
+  /// modulus: pulled along its longest axis the net is as stiff as a body of its sections.
+  bool fitModulus = false;
+  bool operator==(const MaterialOptions&) const = default;
+};
+
+struct MaterialReport {
+  double volume = 0.0;   ///< of the tissue [m^3]
+  double wallArea = 0.0; ///< of the surface [m^2]
+  double scale = 1.0;    ///< of the springs' stiffness, see NetMaterial
+  /// Of the tension test, before the scale: the net's stiffness over the body's; 0 without a fit.
+  double measured = 0.0;
+  Eigen::Vector3d axis = Eigen::Vector3d::Zero(); ///< along which it was pulled
+};
+
+/// Sets the net's material, sections and volumes as the options say; tissue then writes the numbers anew.
+/// After addSupport(), since struts carry part of the load and of the mass.
+///
+/// Solid: the volume of closed parts (cavities taken off) is shared among the nodes by their surface and
+/// struts, and sums up to it exactly; what tetrahedra have set stays.
+///
+/// The tension test: rollers hold the tenth of the length at one end and draw that at the other, linear
+/// statics; the force is compared with E / integral dx/A(x), the series of the sections A(x) between the
+/// rollers (E A / L for a bar).
+/// @param thickness of the wall [m], TissueModel::thickness. @param control may be null.
+/// Errors: InvalidValue (Solid without a closed surface, no surface), Numerics (nothing to fit), Cancelled.
+/// `net` is then as before.
+Result<MaterialReport> setMaterial(SpringNet& net, const MaterialOptions& options, double thickness,
+                                   WorkControl* control = nullptr);
+
+} // namespace esm

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/result.h"
+#include "core/base/work_control.h"
+#include "core/net/spring_net.h"
+
+namespace esm {
+
+/// Stiffness of a net and of the body that it stands for, pulled along its longest axis, both per Young's
+/// modulus.
+struct TensionTest {
+  Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
+  double measured = 0.0; ///< of the net [m]
+  double wanted = 0.0;   ///< 1 / integral dx/A(x) between the rollers [m]
+};
+
+/// See setMaterial(). The net's own numbers are not looked at: E is 1 Pa everywhere, with its present scale.
+/// @param isSolid A(x) is the section of the closed surface; else that of the wall.
+Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isSolid,
+                                WorkControl* control = nullptr);
+
+} // namespace esm

@@ -1,0 +1,34 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/mesh.h"
+#include "core/net/net_builder.h"
+
+#include <gtest/gtest.h>
+
+namespace esm::testing {
+
+/// Closed surface of a box from the origin, normals outwards, cells of about `cell` [m], two triangles each.
+Mesh boxMesh(const Eigen::Vector3d& size, double cell);
+/// The same box filled with tetrahedra, six to a cube (Kuhn), without triangles.
+Mesh tetrahedraBox(const Eigen::Vector3d& size, double cell);
+/// Side of a cylinder about the z axis from z = 0, open at both ends.
+Mesh tubeMesh(double radius, double length, int around, int along);
+/// Closed ellipsoid about the origin with nearly equal triangles: an octahedron's faces in n^2 parts each.
+Mesh organMesh(const Eigen::Vector3d& semiAxes, int n);
+
+inline SpringNet netOf(const Mesh& mesh)
+{
+  auto net = buildNet(mesh);
+  if (!net) {
+    ADD_FAILURE() << net.error().detail;
+    return {};
+  }
+  return std::move(*net);
+}
+
+/// The volume within the surface at the given places [m^3], normals outwards; open rims closed by fans.
+double volumeWithin(const TriangleMatrix& triangles, const Eigen::Matrix3Xd& position);
+
+} // namespace esm::testing
