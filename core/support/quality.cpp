@@ -23,7 +23,7 @@ using Severity = Finding::Severity;
 
 constexpr Index kMostNodes = 40000; ///< whose factor is a matter of seconds
 constexpr double kMechanism = 1e-9; ///< of the stiffest rate
-constexpr double kSoft = 0.05;      ///< of the size: so deep a dent is soft
+constexpr double kSoft = 0.1;       ///< of the size: so deep a dent is soft
 constexpr double kCollapse = 0.5;   ///< of the size
 
 std::string inMillimetres(double metres)
