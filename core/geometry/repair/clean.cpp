@@ -42,9 +42,10 @@ void markUsed(const Elements& elements, const std::vector<std::uint8_t>& kept,
 
 void markUseless(const Mesh& mesh, Kept& kept, RepairReport& report)
 {
-  const std::vector<Index> sameTriangle = firstSameTriangle(mesh.triangles, mesh.vertexCount());
+  std::vector<std::uint8_t> isRepeated(at(mesh.triangleCount()), 0);
+  for (const Index t : repeatedTriangles(mesh, findEdges(mesh))) isRepeated[at(t)] = 1;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
-    const bool isFlat = isDegenerate(mesh, t), isAgain = sameTriangle[at(t)] != t;
+    const bool isFlat = isDegenerate(mesh, t), isAgain = isRepeated[at(t)] != 0;
     kept.triangles[at(t)] = !isFlat && !isAgain;
     report.degenerateFaces += isFlat;
     report.duplicateFaces += isAgain && !isFlat;
