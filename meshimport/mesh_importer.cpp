@@ -3,10 +3,10 @@
 #include "meshimport/mesh_importer.h"
 
 #include "core/base/ascii_case.h"
-#include "core/base/file_io.h"
 #include "core/geometry/weld.h"
 #include "meshimport/assimp_reader.h"
 #include "meshimport/content.h"
+#include "meshimport/file_bytes.h"
 #include "meshimport/obj_reader.h"
 #include "meshimport/off_reader.h"
 #include "meshimport/ply_reader.h"
@@ -52,18 +52,16 @@ std::string endingOf(const std::filesystem::path& path)
   return ending.empty() ? ending : ending.substr(1);
 }
 
-Result<std::string> readRegularFile(const std::filesystem::path& path)
+/// A file with something in it.
+Result<FileBytes> readMeshFile(const std::filesystem::path& path, WorkControl* control)
 {
-  std::error_code code;
-  const std::filesystem::file_status status = std::filesystem::status(path, code);
-  if (std::filesystem::is_other(status) || std::filesystem::is_fifo(status))
-    return fault(ErrorCode::FileUnreadable, path.string(), 0, "it is a device, not a file");
-  Result<std::string> bytes = readFile(path);
+  Result<FileBytes> bytes = FileBytes::read(path, control);
   if (!bytes) return bytes;
-  if (bytes->empty()) return fault(ErrorCode::EmptyResult, path.string(), 0, "the file is empty (0 bytes)");
-  if (isBlankContent(*bytes))
+  const std::string_view view = bytes->view();
+  if (view.empty()) return fault(ErrorCode::EmptyResult, path.string(), 0, "the file is empty (0 bytes)");
+  if (isBlankContent(view))
     return fault(ErrorCode::EmptyResult, path.string(), 0,
-                 "the file holds nothing but blanks (" + std::to_string(bytes->size()) + " bytes)");
+                 "the file holds nothing but blanks (" + std::to_string(view.size()) + " bytes)");
   return bytes;
 }
 
@@ -85,23 +83,33 @@ void noteWrongName(const MeshReader& reader, const std::string& ending, std::vec
                     "; it was read as that.");
 }
 
-Result<ImportedMesh> importChecked(const std::filesystem::path& path, const ImportOptions& options,
-                                   WorkControl* control)
+/// The mesh as the first reader that knows the content finds it, with format and notes. The bytes of the file
+/// are given back before the mesh is worked on.
+Result<ImportedMesh> readMesh(const std::filesystem::path& path, WorkControl* control)
 {
-  const Result<std::string> bytes = readRegularFile(path);
-  if (!bytes) return bytes.error();
+  const Result<FileBytes> file = readMeshFile(path, control);
+  if (!file) return file.error();
+  const std::string_view bytes = file->view();
   const std::string ending = endingOf(path), origin = path.string();
   const std::vector<MeshReader>& readers = readerTable();
   const auto reader = std::find_if(readers.begin(), readers.end(),
-                                   [&](const MeshReader& r) { return r.recognises(*bytes, ending); });
-  if (reader == readers.end()) return unrecognised(*bytes, origin);
+                                   [&](const MeshReader& r) { return r.recognises(bytes, ending); });
+  if (reader == readers.end()) return unrecognised(bytes, origin);
 
   ImportedMesh imported;
   noteWrongName(*reader, ending, imported.notes);
-  Result<Mesh> mesh = reader->read(*bytes, origin, imported.format, imported.notes, control);
+  Result<Mesh> mesh = reader->read(bytes, origin, imported.format, imported.notes, control);
   if (!mesh) return mesh.error();
   imported.mesh = std::move(*mesh);
+  return imported;
+}
 
+Result<ImportedMesh> importChecked(const std::filesystem::path& path, const ImportOptions& options,
+                                   WorkControl* control)
+{
+  Result<ImportedMesh> read = readMesh(path, control);
+  if (!read) return read;
+  ImportedMesh& imported = *read;
   const Index before = imported.mesh.vertexCount();
   if (options.weld) {
     imported.vertexOfFile = weldVertices(imported.mesh, options.weldTolerance, control);
@@ -116,9 +124,9 @@ Result<ImportedMesh> importChecked(const std::filesystem::path& path, const Impo
   imported.report = examine(imported.mesh, control);
   if (stopWanted(control)) return cancelledError();
   if (imported.report.springs == 0)
-    return fault(ErrorCode::EmptyResult, origin, 0,
+    return fault(ErrorCode::EmptyResult, path.string(), 0,
                  "no face or line in it has two corners apart from each other, so no spring comes out");
-  return imported;
+  return read;
 }
 
 } // namespace

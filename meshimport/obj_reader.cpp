@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/obj_reader.h"
 
+#include "core/base/large_pages.h"
 #include "meshimport/content.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/text_cursor.h"
@@ -39,6 +40,11 @@ public:
 
   Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
+    const std::size_t bytes =
+      m_cursor.rest().size(); // half of them vertices and half of them faces, as a rule
+    reserveLarge(m_raw.coordinates, bytes / 20);
+    reserveLarge(m_raw.corners, bytes / 12);
+    reserveLarge(m_raw.faceEnd, bytes / 36);
     for (std::size_t i = 0; !m_cursor.atEnd(); ++i) {
       if (i % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       if (!m_cursor.atLineEnd())

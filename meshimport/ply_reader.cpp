@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/ply_reader.h"
 
+#include "core/base/large_pages.h"
 #include "meshimport/byte_order.h"
 #include "meshimport/ply_header.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/text_cursor.h"
 
 #include <cmath>
+#include <optional>
 
 namespace esm {
 
@@ -17,6 +19,7 @@ namespace {
 template <std::endian order>
 class BinarySource {
 public:
+  static constexpr bool isBinary = true;
   BinarySource(std::string_view bytes, const PlyHeader& header) : m_left(bytes.substr(header.bodyStart)) {}
 
   bool beginRow() { return true; }
@@ -24,6 +27,21 @@ public:
   long line() const { return 0; }
   std::size_t mostItems(PlyScalar type) const { return m_left.size() / plySize(type); }
   std::size_t bytesLeft() const { return m_left.size(); }
+
+  /// The next `count` bytes, or null if there are fewer.
+  const char* take(std::uint64_t count)
+  {
+    if (m_left.size() < count) return nullptr;
+    const char* from = m_left.data();
+    m_left.remove_prefix(count);
+    return from;
+  }
+  /// Of the usual list of corners: the count as one byte, then so many Ts.
+  template <class T>
+  static T item(const char* from)
+  {
+    return load<T, order>(from);
+  }
 
   bool value(PlyScalar type, double& value)
   {
@@ -33,7 +51,6 @@ public:
     return true;
   }
 
-private:
   template <class T>
   static double as(const char* from)
   {
@@ -62,12 +79,14 @@ private:
     return 0.0;
   }
 
+private:
   std::string_view m_left;
 };
 
 /// Values of an ASCII body: one row of an element per line, blank lines between rows do not matter.
 class AsciiSource {
 public:
+  static constexpr bool isBinary = false;
   AsciiSource(std::string_view bytes, const PlyHeader& header)
     : m_cursor(bytes.substr(header.bodyStart)), m_firstLine(header.bodyLine)
   {}
@@ -102,6 +121,7 @@ public:
   Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
     m_control = control;
+    m_vertexTotal = vertexTotal();
     for (const PlyElement& element : m_header.elements) {
       if (element.properties.empty() || element.count == 0) continue;
       Status status = element.name == "vertex" ? vertices(element)
@@ -165,7 +185,10 @@ private:
         return fault(ErrorCode::BadFormat, m_origin, 0, "its vertices have no x, y and z");
     }
     m_scalars.resize(element.properties.size());
-    m_raw.coordinates.reserve(3 * static_cast<std::size_t>(element.count));
+    reserveLarge(m_raw.coordinates, 3 * static_cast<std::size_t>(element.count));
+    if constexpr (Source::isBinary)
+      if (const std::optional<PlainRow> plain = plainRow(element))
+        return plainVertices(element, *plain, place);
     for (std::uint64_t r = 0; r < element.count; ++r) {
       const long line = m_source.line();
       if (Status status = row(element, r, -1); !status) return status;
@@ -182,7 +205,15 @@ private:
     if (place < 0 || !element.properties[static_cast<std::size_t>(place)].isList)
       return fault(ErrorCode::BadFormat, m_origin, 0, "its faces have no list vertex_indices");
     m_scalars.resize(element.properties.size());
+    reserveLarge(m_raw.corners, std::min<std::size_t>(3 * element.count, m_source.bytesLeft()));
+    reserveLarge(m_raw.faceEnd, element.count);
     for (std::uint64_t r = 0; r < element.count; ++r) {
+      if constexpr (Source::isBinary) {
+        if (isPlainList(element)) {
+          if (Status status = plainFace(r); !status) return status;
+          continue;
+        }
+      }
       if (Status status = row(element, r, place); !status) return status;
       m_corners.clear();
       for (const double vertex : m_wantedList)
@@ -191,6 +222,69 @@ private:
       if (m_raw.corners.size() > kMostItems) return tooManyError(m_origin);
     }
     return {};
+  }
+
+  /// Rows of one length: where each property begins, and the length.
+  struct PlainRow {
+    std::vector<std::size_t> offset;
+    std::size_t size = 0;
+  };
+  static std::optional<PlainRow> plainRow(const PlyElement& element)
+  {
+    PlainRow row;
+    for (const PlyProperty& property : element.properties) {
+      if (property.isList) return std::nullopt;
+      row.offset.push_back(row.size);
+      row.size += plySize(property.type);
+    }
+    return row;
+  }
+  Status plainVertices(const PlyElement& element, const PlainRow& plain, const int (&place)[3])
+  {
+    std::size_t offset[3];
+    bool isFloat = true;
+    PlyScalar type[3];
+    for (int k = 0; k < 3; ++k) {
+      offset[k] = plain.offset[static_cast<std::size_t>(place[k])];
+      type[k] = element.properties[static_cast<std::size_t>(place[k])].type;
+      isFloat = isFloat && type[k] == PlyScalar::Float32;
+    }
+    for (std::uint64_t r = 0; r < element.count; ++r) {
+      if (stopWantedAt(r, element.count, m_control)) return cancelledError();
+      const char* from = m_source.take(plain.size);
+      if (!from) return wrong(ErrorCode::BadFormat, "vertex", r, kCutShort);
+      const auto at = [&](int k) {
+        return isFloat ? double{Source::template item<float>(from + offset[k])}
+                       : Source::decode(type[k], from + offset[k]);
+      };
+      m_raw.addVertex(at(0), at(1), at(2), 0);
+    }
+    return {};
+  }
+
+  /// Nothing but the list that nearly all writers use.
+  static bool isPlainList(const PlyElement& element)
+  {
+    const PlyProperty& property = element.properties[0];
+    return element.properties.size() == 1 && property.countType == PlyScalar::UInt8 &&
+           (property.type == PlyScalar::Int32 || property.type == PlyScalar::UInt32);
+  }
+  Status plainFace(std::uint64_t row)
+  {
+    if (stopWantedAt(row, m_raw.faceEnd.capacity(), m_control)) return cancelledError();
+    const char* const count = m_source.take(1);
+    const std::size_t corners = count ? static_cast<std::uint8_t>(*count) : 0;
+    const char* const from = m_source.take(4 * corners);
+    if (!count || !from) return wrong(ErrorCode::BadFormat, "face", row, kCutShort);
+    const std::uint64_t total = m_vertexTotal;
+    m_corners.resize(corners);
+    for (std::size_t k = 0; k < corners; ++k) {
+      const auto vertex = Source::template item<std::uint32_t>(from + 4 * k);
+      if (vertex >= total) return noVertex("face", row, static_cast<double>(vertex));
+      m_corners[k] = static_cast<Index>(vertex);
+    }
+    if (!m_raw.addFace(m_corners)) ++m_thinFaces;
+    return m_raw.corners.size() > kMostItems ? Status(tooManyError(m_origin)) : Status();
   }
 
   Status edges(const PlyElement& element)
@@ -223,15 +317,18 @@ private:
   /// The vertex count comes from the header, so faces may stand before their vertices.
   Status addCorner(const char* what, std::uint64_t row, double vertex)
   {
-    if (!(vertex >= 0.0 && vertex < static_cast<double>(vertexTotal()) && vertex == std::floor(vertex)))
-      return wrong(ErrorCode::InvalidValue, what, row,
-                   "there is no vertex " +
-                     std::to_string(static_cast<long long>(
-                       std::isfinite(vertex) && std::abs(vertex) < 1e15 ? vertex : -1)) +
-                     ", the file has vertices 0 to " +
-                     std::to_string(static_cast<long long>(vertexTotal()) - 1));
+    if (!(vertex >= 0.0 && vertex < static_cast<double>(m_vertexTotal) && vertex == std::floor(vertex)))
+      return noVertex(what, row, vertex);
     m_corners.push_back(static_cast<Index>(vertex));
     return {};
+  }
+  Error noVertex(const char* what, std::uint64_t row, double vertex) const
+  {
+    const double named = std::isfinite(vertex) && std::abs(vertex) < 1e15 ? vertex : -1.0;
+    return wrong(ErrorCode::InvalidValue, what, row,
+                 "there is no vertex " + std::to_string(static_cast<long long>(named)) +
+                   ", the file has vertices 0 to " +
+                   std::to_string(static_cast<long long>(m_vertexTotal) - 1));
   }
 
   std::uint64_t vertexTotal() const
@@ -251,6 +348,7 @@ private:
   std::vector<double> m_scalars, m_list, m_wantedList;
   std::vector<Index> m_corners;
   std::size_t m_thinFaces = 0;
+  std::uint64_t m_vertexTotal = 0;
   WorkControl* m_control = nullptr;
 };
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/raw_mesh.h"
 
+#include "core/base/large_pages.h"
 #include "meshimport/triangulate.h"
 
 #include <algorithm>
@@ -20,6 +21,7 @@ const RawMesh::NonFinite* usedNonFinite(const RawMesh& raw)
   std::vector<std::uint8_t> used(raw.coordinates.size() / 3, 0);
   for (const Index vertex : raw.corners) used[static_cast<std::size_t>(vertex)] = 1;
   for (const Index vertex : raw.segments) used[static_cast<std::size_t>(vertex)] = 1;
+  for (const Index vertex : raw.tetrahedra) used[static_cast<std::size_t>(vertex)] = 1;
   const auto found = std::find_if(raw.nonFinite.begin(), raw.nonFinite.end(), [&](const auto& bad) {
     return used[static_cast<std::size_t>(bad.vertex)] != 0;
   });
@@ -62,11 +64,15 @@ Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<st
   if (!raw.nonFinite.empty())
     notes.push_back(std::to_string(raw.nonFinite.size()) +
                     " vertices that nothing uses have coordinates that are not finite numbers.");
-  if (raw.corners.size() + raw.segments.size() + raw.coordinates.size() > kMostItems)
+  // Each tetrahedron has six sides for the table of edges.
+  if (raw.corners.size() + raw.segments.size() + raw.coordinates.size() + 2 * raw.tetrahedra.size() >
+      kMostItems)
     return tooManyError(origin);
 
   Mesh mesh;
-  mesh.position = Eigen::Map<const Eigen::Matrix3Xd>(raw.coordinates.data(), 3, raw.vertexCount());
+  mesh.position.resize(3, raw.vertexCount());
+  useLargePages(mesh.position);
+  std::copy(raw.coordinates.begin(), raw.coordinates.end(), mesh.position.data());
   raw.coordinates = {};
   std::vector<Index> triangles;
   if (raw.corners.size() == 3 * raw.faceEnd.size()) {
@@ -84,10 +90,13 @@ Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<st
     notes.push_back(std::to_string(polygons) +
                     " faces with more than three corners were cut into triangles.");
   }
-  mesh.triangles =
-    Eigen::Map<const TriangleMatrix>(triangles.data(), 3, static_cast<Eigen::Index>(triangles.size() / 3));
+  mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size() / 3));
+  useLargePages(mesh.triangles);
+  std::copy(triangles.begin(), triangles.end(), mesh.triangles.data());
   mesh.segments = Eigen::Map<const SegmentMatrix>(raw.segments.data(), 2,
                                                   static_cast<Eigen::Index>(raw.segments.size() / 2));
+  mesh.tetrahedra = Eigen::Map<const TetrahedronMatrix>(raw.tetrahedra.data(), 4,
+                                                        static_cast<Eigen::Index>(raw.tetrahedra.size() / 4));
   return mesh;
 }
 

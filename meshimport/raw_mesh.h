@@ -17,6 +17,7 @@ struct RawMesh {
   std::vector<Index> corners;      ///< of all faces, one face after the other
   std::vector<Index> faceEnd;      ///< where each face ends in `corners`
   std::vector<Index> segments;     ///< pairs of vertices
+  std::vector<Index> tetrahedra;   ///< fours of vertices
 
   /// Vertices with a coordinate that is no finite number, and their lines (0 in binary files).
   struct NonFinite {
@@ -26,6 +27,8 @@ struct RawMesh {
   std::vector<NonFinite> nonFinite;
 
   Index vertexCount() const noexcept { return static_cast<Index>(coordinates.size() / 3); }
+  /// Whether nothing a net could be made of has come.
+  bool isEmpty() const noexcept { return faceEnd.empty() && segments.empty() && tetrahedra.empty(); }
   void addVertex(double x, double y, double z, long line);
   void addPolyline(const std::vector<Index>& vertices);
   /// Two corners make a segment, one makes nothing; returns whether it was a face.

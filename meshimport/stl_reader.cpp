@@ -3,6 +3,7 @@
 #include "meshimport/stl_reader.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/large_pages.h"
 #include "meshimport/byte_order.h"
 #include "meshimport/content.h"
 #include "meshimport/raw_mesh.h"
@@ -65,6 +66,8 @@ Result<Mesh> readBinary(std::string_view bytes, const std::string& origin, std::
   Mesh mesh;
   mesh.position.resize(3, static_cast<Eigen::Index>(3 * facets));
   mesh.triangles.resize(3, static_cast<Eigen::Index>(facets));
+  useLargePages(mesh.position);
+  useLargePages(mesh.triangles);
   double* coordinate = mesh.position.data();
   Index* corner = mesh.triangles.data();
   const char* facet = bytes.data() + kHeader;
@@ -89,11 +92,17 @@ Result<Mesh> readBinary(std::string_view bytes, const std::string& origin, std::
 
 /// solid NAME / facet normal . . . / outer loop / vertex . . . (3 times) / endloop / endfacet / endsolid
 class AsciiParser {
+  static constexpr std::size_t kUsualFacet = 200; ///< bytes
+
 public:
   AsciiParser(std::string_view bytes, const std::string& origin) : m_cursor(bytes), m_origin(origin) {}
 
   Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
+    const std::size_t facets = m_cursor.rest().size() / kUsualFacet;
+    reserveLarge(m_raw.coordinates, 9 * facets);
+    reserveLarge(m_raw.corners, 3 * facets);
+    reserveLarge(m_raw.faceEnd, facets);
     for (std::size_t i = 0; skipToWord(); ++i) {
       if (i % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       if (Status status = statement(); !status) return status.error();
@@ -120,6 +129,7 @@ private:
     const long line = m_cursor.line();
     TextCursor before = m_cursor;
     const std::string_view word = m_cursor.word();
+    if (word == "vertex") return vertex(line);
     const auto is = [word](std::string_view keyword) { return equalIgnoringCase(word, keyword); };
     if (is("vertex")) return vertex(line);
     if (is("outer") || is("endfacet")) return {};

@@ -3,38 +3,24 @@
 #include "meshimport/text_cursor.h"
 
 #include <algorithm>
-#include <array>
 #include <charconv>
+#include <cstring>
 #include <limits>
 
 namespace esm {
 
 namespace {
 
-enum CharClass : unsigned char { Other = 0, Blank = 1, LineBreak = 2, Special = 4 };
-
-/// What each byte means between words; one look in place of half a dozen comparisons.
-constexpr auto kClass = [] {
-  std::array<unsigned char, 256> classes{};
-  for (const unsigned char c : {' ', '\t', '\v', '\f'}) classes[c] = Blank;
-  for (const unsigned char c : {'\n', '\r'}) classes[c] = LineBreak;
-  for (const unsigned char c : {'#', '\\'}) classes[c] = Special; // depends on the rules
-  return classes;
-}();
-
-unsigned char classOf(char c)
-{
-  return kClass[static_cast<unsigned char>(c)];
-}
+using text::classOf;
 
 bool isBlank(char c)
 {
-  return classOf(c) == Blank;
+  return classOf(c) == text::Blank;
 }
 
 bool isLineBreak(char c)
 {
-  return classOf(c) == LineBreak;
+  return classOf(c) == text::LineBreak;
 }
 
 /// What std::from_chars found beyond the range of double: endless or nothing?
@@ -74,15 +60,15 @@ const char* TextCursor::behindLineEnd(const char* at) const
   return at + (pair ? 2 : 1);
 }
 
-void TextCursor::skipBlanks()
+/// Past joints of lines and the blanks behind them.
+void TextCursor::skipJoints()
 {
-  for (;;) {
-    while (m_at != m_end && isBlank(*m_at)) ++m_at;
-    if ((m_rules & BackslashJoins) == 0 || m_at == m_end || *m_at != '\\') return;
+  while (m_at != m_end && *m_at == '\\') {
     const char* next = behindLineEnd(m_at + 1);
     if (!next) return;
     m_at = next;
     ++m_line;
+    while (m_at != m_end && isBlank(*m_at)) ++m_at;
   }
 }
 
@@ -93,12 +79,6 @@ bool TextCursor::stopWanted(WorkControl* control) const
   return esm::stopWanted(control);
 }
 
-bool TextCursor::atLineEnd()
-{
-  skipBlanks();
-  return m_at == m_end || isLineBreak(*m_at) || ((m_rules & HashComments) && *m_at == '#');
-}
-
 bool TextCursor::inLastLine() const
 {
   return std::none_of(m_at, m_end, isLineBreak);
@@ -106,20 +86,21 @@ bool TextCursor::inLastLine() const
 
 void TextCursor::nextLine()
 {
-  while (m_at != m_end && !isLineBreak(*m_at)) ++m_at;
+  // Short rests are passed byte by byte; a long one by the library's vector code, first to LF, then back to a
+  // CR.
+  const char* const nearby = m_end - m_at > 8 ? m_at + 8 : m_end;
+  while (m_at != nearby && !isLineBreak(*m_at)) ++m_at;
+  if (m_at == nearby && m_at != m_end && !isLineBreak(*m_at)) {
+    const auto find = [this](char c, const char* end) {
+      const void* found = std::memchr(m_at, c, static_cast<std::size_t>(end - m_at));
+      return found ? static_cast<const char*>(found) : end;
+    };
+    m_at = find('\r', std::min(m_end, find('\n', m_end)));
+  }
   if (const char* next = behindLineEnd(m_at)) {
     m_at = next;
     ++m_line;
   }
-}
-
-bool TextCursor::breaksHere(const char* at) const
-{
-  if (at == m_end) return true;
-  const unsigned char kind = classOf(*at);
-  if (kind != Special) return kind != Other;
-  if (*at == '#') return (m_rules & HashComments) != 0;
-  return (m_rules & BackslashJoins) != 0 && behindLineEnd(at + 1) != nullptr;
 }
 
 std::string_view TextCursor::word()
@@ -130,9 +111,8 @@ std::string_view TextCursor::word()
   return {from, static_cast<std::size_t>(m_at - from)};
 }
 
-bool TextCursor::number(double& value)
+bool TextCursor::anyNumber(double& value)
 {
-  skipBlanks();
   const char* from = skipPlus(m_at, m_end);
   const auto [to, code] = std::from_chars(from, m_end, value);
   if (code == std::errc::invalid_argument || !breaksHere(to)) return false;
@@ -151,9 +131,8 @@ bool TextCursor::integer(long long& value)
   return true;
 }
 
-bool TextCursor::corner(long long& value)
+bool TextCursor::anyCorner(long long& value)
 {
-  skipBlanks();
   auto [to, code] = std::from_chars(skipPlus(m_at, m_end), m_end, value);
   if (code != std::errc{}) return false;
   if (to != m_end && *to == '/')

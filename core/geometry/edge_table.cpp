@@ -3,8 +3,11 @@
 #include "core/geometry/edge_table.h"
 
 #include "core/base/assert.h"
+#include "core/base/large_pages.h"
 #include "core/geometry/first_appearance.h"
 
+#include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <limits>
 #include <utility>
@@ -13,36 +16,87 @@ namespace esm {
 
 namespace {
 
-/// Triangle sides first, then segments; the bucket is the smaller vertex, the rest the larger one.
-std::pair<Index, Index> sideKey(const Mesh& mesh, Index side)
-{
-  const Index sides = 3 * mesh.triangleCount();
-  const Index* corner = mesh.triangles.data();
-  Index a, b;
-  if (side < sides) {
-    const Index last = side % 3 == 2 ? side - 2 : side + 1;
-    a = corner[side];
-    b = corner[last];
-  } else {
-    a = mesh.segments(0, side - sides);
-    b = mesh.segments(1, side - sides);
+/// The edges found so far, each in the bucket of its smaller vertex. A bucket has room for all sides that
+/// have this vertex as their smaller one, so it lies in one or two lines of the cache and is searched in the
+/// order of appearance; that of a hub is a hash table with open addressing, so that no mesh makes the search
+/// slow.
+class EdgeBuckets {
+public:
+  /// @param sides visits all sides: sides(visit) calls visit(a, b, side) for each with a != b, in order
+  template <class Sides>
+  EdgeBuckets(Index vertexCount, const Sides& sides)
+    : m_start(largeVector<std::int64_t>(static_cast<std::size_t>(vertexCount) + 1, 0))
+  {
+    sides([this](Index a, Index b, Index) {
+      ++m_start[static_cast<std::size_t>(std::min(a, b))];
+      return true;
+    });
+    std::int64_t total = 0;
+    for (std::int64_t& start : m_start) {
+      const auto size = static_cast<std::uint64_t>(start);
+      start = total;
+      total += static_cast<std::int64_t>(size > kSearchLimit ? std::bit_ceil(2 * size) : size);
+    }
+    m_entries = largeVector<Entry>(static_cast<std::size_t>(total), Entry{kNoIndex, kNoIndex});
   }
-  if (a == b) return {kNoIndex, 0};
-  return {std::min(a, b), std::max(a, b)};
+
+  /// The number of the edge between a and b; `next` if it was none yet and now is.
+  Index findOrAdd(Index a, Index b, Index next)
+  {
+    const auto [low, high] = std::minmax(a, b);
+    const std::int64_t* bucket = m_start.data() + low;
+    Entry* const from = m_entries.data() + bucket[0];
+    Entry* const to = m_entries.data() + bucket[1];
+    Entry* entry = from;
+    if (to - from > static_cast<std::ptrdiff_t>(kSearchLimit)) {
+      const std::uint64_t hash =
+        static_cast<std::uint64_t>(high) * 0x9e3779b97f4a7c15ull; // 2^64 / golden ratio
+      entry += (hash >> 20) & static_cast<std::uint64_t>(to - from - 1);
+    }
+    while (entry->high != high) {
+      if (entry->high == kNoIndex) {
+        *entry = {high, next};
+        break;
+      }
+      if (++entry == to) entry = from;
+    }
+    return entry->edge;
+  }
+
+private:
+  static constexpr std::uint64_t kSearchLimit = 24; ///< sides of one vertex
+  struct Entry {
+    Index high, edge;
+  };
+  std::vector<std::int64_t> m_start; ///< per vertex, where its entries begin
+  std::vector<Entry> m_entries;
+};
+
+/// Calls visit(a, b, side) for each side of a triangle and then each segment with two different ends, until
+/// it returns false. The three sides of triangle t are 3 t, 3 t + 1, 3 t + 2.
+template <class Visit>
+void visitSides(const Mesh& mesh, const Visit& visit)
+{
+  const Index triangleSides = 3 * mesh.triangleCount();
+  const Index* corner = mesh.triangles.data();
+  for (Index side = 0; side < triangleSides; side += 3, corner += 3) {
+    const Index a = corner[0], b = corner[1], c = corner[2];
+    if (a != b && !visit(a, b, side)) return;
+    if (b != c && !visit(b, c, side + 1)) return;
+    if (c != a && !visit(c, a, side + 2)) return;
+  }
+  const Index* end = mesh.segments.data();
+  for (Index s = 0; s < mesh.segmentCount(); ++s, end += 2)
+    if (end[0] != end[1] && !visit(end[0], end[1], triangleSides + s)) return;
 }
 
-/// Each triangle once per edge, even if two of its sides are the same edge (corners a a b).
-void countTriangles(EdgeTable& table)
+/// The smallest corner of a triangle and the two others, whatever their order.
+std::pair<Index, std::uint64_t> triangleKey(const Index* corner)
 {
-  table.triangleCount.assign(static_cast<std::size_t>(table.ends.cols()), 0);
-  const std::vector<Index>& edge = table.edgeOfSide;
-  for (std::size_t t = 0; t + 2 < edge.size(); t += 3) {
-    for (std::size_t c = 0; c < 3; ++c) {
-      const Index e = edge[t + c];
-      const bool counted = (c > 0 && e == edge[t]) || (c > 1 && e == edge[t + 1]);
-      if (e != kNoIndex && !counted) ++table.triangleCount[static_cast<std::size_t>(e)];
-    }
-  }
+  const auto [low, high] = std::minmax({corner[0], corner[1], corner[2]});
+  // The middle one is what the sum has left; 64 bits, for the sum of three may pass 2^31.
+  const std::int64_t middle = std::int64_t{corner[0]} + corner[1] + corner[2] - low - high;
+  return {low, (static_cast<std::uint64_t>(middle) << 32) | static_cast<std::uint64_t>(high)};
 }
 
 } // namespace
@@ -51,51 +105,83 @@ EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
 {
   ESM_ASSERT(3 * std::int64_t{mesh.triangleCount()} + mesh.segmentCount() <=
              std::numeric_limits<Index>::max());
-  const Index sides = 3 * mesh.triangleCount();
-  const Index all = sides + mesh.segmentCount();
-  std::vector<Index> edgeOf = firstAppearances<Index>(
-    all, mesh.vertexCount(), [&](Index side) { return sideKey(mesh, side); }, control);
+  const Index triangleSides = 3 * mesh.triangleCount(), sides = triangleSides + mesh.segmentCount();
+  EdgeBuckets buckets(mesh.vertexCount(), [&mesh](const auto& visit) { visitSides(mesh, visit); });
   if (stopWanted(control)) return {};
 
-  Index edges = 0;
-  for (Index side = 0; side < all; ++side)
-    if (edgeOf[static_cast<std::size_t>(side)] == side) ++edges;
-
   EdgeTable table;
-  table.ends.resize(2, edges);
-  edges = 0;
-  for (Index side = 0; side < all; ++side) {
-    Index& edge = edgeOf[static_cast<std::size_t>(side)];
-    if (edge == side) { // the first of its kind gets the next number, later ones follow it
-      const auto [a, b] = sideKey(mesh, side);
-      table.ends.col(edges) << a, b;
-      edge = edges++;
-    } else if (edge != kNoIndex) {
-      edge = edgeOf[static_cast<std::size_t>(edge)];
+  table.edgeOfSide = largeVector(static_cast<std::size_t>(triangleSides), kNoIndex);
+  std::vector<Index> ends;
+  const std::size_t usual =
+    static_cast<std::size_t>(triangleSides) / 2 + static_cast<std::size_t>(mesh.segmentCount());
+  reserveLarge(ends, 2 * usual + usual / 8);
+  reserveLarge(table.triangleCount, usual + usual / 16);
+  bool surfaceDone = false;
+  visitSides(mesh, [&](Index a, Index b, Index side) {
+    if (stopWantedAt(static_cast<std::size_t>(side), static_cast<std::size_t>(sides), control)) return false;
+    const auto next = static_cast<Index>(table.triangleCount.size());
+    const Index edge = buckets.findOrAdd(a, b, next);
+    if (side >= triangleSides && !std::exchange(surfaceDone, true)) table.surfaceEdges = next;
+    if (edge == next) {
+      ends.insert(ends.end(), {std::min(a, b), std::max(a, b)});
+      table.triangleCount.push_back(0);
     }
-    if (side < sides) table.surfaceEdges = edges;
-  }
-  edgeOf.resize(static_cast<std::size_t>(sides));
-  table.edgeOfSide = std::move(edgeOf);
-  countTriangles(table);
+    if (side >= triangleSides) return true;
+    Index* const ofTriangle = table.edgeOfSide.data() + (side - side % 3);
+    // A triangle counts once per edge, even if two of its sides are the same edge (corners a a b).
+    const bool counted = ofTriangle[0] == edge || ofTriangle[1] == edge;
+    if (!counted) ++table.triangleCount[static_cast<std::size_t>(edge)];
+    table.edgeOfSide[static_cast<std::size_t>(side)] = edge;
+    return true;
+  });
+  if (stopWanted(control)) return {};
+  if (!surfaceDone) table.surfaceEdges = static_cast<Index>(table.triangleCount.size());
+  table.ends.resize(2, static_cast<Eigen::Index>(ends.size() / 2));
+  useLargePages(table.ends);
+  std::copy(ends.begin(), ends.end(), table.ends.data());
   return table;
 }
 
-std::vector<Index> firstSameTriangle(const TriangleMatrix& triangles, Index vertexCount, WorkControl* control)
+std::vector<Index> repeatedTriangles(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
 {
-  const Index count = static_cast<Index>(triangles.cols());
-  return firstAppearances<std::uint64_t>(
-    count, vertexCount,
-    [&](Index t) {
-      const Index* corner = triangles.data() + 3 * std::ptrdiff_t{t};
-      const auto [low, high] = std::minmax({corner[0], corner[1], corner[2]});
-      // The middle one is what the sum has left; 64 bits, for the sum of three may pass 2^31.
-      const std::int64_t middle = std::int64_t{corner[0]} + corner[1] + corner[2] - low - high;
-      const std::uint64_t rest =
-        (static_cast<std::uint64_t>(middle) << 32) | static_cast<std::uint64_t>(high);
-      return std::pair{low, rest};
-    },
-    control);
+  // Triangles over the same vertices share their three edges. If an earlier one was the first user of all
+  // three, that tells; if not, some edge has a third user. So only triangles at such edges, and those without
+  // three edges, have to be compared with each other.
+  const Index count = mesh.triangleCount();
+  std::vector<Index> firstUser, repeated, doubtful;
+  reserveLarge(firstUser, edges.triangleCount.size());
+  for (Index t = 0; t < count; ++t) {
+    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(count), control)) return {};
+    const Index* edge = edges.edgeOfSide.data() + 3 * std::ptrdiff_t{t};
+    Index user[3] = {t, t, t};
+    bool clear = true;
+    for (int k = 0; k < 3; ++k) {
+      if (edge[k] == kNoIndex) {
+        clear = false;
+        continue;
+      }
+      clear = clear && edges.triangleCount[static_cast<std::size_t>(edge[k])] <= 2;
+      if (edge[k] == static_cast<Index>(firstUser.size())) // edges are numbered by their first appearance
+        firstUser.push_back(t);
+      else
+        user[k] = firstUser[static_cast<std::size_t>(edge[k])];
+    }
+    if (!clear) {
+      doubtful.push_back(t);
+    } else if (user[0] != t && user[0] == user[1] && user[1] == user[2]) {
+      repeated.push_back(t);
+    }
+  }
+  if (doubtful.empty()) return repeated;
+  const auto keyOf = [&](Index i) {
+    return triangleKey(mesh.triangles.data() + 3 * std::ptrdiff_t{doubtful[static_cast<std::size_t>(i)]});
+  };
+  const std::vector<Index> first =
+    firstAppearances<std::uint64_t>(static_cast<Index>(doubtful.size()), mesh.vertexCount(), keyOf, control);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (first[i] != static_cast<Index>(i)) repeated.push_back(doubtful[i]);
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
 }
 
 } // namespace esm

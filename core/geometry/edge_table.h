@@ -19,12 +19,15 @@ struct EdgeTable {
   std::vector<Index> triangleCount; ///< E, how many triangles use the edge
 };
 
-/// O(V + F) on a mesh, O(F log F) at worst. @pre indices in range
+/// O(V + F). @pre indices in range
 /// @param control may be null; once it is cancelled the table is empty, ask stopWanted().
 EdgeTable findEdges(const Mesh& mesh, WorkControl* control = nullptr);
 
-/// For each triangle the first one over the same three vertices, whatever their order. @pre as above
-std::vector<Index> firstSameTriangle(const TriangleMatrix& triangles, Index vertexCount,
+/// The triangles over the same three vertices as an earlier one, whatever their order; ascending. Cost as
+/// above.
+/// @param edges findEdges(mesh)
+/// @param control may be null; once it is cancelled the list is of no use.
+std::vector<Index> repeatedTriangles(const Mesh& mesh, const EdgeTable& edges,
                                      WorkControl* control = nullptr);
 
 } // namespace esm

@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/geometry/weld.h"
 
+#include "core/base/large_pages.h"
 #include "core/geometry/distance.h"
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
@@ -75,18 +77,71 @@ private:
   std::vector<Entry> m_entries;
 };
 
-/// Vertices kept so far, found again by equal position.
+/// Vertices kept so far, found again by equal position: open addressing over the kept vertices themselves. In
+/// a file without order nearly every look misses the caches, so `foresee` fetches the memory of some looks
+/// ahead.
 class ExactFinder {
 public:
-  /// The kept vertex at `p`, or `next`, which is then kept there.
+  explicit ExactFinder(const Eigen::Matrix3Xd& kept)
+    : m_kept(kept),
+      m_slots(largeVector(
+        std::bit_ceil(std::max<std::size_t>(1024, static_cast<std::size_t>(kept.cols()) / 3)), kNoIndex))
+  {}
+
+  static constexpr Index kAhead = 32;
+
+  /// For the `count` <= kAhead vertices that are looked for next.
+  void foresee(Index vertex, Index count)
+  {
+    if (2 * (m_count + kAhead) >= m_slots.size()) grow();
+    const std::size_t mask = m_slots.size() - 1;
+    for (Index i = 0; i < count; ++i) {
+      m_hash[i] = placeOf(m_kept.col(vertex + i));
+      __builtin_prefetch(&m_slots[m_hash[i] & mask]);
+    }
+    for (Index i = 0; i < count; ++i)
+      if (const Index slot = m_slots[m_hash[i] & mask]; slot != kNoIndex)
+        __builtin_prefetch(m_kept.data() + 3 * std::ptrdiff_t{slot});
+    m_next = 0;
+  }
+
+  /// The kept vertex at `p`, or `next`, which is then kept there. Vertices come in the order foreseen.
   Index findOrKeep(const Eigen::Vector3d& p, Index next)
   {
-    const Eigen::Vector3d key = p + Eigen::Vector3d::Zero(); // -0 becomes 0
-    return m_table.findOrAdd(key, next);
+    const std::size_t mask = m_slots.size() - 1;
+    std::size_t i = m_hash[m_next++] & mask;
+    if (!p.allFinite()) return next;
+    while (m_slots[i] != kNoIndex && m_kept.col(m_slots[i]) != p) i = (i + 1) & mask;
+    if (m_slots[i] == kNoIndex) {
+      m_slots[i] = next;
+      ++m_count;
+    }
+    return m_slots[i];
   }
 
 private:
-  PointTable m_table;
+  static std::size_t placeOf(const Eigen::Vector3d& p)
+  {
+    return hashOf(p + Eigen::Vector3d::Zero()) >> 20; // -0 becomes 0
+  }
+  void grow()
+  {
+    std::vector<Index> old = largeVector(4 * m_slots.size(), kNoIndex);
+    old.swap(m_slots);
+    const std::size_t mask = m_slots.size() - 1;
+    for (const Index vertex : old) {
+      if (vertex == kNoIndex) continue;
+      std::size_t i = placeOf(m_kept.col(vertex)) & mask;
+      while (m_slots[i] != kNoIndex) i = (i + 1) & mask;
+      m_slots[i] = vertex;
+    }
+  }
+
+  const Eigen::Matrix3Xd& m_kept; ///< kept vertices at their new places, then those to come; not owned
+  std::vector<Index> m_slots;     ///< kept vertices, or kNoIndex; a power of two of them
+  std::size_t m_count = 0;
+  std::array<std::size_t, kAhead> m_hash{}; ///< of the vertices foreseen
+  std::size_t m_next = 0;
 };
 
 /// Vertices kept so far, found again within a distance. Cells are four tolerances wide, so a ball touches
@@ -96,8 +151,12 @@ class NearFinder {
 public:
   NearFinder(const Eigen::Matrix3Xd& kept, double tolerance) : m_kept(kept), m_tolerance(tolerance) {}
 
+  static constexpr Index kAhead = 4096;
+  void foresee(Index, Index) {}
+
   Index findOrKeep(const Eigen::Vector3d& p, Index next)
   {
+    if (!p.allFinite()) return next;
     const Eigen::Vector3d reach = Eigen::Vector3d::Constant(m_tolerance);
     const Eigen::Vector3d low = cellOf(p - reach), high = cellOf(p + reach);
     Index nearest = next;
@@ -145,16 +204,21 @@ private:
 template <class Finder>
 std::vector<Index> keepFirst(Mesh& mesh, Finder& finder, WorkControl* control)
 {
-  std::vector<Index> newOf(static_cast<std::size_t>(mesh.vertexCount()));
+  const Index count = mesh.vertexCount();
+  std::vector<Index> newOf = largeVector(static_cast<std::size_t>(count), kNoIndex);
   Index kept = 0;
-  for (Index v = 0; v < mesh.vertexCount(); ++v) {
-    if (stopWantedAt(static_cast<std::size_t>(v), newOf.size(), control)) break;
-    const Eigen::Vector3d p = mesh.position.col(v);
-    const Index place = p.allFinite() ? finder.findOrKeep(p, kept) : kept;
-    if (place == kept) mesh.position.col(kept++) = p;
-    newOf[static_cast<std::size_t>(v)] = place;
+  for (Index first = 0; first < count; first += Finder::kAhead) {
+    const Index end = std::min(count, first + Finder::kAhead);
+    if (stopWantedAt(static_cast<std::size_t>(first), static_cast<std::size_t>(count), control)) break;
+    finder.foresee(first, end - first);
+    for (Index v = first; v < end; ++v) {
+      const Eigen::Vector3d p = mesh.position.col(v);
+      const Index place = finder.findOrKeep(p, kept);
+      if (place == kept) mesh.position.col(kept++) = p;
+      newOf[static_cast<std::size_t>(v)] = place;
+    }
   }
-  mesh.position.conservativeResize(Eigen::NoChange, kept);
+  if (kept < count) mesh.position.conservativeResize(Eigen::NoChange, kept);
   return newOf;
 }
 
@@ -167,7 +231,7 @@ std::vector<Index> weldVertices(Mesh& mesh, double tolerance, WorkControl* contr
     NearFinder finder(mesh.position, std::min(tolerance, 1e307)); // cells of infinite width have no place
     newOf = keepFirst(mesh, finder, control);
   } else {
-    ExactFinder finder;
+    ExactFinder finder(mesh.position);
     newOf = keepFirst(mesh, finder, control);
   }
   const auto renumber = [&newOf](Index& vertex) { vertex = newOf[static_cast<std::size_t>(vertex)]; };

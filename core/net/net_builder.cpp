@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/net/net_builder.h"
 
+#include "core/base/large_pages.h"
 #include "core/geometry/distance.h"
 #include "core/geometry/edge_table.h"
 #include "core/geometry/first_appearance.h"
@@ -18,6 +19,39 @@ namespace esm {
 
 namespace {
 
+/// A fresh rows x columns array of one value.
+template <class Array>
+void setAll(Array& array, Eigen::Index rows, Eigen::Index columns, typename Array::Scalar value)
+{
+  array.resize(rows, columns);
+  useLargePages(array);
+  array.setConstant(value);
+}
+
+/// The nodes of resizeNet().
+void resizeNodes(SpringNet& net, Index nodes)
+{
+  const auto count = static_cast<std::size_t>(nodes);
+  setAll(net.restPosition, 3, nodes, 0.0);
+  net.mass.setOnes(nodes);
+  net.fixed.assign(count, 0);
+  net.nodeId.resize(count);
+  for (Index i = 0; i < nodes; ++i) net.nodeId[static_cast<std::size_t>(i)] = NodeId{i};
+}
+
+/// Drops the springs from number `count` on.
+void keepFirstSprings(SpringNet& net, Index count)
+{
+  net.ends.conservativeResize(Eigen::NoChange, count);
+  for (Eigen::ArrayXd* values : {&net.restLength, &net.stiffness, &net.viscosity, &net.lawParameter})
+    values->conservativeResize(count);
+  const auto size = static_cast<std::size_t>(count);
+  net.law.resize(size);
+  net.tensionOnly.resize(size);
+  net.kind.resize(size);
+  net.springId.resize(size);
+}
+
 template <class Indices>
 Status checkIndices(const Indices& indices, Index vertexCount, const char* what)
 {
@@ -31,59 +65,77 @@ Status checkIndices(const Indices& indices, Index vertexCount, const char* what)
   return {};
 }
 
-struct Spring {
-  Index a, b; ///< vertices
-  double length;
-  SpringKind kind;
-};
-
-/// The unique edges that can be springs: finite ends, apart from each other.
-Result<std::vector<Spring>> findSprings(const Mesh& mesh, const EdgeTable& edges)
+/// Puts the unique edges that can be springs (finite ends, apart from each other) into the net; ends are
+/// vertices.
+Status addSprings(const Mesh& mesh, const EdgeTable& edges, SpringNet& net, WorkControl* control)
 {
-  std::vector<Spring> springs;
-  springs.reserve(static_cast<std::size_t>(edges.ends.cols()));
-  for (Index e = 0; e < static_cast<Index>(edges.ends.cols()); ++e) {
+  const Index candidates = static_cast<Index>(edges.ends.cols());
+  resizeNet(net, 0, candidates);
+  Index springs = 0, surface = 0;
+  for (Index e = 0; e < candidates; ++e) {
+    if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(candidates), control))
+      return cancelledError();
     const Index a = edges.ends(0, e), b = edges.ends(1, e);
-    if (!mesh.position.col(a).allFinite() || !mesh.position.col(b).allFinite()) continue;
     const double length = distance(mesh.position.col(a), mesh.position.col(b));
-    if (!std::isfinite(length))
+    if (!std::isfinite(length)) {
+      if (!mesh.position.col(a).allFinite() || !mesh.position.col(b).allFinite()) continue;
       return Error{ErrorCode::InvalidValue, "vertices " + std::to_string(a) + " and " + std::to_string(b) +
                                               " are further apart than a number can hold"};
-    if (length > 0.0)
-      springs.push_back({a, b, length, e < edges.surfaceEdges ? SpringKind::Edge : SpringKind::Line});
+    }
+    if (!(length > 0.0)) continue;
+    net.ends(0, springs) = a;
+    net.ends(1, springs) = b;
+    net.restLength[springs++] = length;
+    if (e < edges.surfaceEdges) surface = springs;
   }
-  if (springs.empty())
+  if (springs == 0)
     return Error{ErrorCode::EmptyResult, "the mesh has no edge or line of positive length, so no spring"};
-  return springs;
+  std::fill(net.kind.begin() + surface, net.kind.end(), SpringKind::Line);
+  if (springs < candidates) keepFirstSprings(net, springs);
+  return {};
 }
 
-/// Numbers the vertices that carry a spring, in their own order; kNoIndex for the others.
-std::vector<Index> numberNodes(const std::vector<Spring>& springs, Index vertexCount, Index& nodes)
+/// Numbers the vertices that carry a spring, in their own order; kNoIndex for the others. Renumbers the
+/// springs.
+std::vector<Index> addNodes(const Mesh& mesh, SpringNet& net)
 {
-  std::vector<Index> nodeOf(static_cast<std::size_t>(vertexCount), kNoIndex);
-  for (const Spring& spring : springs)
-    nodeOf[static_cast<std::size_t>(spring.a)] = nodeOf[static_cast<std::size_t>(spring.b)] = 0;
-  nodes = 0;
+  std::vector<Index> nodeOf(static_cast<std::size_t>(mesh.vertexCount()), kNoIndex);
+  Index* const ends = net.ends.data();
+  for (Eigen::Index i = 0; i < net.ends.size(); ++i) nodeOf[static_cast<std::size_t>(ends[i])] = 0;
+  Index nodes = 0;
   for (Index& node : nodeOf)
     if (node != kNoIndex) node = nodes++;
+  for (Eigen::Index i = 0; i < net.ends.size(); ++i) ends[i] = nodeOf[static_cast<std::size_t>(ends[i])];
+
+  resizeNodes(net, nodes);
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+    if (const Index node = nodeOf[static_cast<std::size_t>(v)]; node != kNoIndex)
+      net.restPosition.col(node) = mesh.position.col(v);
   return nodeOf;
 }
 
 /// The triangles over three distinct nodes, each set of corners once.
-TriangleMatrix surfaceOf(const Mesh& mesh, const std::vector<Index>& nodeOf, WorkControl* control)
+TriangleMatrix surfaceOf(const Mesh& mesh, const EdgeTable& edges, const std::vector<Index>& nodeOf,
+                         WorkControl* control)
 {
-  const std::vector<Index> same = firstSameTriangle(mesh.triangles, mesh.vertexCount(), control);
+  const std::vector<Index> repeated = repeatedTriangles(mesh, edges, control);
   if (stopWanted(control)) return {};
   TriangleMatrix surface(3, mesh.triangleCount());
+  useLargePages(surface);
+  auto nextRepeated = repeated.begin();
   Index count = 0;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
+    if (nextRepeated != repeated.end() && *nextRepeated == t) {
+      ++nextRepeated;
+      continue;
+    }
     Eigen::Matrix<Index, 3, 1> corner;
     for (int k = 0; k < 3; ++k) corner[k] = nodeOf[static_cast<std::size_t>(mesh.triangles(k, t))];
     const bool whole = corner.minCoeff() != kNoIndex && corner[0] != corner[1] && corner[1] != corner[2] &&
                        corner[2] != corner[0];
-    if (whole && same[static_cast<std::size_t>(t)] == t) surface.col(count++) = corner;
+    if (whole) surface.col(count++) = corner;
   }
-  surface.conservativeResize(Eigen::NoChange, count);
+  if (count < mesh.triangleCount()) surface.conservativeResize(Eigen::NoChange, count);
   return surface;
 }
 
@@ -114,23 +166,17 @@ Result<SpringNet> buildSolidNet(const Mesh& mesh, std::vector<Index>* nodeOfVert
 void resizeNet(SpringNet& net, Index nodes, Index springs)
 {
   net = SpringNet{};
-  const auto nodeCount = static_cast<std::size_t>(nodes), springCount = static_cast<std::size_t>(springs);
-  net.restPosition.setZero(3, nodes);
-  net.mass.setOnes(nodes);
-  net.fixed.assign(nodeCount, 0);
-  net.nodeId.resize(nodeCount);
-  for (Index i = 0; i < nodes; ++i) net.nodeId[static_cast<std::size_t>(i)] = NodeId{i};
+  resizeNodes(net, nodes);
 
-  net.ends.setZero(2, springs);
-  net.restLength.setZero(springs);
-  net.stiffness.setZero(springs);
-  net.viscosity.setZero(springs);
-  net.law.assign(springCount, SpringLaw::Linear);
-  net.lawParameter.setZero(springs);
-  net.tensionOnly.assign(springCount, 0);
-  net.kind.assign(springCount, SpringKind::Edge);
-  net.springId.resize(springCount);
-  for (Index s = 0; s < springs; ++s) net.springId[static_cast<std::size_t>(s)] = SpringId{s};
+  const auto count = static_cast<std::size_t>(springs);
+  setAll(net.ends, 2, springs, 0);
+  for (Eigen::ArrayXd* values : {&net.restLength, &net.stiffness, &net.viscosity, &net.lawParameter})
+    setAll(*values, springs, 1, 0.0);
+  net.law = largeVector(count, SpringLaw::Linear);
+  net.tensionOnly = largeVector(count, std::uint8_t{0});
+  net.kind = largeVector(count, SpringKind::Edge);
+  reserveLarge(net.springId, count);
+  for (Index s = 0; s < springs; ++s) net.springId.push_back(SpringId{s});
 }
 
 Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, WorkControl* control)
@@ -142,24 +188,10 @@ Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, W
 
   const EdgeTable edges = findEdges(mesh, control);
   if (stopWanted(control)) return cancelledError();
-  const Result<std::vector<Spring>> springs = findSprings(mesh, edges);
-  if (!springs) return springs.error();
-  Index nodes = 0;
-  std::vector<Index> nodeOf = numberNodes(*springs, mesh.vertexCount(), nodes);
-
   SpringNet net;
-  resizeNet(net, nodes, static_cast<Index>(springs->size()));
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-    if (const Index node = nodeOf[static_cast<std::size_t>(v)]; node != kNoIndex)
-      net.restPosition.col(node) = mesh.position.col(v);
-  for (Index s = 0; s < net.springCount(); ++s) {
-    const Spring& spring = (*springs)[static_cast<std::size_t>(s)];
-    net.ends(0, s) = nodeOf[static_cast<std::size_t>(spring.a)];
-    net.ends(1, s) = nodeOf[static_cast<std::size_t>(spring.b)];
-    net.restLength[s] = spring.length;
-    net.kind[static_cast<std::size_t>(s)] = spring.kind;
-  }
-  net.triangles = surfaceOf(mesh, nodeOf, control);
+  if (Status good = addSprings(mesh, edges, net, control); !good) return good.error();
+  std::vector<Index> nodeOf = addNodes(mesh, net);
+  net.triangles = surfaceOf(mesh, edges, nodeOf, control);
   if (stopWanted(control)) return cancelledError();
   if (nodeOfVertex) *nodeOfVertex = std::move(nodeOf);
   return net;

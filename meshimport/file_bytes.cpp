@@ -1,0 +1,117 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/file_bytes.h"
+
+#include "core/base/large_pages.h"
+#include "meshimport/raw_mesh.h"
+
+#include <algorithm>
+#include <cerrno>
+#include <fcntl.h>
+#include <sys/mman.h>
+#include <sys/stat.h>
+#include <system_error>
+#include <unistd.h>
+#include <utility>
+
+namespace esm {
+
+namespace {
+
+constexpr std::size_t kAtOnce = std::size_t{1} << 22; ///< bytes, then somebody may wish to stop
+
+Error unreadable(const std::filesystem::path& path, const std::string& why)
+{
+  return fault(ErrorCode::FileUnreadable, path.string(), 0, why);
+}
+Error unreadable(const std::filesystem::path& path, int errorNumber)
+{
+  return unreadable(path, "cannot be read (" + std::generic_category().message(errorNumber) + ")");
+}
+
+class OpenFile {
+public:
+  explicit OpenFile(const std::filesystem::path& path)
+    : m_file(::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NONBLOCK)) // a pipe without a writer would block
+  {}
+  ~OpenFile()
+  {
+    if (m_file >= 0) ::close(m_file);
+  }
+  OpenFile(const OpenFile&) = delete;
+  OpenFile& operator=(const OpenFile&) = delete;
+  int get() const { return m_file; }
+
+private:
+  int m_file;
+};
+
+std::size_t machineMemory()
+{
+  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGESIZE);
+  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : SIZE_MAX;
+}
+
+} // namespace
+
+FileBytes::FileBytes(FileBytes&& other) noexcept
+  : m_data(std::exchange(other.m_data, nullptr)),
+    m_size(std::exchange(other.m_size, 0)),
+    m_capacity(std::exchange(other.m_capacity, 0))
+{}
+
+FileBytes& FileBytes::operator=(FileBytes&& other) noexcept
+{
+  std::swap(m_data, other.m_data);
+  std::swap(m_size, other.m_size);
+  std::swap(m_capacity, other.m_capacity);
+  return *this;
+}
+
+FileBytes::~FileBytes()
+{
+  if (m_data) ::munmap(m_data, m_capacity);
+}
+
+/// Makes room for `capacity` bytes; keeps what is there.
+bool FileBytes::hold(std::size_t capacity)
+{
+  void* const fresh = ::mmap(nullptr, capacity, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+  if (fresh == MAP_FAILED) return false;
+  useLargePages(fresh, capacity);
+  if (m_data) {
+    std::copy_n(m_data, m_size, static_cast<char*>(fresh));
+    ::munmap(m_data, m_capacity);
+  }
+  m_data = static_cast<char*>(fresh);
+  m_capacity = capacity;
+  return true;
+}
+
+Result<FileBytes> FileBytes::read(const std::filesystem::path& path, WorkControl* control)
+{
+  const OpenFile file(path);
+  struct stat info = {};
+  if (file.get() < 0 || ::fstat(file.get(), &info) != 0) return unreadable(path, errno);
+  if (S_ISDIR(info.st_mode)) return unreadable(path, "is a folder, not a file");
+  if (!S_ISREG(info.st_mode)) return unreadable(path, "it is a device, not a file");
+  const auto promised = static_cast<std::size_t>(std::max<off_t>(info.st_size, 0));
+  const Error tooLarge =
+    fault(ErrorCode::Unsupported, path.string(), 0,
+          "with " + std::to_string(promised) +
+            " bytes it is larger than the memory of this machine; simplify the mesh first");
+  FileBytes bytes;
+  if (promised >= machineMemory() || !bytes.hold(promised + 1)) return tooLarge;
+  for (;;) {
+    if (stopWanted(control)) return cancelledError();
+    if (bytes.m_size == bytes.m_capacity && !bytes.hold(2 * bytes.m_capacity + kAtOnce)) return tooLarge;
+    const std::size_t room = std::min(kAtOnce, bytes.m_capacity - bytes.m_size);
+    const ssize_t count = ::read(file.get(), bytes.m_data + bytes.m_size, room);
+    if (count < 0 && errno == EINTR) continue;
+    if (count < 0) return unreadable(path, errno);
+    if (count == 0) return bytes;
+    bytes.m_size += static_cast<std::size_t>(count);
+  }
+}
+
+} // namespace esm
