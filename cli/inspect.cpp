@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/defects.h"
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
+#include "core/geometry/mesh_defects.h"
 #include "meshimport/mesh_importer.h"
 
 namespace esm::cli {
@@ -13,6 +15,7 @@ namespace {
 struct InspectOptions {
   std::string mesh;
   ImportOptions import;
+  bool defects = false;
   bool json = false;
 };
 
@@ -71,10 +74,14 @@ Exit inspect(const InspectOptions& options)
   const Result<ImportedMesh> imported = importMesh(options.mesh, options.import);
   if (!imported) return fail(imported.error());
   for (const std::string& note : imported->notes) say(options.mesh + ": " + note);
-  if (options.json)
-    print(jsonOf(*imported).text());
-  else
+  if (options.json) {
+    JsonLine line = jsonOf(*imported);
+    if (options.defects) line.add("defects", jsonOf(findDefects(imported->mesh), imported->mesh));
+    print(line.text());
+  } else {
     printReport(*imported);
+    if (options.defects) printDefects(findDefects(imported->mesh), imported->mesh);
+  }
   return Exit::Done;
 }
 
@@ -86,6 +93,8 @@ void addInspect(CLI::App& program, Work& work)
   CLI::App* command = program.add_subcommand("inspect", "Say what a mesh file holds, in its own unit");
   command->add_option("MESH", options->mesh, "OBJ, STL, PLY or another mesh file")->required();
   addWeldOptions(*command, options->import);
+  command->add_flag("--defects", options->defects,
+                    "also list parts, borders, T-junctions and all that is wrong, each with its place");
   addJsonFlag(*command, options->json);
   command->footer("Example:\n  esm inspect gallbladder.obj --json");
   command->callback([options, &work] { work = [options] { return inspect(*options); }; });

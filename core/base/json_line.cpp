@@ -47,6 +47,13 @@ void JsonLine::add(std::string_view key, const std::vector<std::string>& values)
   member(key, "[" + list + "]");
 }
 
+void JsonLine::add(std::string_view key, const std::vector<Index>& values)
+{
+  std::string list;
+  for (const Index value : values) list += (list.empty() ? "" : ",") + std::to_string(value);
+  member(key, "[" + list + "]");
+}
+
 void JsonLine::add(std::string_view key, const std::vector<JsonLine>& objects)
 {
   std::string list;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/types.h"
+
 #include <Eigen/Core>
 
 #include <concepts>
@@ -22,6 +24,7 @@ public:
   void add(std::string_view key, const char* value) { member(key, quoted(value)); }
   void add(std::string_view key, const Eigen::Vector3d& value);
   void add(std::string_view key, const std::vector<std::string>& values);
+  void add(std::string_view key, const std::vector<Index>& values);
   void add(std::string_view key, const std::vector<JsonLine>& objects);
   void add(std::string_view key, const JsonLine& object) { member(key, object.text()); }
 

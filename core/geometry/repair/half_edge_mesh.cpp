@@ -62,9 +62,6 @@ void HalfEdgeMesh::link(Index h, Index k)
 {
   if (h != kNoIndex) twin[at(h)] = k;
   if (k != kNoIndex) twin[at(k)] = h;
-  if (h == kNoIndex || k == kNoIndex) return;
-  isCurve[at(h)] = isCurve[at(k)] = isCurve[at(h)] | isCurve[at(k)];
-  isRigid[at(h)] = isRigid[at(k)] = isRigid[at(h)] | isRigid[at(k)];
 }
 
 /// Goes clockwise from `out` to the border, if there is one.
@@ -177,6 +174,14 @@ void HalfEdgeMesh::collapse(Index h, Index gone)
     const Index a = apex(side), left = twinOf(next(side)), right = twinOf(previous(side));
     const Index t = side / 3;
     const bool isFirst = firstOut[at(a)] / 3 == t;
+    // The two edges become one: a curve, if one of them was. A border has its mark on this side only.
+    const auto curve = static_cast<std::uint8_t>(isCurve[at(next(side))] | isCurve[at(previous(side))]);
+    const auto rigid = static_cast<std::uint8_t>(isRigid[at(next(side))] | isRigid[at(previous(side))]);
+    for (const Index merged : {left, right})
+      if (merged != kNoIndex) {
+        isCurve[at(merged)] = curve;
+        isRigid[at(merged)] = rigid;
+      }
     link(left, right);
     removeTriangle(t);
     // left runs a -> kept, right kept -> a.

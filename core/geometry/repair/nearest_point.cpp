@@ -110,12 +110,6 @@ std::vector<Index> spatialOrder(const Eigen::Matrix3Xd& position, const Triangle
   return order;
 }
 
-struct NearestPoint::Search {
-  Eigen::Vector3d p, normal, nearest;
-  double least = std::numeric_limits<double>::infinity();
-  Index triangle = kNoIndex;
-};
-
 NearestPoint::NearestPoint(const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles)
   : m_position(position), m_triangles(triangles)
 {
@@ -157,60 +151,26 @@ NearestPoint::NearestPoint(const Eigen::Matrix3Xd& position, const TriangleMatri
   }
 }
 
-void NearestPoint::lookAt(Index t, Search& search) const
+std::array<float, NearestPoint::kWidth> NearestPoint::squaredDistances(const Boxes& boxes,
+                                                                       const Eigen::Vector3f& p) const
 {
-  const Eigen::Vector3d a = m_position.col(m_triangles(0, t)), b = m_position.col(m_triangles(1, t)),
-                        c = m_position.col(m_triangles(2, t));
-  const Eigen::Vector3d point = nearestOnTriangle(search.p, a, b, c);
-  const double squared = (point - search.p).squaredNorm();
-  const bool isNearer = squared < search.least || (squared == search.least && t < search.triangle);
-  if (!isNearer || (b - a).cross(c - a).dot(search.normal) < 0.0) return;
-  search.least = squared;
-  search.nearest = point;
-  search.triangle = t;
-}
-
-Eigen::Vector3d NearestPoint::find(const Eigen::Vector3d& p, const Eigen::Vector3d& normal, Index& hint) const
-{
-  struct Entry {
-    float squared;
-    Index level, group; ///< what lies in this place: eight boxes of the level, or (-1) a few triangles
-  };
-  Search search{p, normal, p};
-  if (hint != kNoIndex) lookAt(hint, search);
-  std::array<Entry, 12 * kWidth> stack; // at most 11 levels of eight
-  std::size_t depth = 0;
-  if (!m_levelStart.empty()) stack[depth++] = {0.0f, static_cast<Index>(m_levelStart.size()) - 1, 0};
-  const Eigen::Vector3f at32 = p.cast<float>();
-  while (depth > 0) {
-    const Entry entry = stack[--depth];
-    if (!(static_cast<double>(entry.squared) < search.least)) continue;
-    if (entry.level < 0) {
-      const Index end = std::min((entry.group + 1) * kLeafSize, static_cast<Index>(m_triangles.cols()));
-      for (Index t = entry.group * kLeafSize; t < end; ++t) lookAt(t, search);
-      continue;
-    }
-    const Boxes& boxes = m_boxes[at(m_levelStart[at(entry.level)] + entry.group)];
-    std::array<float, kWidth> squared{};
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-      const float x = at32[static_cast<Eigen::Index>(axis)];
-      for (std::size_t k = 0; k < squared.size(); ++k) {
-        const float outside =
-          std::max(std::max(boxes.low[axis][k] - x, x - boxes.high[axis][k]) - kSlack, 0.0f);
-        squared[k] += outside * outside;
-      }
-    }
-    const std::size_t bottom = depth;
+  std::array<float, kWidth> squared{};
+  for (std::size_t axis = 0; axis < 3; ++axis) {
+    const float x = p[static_cast<Eigen::Index>(axis)];
     for (std::size_t k = 0; k < squared.size(); ++k) {
-      if (!(static_cast<double>(squared[k]) < search.least)) continue;
-      std::size_t place = depth++; // the nearest one ends on top
-      for (; place > bottom && stack[place - 1].squared < squared[k]; --place)
-        stack[place] = stack[place - 1];
-      stack[place] = {squared[k], entry.level - 1, entry.group * kWidth + static_cast<Index>(k)};
+      const float outside =
+        std::max(std::max(boxes.low[axis][k] - x, x - boxes.high[axis][k]) - kSlack, 0.0f);
+      squared[k] += outside * outside;
     }
   }
-  hint = search.triangle;
-  return search.nearest;
+  return squared;
+}
+
+Eigen::Vector3d NearestPoint::areaVector(Index t) const
+{
+  const Eigen::Vector3d a = m_position.col(m_triangles(0, t)), u = m_position.col(m_triangles(1, t)) - a,
+                        v = m_position.col(m_triangles(2, t)) - a;
+  return u.cross(v);
 }
 
 } // namespace esm

@@ -4,6 +4,7 @@
 
 #include "core/base/text_number.h"
 #include "core/geometry/edge_table.h"
+#include "core/geometry/repair/frame.h"
 #include "core/geometry/repair/remesher.h"
 #include "core/geometry/repair/sheets.h"
 #include "core/geometry/triangle_shape.h"
@@ -32,22 +33,6 @@ double areaOf(const Mesh& mesh)
   for (Index t = 0; t < mesh.triangleCount(); ++t) twice += areaVector(mesh, t).norm();
   return 0.5 * twice;
 }
-
-/// A place and a power of two, so that squares and products of lengths stay far from the ends of double.
-struct Frame {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  double scale = 1.0;
-
-  explicit Frame(const Mesh& mesh)
-  {
-    const Eigen::Vector3d low = mesh.position.rowwise().minCoeff(), high = mesh.position.rowwise().maxCoeff();
-    centre = 0.5 * low + 0.5 * high;
-    const double size = (0.5 * high - 0.5 * low).maxCoeff();
-    if (size > 0.0) scale = std::ldexp(1.0, std::clamp(-std::ilogb(size), -1000, 1000));
-  }
-  Eigen::Vector3d in(const Eigen::Vector3d& p) const { return (p - centre) * scale; }
-  Eigen::Vector3d out(const Eigen::Vector3d& p) const { return p / scale + centre; }
-};
 
 /// The triangles of a mesh and their vertices, both in spatial order whatever their order in the file, so
 /// that neighbours are neighbours in memory too.
@@ -239,7 +224,7 @@ Status remeshSurface(Mesh& mesh, Index triangles, double edgeLength, RepairRepor
                      std::vector<Index>& vertexOf, WorkControl* control)
 {
   if (mesh.triangleCount() == 0) return {};
-  const Frame frame(mesh);
+  const Frame frame(mesh.position);
   const OrderedSurface ordered(mesh, frame);
   const double area = areaOf(ordered.mesh);
   if (!(area > 0.0) || !std::isfinite(area))

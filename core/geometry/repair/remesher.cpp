@@ -120,13 +120,9 @@ void Remesher::splitLong(double longest)
       if (squaredLength(h) < least) continue;
       const Eigen::Vector3d middle =
         0.5 * (m_mesh.position[at(m_mesh.from(h))] + m_mesh.position[at(m_mesh.to(h))]);
-      const bool isCurve = m_mesh.isCurve[at(h)] != 0;
-      const NearestPoint* shape = isCurve ? m_shape.curves : m_shape.surface;
       const Index added = m_mesh.split(h, middle);
       m_hints.push_back(kNoIndex);
-      if (shape)
-        moveTo(added,
-               shape->find(middle, isCurve ? Eigen::Vector3d::Zero() : normalAt(added), m_hints.back()));
+      moveTo(added, onShape(added, middle));
     }
   }
 }
@@ -184,7 +180,7 @@ Eigen::Vector3d Remesher::normalAt(Index vertex) const
 }
 
 /// Within the tangent plane; along the curve for points on curves.
-Eigen::Vector3d Remesher::middleOfNeighbours(Index vertex, const Eigen::Vector3d& normal) const
+Eigen::Vector3d Remesher::middleOfNeighbours(Index vertex) const
 {
   const bool isCurve = m_mesh.freedom[at(vertex)] == Freedom::Curve;
   Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -198,7 +194,24 @@ Eigen::Vector3d Remesher::middleOfNeighbours(Index vertex, const Eigen::Vector3d
   if (weights == 0.0) return here;
   const Eigen::Vector3d step = sum / weights - here;
   if (isCurve || !m_shape.surface) return here + step;
+  const Eigen::Vector3d normal = normalAt(vertex);
   return here + step - normal.dot(step) * normal;
+}
+
+/// The far wall of a thin sheet is not the surface that is meant: triangles that look the other way than the
+/// vertex do not count.
+Eigen::Vector3d Remesher::onShape(Index vertex, const Eigen::Vector3d& target)
+{
+  constexpr double kAnyDistance = 1e100;
+  const bool isCurve = m_mesh.freedom[at(vertex)] != Freedom::Surface;
+  const NearestPoint* shape = isCurve ? m_shape.curves : m_shape.surface;
+  if (!shape) return target;
+  const Eigen::Vector3d normal = isCurve ? Eigen::Vector3d::Zero() : normalAt(vertex);
+  const auto found = shape->find(
+    target, kAnyDistance, [&](Index t) { return shape->areaVector(t).dot(normal) >= 0.0; },
+    m_hints[at(vertex)]);
+  m_hints[at(vertex)] = found.triangle;
+  return found.point;
 }
 
 /// Moves, unless a triangle would fold over.
@@ -221,15 +234,8 @@ void Remesher::relax()
   for (Index v = 0; v < m_mesh.vertices(); ++v) {
     if (v % 1024 == 0 && isStopped()) return;
     if (m_mesh.firstOut[at(v)] == kNoIndex || m_mesh.freedom[at(v)] == Freedom::None) continue;
-    const bool isCurve = m_mesh.freedom[at(v)] == Freedom::Curve;
-    if (isCurve && !m_shape.curves) continue;
-    const Eigen::Vector3d normal = normalAt(v);
-    Eigen::Vector3d target = middleOfNeighbours(v, normal);
-    if (isCurve)
-      target = m_shape.curves->find(target, Eigen::Vector3d::Zero(), m_hints[at(v)]);
-    else if (m_shape.surface)
-      target = m_shape.surface->find(target, normal, m_hints[at(v)]);
-    moveTo(v, target);
+    if (m_mesh.freedom[at(v)] == Freedom::Curve && !m_shape.curves) continue;
+    moveTo(v, onShape(v, middleOfNeighbours(v)));
   }
 }
 

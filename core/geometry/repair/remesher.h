@@ -47,7 +47,9 @@ private:
   bool keepsShape(Index gone, Index kept, double longest) const;
   bool flipKeepsShape(Index h) const;
   Eigen::Vector3d normalAt(Index vertex) const;
-  Eigen::Vector3d middleOfNeighbours(Index vertex, const Eigen::Vector3d& normal) const;
+  Eigen::Vector3d middleOfNeighbours(Index vertex) const;
+  /// The point of the shape next to `target`, for a vertex of this freedom and normal.
+  Eigen::Vector3d onShape(Index vertex, const Eigen::Vector3d& target);
   void moveTo(Index vertex, const Eigen::Vector3d& target);
 
   HalfEdgeMesh& m_mesh;

@@ -3,6 +3,8 @@
 #include "core/geometry/repair/repair.h"
 
 #include "core/geometry/repair/clean.h"
+#include "core/geometry/repair/close_t_junctions.h"
+#include "core/geometry/repair/fill_holes.h"
 #include "core/geometry/repair/remesh.h"
 
 #include <cmath>
@@ -31,15 +33,35 @@ Status checkOptions(const RepairOptions& options)
   return {};
 }
 
-void tellRemoved(RepairReport& report)
+void tellCounts(RepairReport& report)
 {
   const auto tell = [&](Index count, const char* what) {
     if (count > 0) report.notes.push_back("removed " + std::to_string(count) + what);
   };
+  if (report.closedTJunctions > 0)
+    report.notes.push_back("tied " + std::to_string(report.closedTJunctions) +
+                           " vertices to the edges they only lay on");
   tell(report.degenerateFaces, " triangles without area");
   tell(report.duplicateFaces, " triangles that were there twice");
   tell(report.uselessSegments, " lines without length or there twice");
   tell(report.isolatedVertices, " vertices that nothing used");
+}
+
+/// Tying vertices to edges may leave slivers without area, and without these more vertices may be loose.
+Status cleanAndTie(Mesh& mesh, const RepairOptions& options, RepairReport& report,
+                   std::vector<Index>& vertexOf, WorkControl* control)
+{
+  constexpr int kMostRounds = 8;
+  for (int round = 0; round < kMostRounds; ++round) {
+    if (options.removeUseless) removeUseless(mesh, report, vertexOf);
+    if (stopWanted(control)) return cancelledError();
+    if (!options.closeTJunctions) return {};
+    const Index tied = report.closedTJunctions;
+    if (const Status done = closeTJunctions(mesh, options.tJunctionTolerance, report, control); !done)
+      return done;
+    if (report.closedTJunctions == tied) return {};
+  }
+  return {};
 }
 
 } // namespace
@@ -56,11 +78,14 @@ Status repairMesh(Mesh& mesh, const RepairOptions& options, RepairReport& report
   }
   Mesh work = mesh;
   leaveOutNonFinite(work, report, vertexOf);
-  if (options.removeUseless) removeUseless(work, report, vertexOf);
-  if (stopWanted(control)) return cancelledError();
+  if (const Status done = cleanAndTie(work, options, report, vertexOf, control); !done) return done;
   if (options.dropPartsBelow > 0 || options.dropPartsShare > 0.0)
     dropSmallParts(work, options.dropPartsBelow, options.dropPartsShare, report, vertexOf);
   if (stopWanted(control)) return cancelledError();
+  if (options.fillHolesUpTo > 0)
+    if (const Status done = fillHoles(work, options.fillHolesUpTo, options.fillHolesLength, report, control);
+        !done)
+      return done;
   if (options.unifyOrientation) unifyOrientation(work, report);
   if (stopWanted(control)) return cancelledError();
   if (options.triangles > 0 || options.edgeLength > 0.0) {
@@ -72,7 +97,7 @@ Status repairMesh(Mesh& mesh, const RepairOptions& options, RepairReport& report
   }
   if (work.triangleCount() + work.segmentCount() + work.tetrahedronCount() == 0)
     return Error{ErrorCode::EmptyResult, "the repair leaves nothing of the mesh: ask for less of it"};
-  tellRemoved(report);
+  tellCounts(report);
   mesh = std::move(work);
   report.vertexOf = std::move(vertexOf);
   return {};

@@ -1,0 +1,16 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/json_line.h"
+#include "core/geometry/mesh_defects.h"
+
+namespace esm::cli {
+
+/// All lists, with places: vertices and triangles by number, coordinates in the file's unit.
+JsonLine jsonOf(const MeshDefects& defects, const Mesh& mesh);
+
+/// For people: a line per defect with its place, the first twenty of each kind.
+void printDefects(const MeshDefects& defects, const Mesh& mesh);
+
+} // namespace esm::cli
