@@ -111,4 +111,11 @@ void addSolidShares(const Eigen::Matrix3Xd& position, const TetrahedronMatrix& t
   }
 }
 
+bool isSolidNet(const SpringNet& net)
+{
+  for (Index s = 0; s < net.springCount(); ++s)
+    if (net.kind[static_cast<std::size_t>(s)] == SpringKind::Edge && net.sectionOf(s) > 0.0) return true;
+  return false;
+}
+
 } // namespace esm

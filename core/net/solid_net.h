@@ -21,4 +21,7 @@ Mesh withoutTetrahedra(const Mesh& mesh);
 void addSolidShares(const Eigen::Matrix3Xd& position, const TetrahedronMatrix& tetrahedra,
                     const std::vector<Index>& nodeOf, SpringNet& net);
 
+/// Whether edges have sections of their own, as tetrahedra give them.
+bool isSolidNet(const SpringNet& net);
+
 } // namespace esm

@@ -3,6 +3,7 @@
 #include "core/support/material.h"
 
 #include "core/net/net_builder.h"
+#include "core/net/solid_net.h"
 #include "core/support/outward_surface.h"
 #include "core/support/tension_test.h"
 
@@ -12,14 +13,6 @@
 namespace esm {
 
 namespace {
-
-/// Nodes of tetrahedra that the file or the support layer brought: their volumes are right already.
-bool hasTetrahedra(const SpringNet& net)
-{
-  for (Index s = 0; s < net.springCount(); ++s)
-    if (net.kind[static_cast<std::size_t>(s)] == SpringKind::Edge && net.sectionOf(s) > 0.0) return true;
-  return false;
-}
 
 /// Shares the volume among the nodes: a node has half of each of its struts, and of the wall what lies around
 /// it.
@@ -34,7 +27,7 @@ void shareVolume(SpringNet& net, double volume, double thickness)
 
 Status makeSolid(SpringNet& net, double thickness, MaterialReport& report, WorkControl* control)
 {
-  if (hasTetrahedra(net)) {
+  if (isSolidNet(net)) {
     report.volume = net.volume.sum();
     return {};
   }
@@ -53,7 +46,7 @@ Status makeSolid(SpringNet& net, double thickness, MaterialReport& report, WorkC
 /// The wall's volumes are those of the surface's nodes; new nodes of the support layer keep theirs.
 void makeWall(SpringNet& net, double thickness, MaterialReport& report)
 {
-  if (!hasTetrahedra(net) && net.volume.size() > 0) {
+  if (!isSolidNet(net) && net.volume.size() > 0) {
     const Eigen::ArrayXd area = nodeDualAreas(net);
     for (Index node = 0; node < net.nodeCount(); ++node)
       if (area[node] > 0.0) net.volume[node] = 0.0;
@@ -79,7 +72,7 @@ Result<MaterialReport> setMaterial(SpringNet& net, const MaterialOptions& option
     makeWall(made, thickness, report);
   }
   if (options.fitModulus) {
-    const bool isSolid = options.body == MaterialOptions::Body::Solid || hasTetrahedra(made);
+    const bool isSolid = options.body == MaterialOptions::Body::Solid || isSolidNet(made);
     const Result<TensionTest> test = testTension(made, thickness, isSolid, control);
     if (!test) return test.error();
     report.measured = test->measured / test->wanted;

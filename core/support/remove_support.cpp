@@ -51,9 +51,10 @@ bool removeSupport(SpringNet& net, std::vector<Index>* newOfOld)
   }
   std::vector<Index> map = shrinkNet(net, cut);
   net.supportNode.clear();
-  // What is left of optional arrays that the layer brought along says nothing.
-  for (Eigen::ArrayXd* array : {&net.section, &net.volume})
-    if (array->size() > 0 && (*array == 0.0).all()) array->resize(0);
+  // Tetrahedra of the layer have given sections and volumes to the surface too (there is no layer inside a
+  // net that is solid by its file); what is left of the arrays then says nothing.
+  net.section.resize(0);
+  net.volume.resize(0);
   if (newOfOld) *newOfOld = std::move(map);
   return true;
 }

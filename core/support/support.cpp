@@ -6,10 +6,13 @@
 #include "core/geometry/distance.h"
 #include "core/net/net_builder.h"
 #include "core/net/net_edit.h"
+#include "core/net/solid_net.h"
+#include "core/support/net_cost.h"
 #include "core/support/support_parts.h"
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace esm {
@@ -94,6 +97,11 @@ void addLayer(SpringNet& net, const support::Layer& layer, SupportReport& report
     net.kind[static_cast<std::size_t>(s)] = SpringKind::Strut;
     net.section[s] = strut.section;
   }
+  if (layer.tetrahedra.cols() > 0) {
+    std::vector<Index> itself(static_cast<std::size_t>(net.nodeCount()));
+    std::iota(itself.begin(), itself.end(), 0);
+    addSolidShares(net.restPosition, layer.tetrahedra, itself, net);
+  }
   report.nodes = nodes;
   report.springs = springs;
   if (springs > 0) {
@@ -114,9 +122,9 @@ Result<support::Layer> makeInterior(const SpringNet& net, const SupportOptions& 
   case Interior::Lattice:
     return support::makeLattice(net, options, control);
   case Interior::Tetrahedra:
-    break;
+    return support::makeTetrahedra(net, options, control);
   }
-  return Error{ErrorCode::Unsupported, "this kind of interior is not known"};
+  return Error{ErrorCode::InvalidValue, "this kind of interior is not known"};
 }
 
 } // namespace
@@ -136,6 +144,10 @@ Result<SupportReport> addSupport(SpringNet& net, const SupportOptions& options, 
       ErrorCode::EmptyResult,
       "the net has no surface, only lines, so there is nothing that could be supported from inside or "
       "anchored"};
+  if (options.interior != Interior::None && isSolidNet(made))
+    return Error{ErrorCode::InvalidValue,
+                 "the net is solid already, by the tetrahedra of its file: it needs no interior"};
+  report.stepBefore = predictCost(made).step;
   Result<support::Layer> layer = makeInterior(made, options, control);
   if (!layer) return layer.error();
   if (options.interior != Interior::None) {
@@ -157,6 +169,7 @@ Result<SupportReport> addSupport(SpringNet& net, const SupportOptions& options, 
       return Error{ErrorCode::EmptyResult,
                    "no node of the surface lies in the part that is to be anchored; move or enlarge it"};
   }
+  report.stepAfter = predictCost(made).step;
   net = std::move(made);
   return report;
 }

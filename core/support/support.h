@@ -66,9 +66,10 @@ struct SupportReport {
 Result<SupportReport> addSupport(SpringNet& net, const SupportOptions& options,
                                  WorkControl* control = nullptr);
 
-/// Takes away all that addSupport() made: the net is what it was before, bit for bit, but for numbers that
-/// tissue or a fit wrote. @return whether there was anything. @param newOfOld old-to-new map of the nodes;
-/// may be null.
+/// Takes away all that addSupport() made: topology, ids and surface are what they were before, bit for bit.
+/// Volumes that setMaterial() shared among the layer's struts go too: set the material anew. @return whether
+/// there was anything.
+/// @param newOfOld old-to-new map of the nodes; may be null.
 bool removeSupport(SpringNet& net, std::vector<Index>* newOfOld = nullptr);
 
 } // namespace esm

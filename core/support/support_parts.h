@@ -24,6 +24,8 @@ struct Layer {
   Eigen::Matrix3Xd nodes{3, 0}; ///< new nodes [m]
   Eigen::ArrayXd volume;        ///< that they carry [m^3], one per new node
   std::vector<Strut> struts;
+  TetrahedronMatrix tetrahedra{
+    4, 0}; ///< over the net's nodes and the new ones; sections and volumes come from them
   std::vector<Index> unsupported; ///< nodes of the surface that got nothing
   std::vector<std::string> notes;
 };
@@ -48,6 +50,7 @@ private:
 
 Result<Layer> makeStruts(const SpringNet& net, const SupportOptions& options, WorkControl* control);
 Result<Layer> makeHubs(const SpringNet& net, const SupportOptions& options, WorkControl* control);
+Result<Layer> makeTetrahedra(const SpringNet& net, const SupportOptions& options, WorkControl* control);
 Result<Layer> makeLattice(const SpringNet& net, const SupportOptions& options, WorkControl* control);
 
 /// Appends bands to `net` for the nodes that the options name. @return how many.

@@ -119,6 +119,62 @@ TEST(Support, WhatWasAddedGoesAwayWithoutATrace)
   }
 }
 
+// Filled by either program the net is solid: all volume within the tetrahedra, the mass right, no mechanism;
+// taken out again nothing is left. Where a program is absent the error names it.
+TEST(Support, ProgramsFillABodyWithTetrahedra)
+{
+  for (const char* program : {"tetgen", "gmsh"}) {
+    const SpringNet before = netOf(organMesh({0.03, 0.02, 0.015}, 6));
+    SpringNet net = before;
+    SupportOptions options = interior(Interior::Tetrahedra);
+    options.program = program;
+    const auto report = addSupport(net, options);
+    if (!report) {
+      EXPECT_EQ(report.error().code, ErrorCode::Unsupported) << report.error().detail;
+      EXPECT_NE(report.error().detail.find(program), std::string::npos);
+      continue;
+    }
+    if (const Status status = checkNet(net); !status) ADD_FAILURE() << status.error().detail;
+    EXPECT_FALSE(hasDoubles(net));
+    const double volume = testing::volumeWithin(before.triangles, before.restPosition);
+    EXPECT_NEAR(net.volume.sum() / volume, 1.0, 1e-9) << program;
+    double shares = 0.0; // each tetrahedron has six edges: sum of section times length is 6 V
+    for (Index s = 0; s < net.springCount(); ++s) shares += net.section[s] * net.restLength[s];
+    EXPECT_NEAR(shares / (6.0 * volume), 1.0, 1e-9) << program;
+    EXPECT_TRUE(removeSupport(net));
+    expectSame(net, before);
+  }
+}
+
+// tetgen leaves with exit 0 on an open surface: it is refused before.
+TEST(Support, TetrahedraNeedAClosedSurface)
+{
+  SpringNet net = netOf(tubeMesh(0.005, 0.06, 12, 24));
+  EXPECT_EQ(addSupport(net, interior(Interior::Tetrahedra)).error().code, ErrorCode::InvalidValue);
+}
+
+// Two boxes that cross each other are closed and clean each, but no program can fill them both: whatever it
+// says at its end, the net stays as it was.
+TEST(Support, ACrossingSurfaceIsRefusedWhateverTheProgramSays)
+{
+  const Mesh box = boxMesh({0.02, 0.02, 0.02}, 0.01);
+  Mesh both = box;
+  both.position.conservativeResize(Eigen::NoChange, 2 * box.position.cols());
+  both.position.rightCols(box.position.cols()) =
+    box.position.colwise() + Eigen::Vector3d(0.011, 0.007, 0.005);
+  both.triangles.conservativeResize(Eigen::NoChange, 2 * box.triangles.cols());
+  both.triangles.rightCols(box.triangles.cols()) = box.triangles.array() + box.vertexCount();
+  const SpringNet before = netOf(both);
+  for (const char* program : {"tetgen", "gmsh"}) {
+    SpringNet net = before;
+    SupportOptions options = interior(Interior::Tetrahedra);
+    options.program = program;
+    options.timeLimit = 20.0;
+    EXPECT_FALSE(addSupport(net, options)) << program;
+    expectSame(net, before);
+  }
+}
+
 // Whatever way the file's triangles run, struts go inwards: none leaves a sphere, and each crosses more than
 // half of it along the normal (a chord at lean angle a is 2 r cos a long).
 TEST(Support, StrutsGoInwardsWhateverTheOrientation)

@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/net/spring_net.h"
+
+namespace esm {
+
+/// What it costs to simulate a net.
+struct NetCost {
+  Index nodes = 0, springs = 0;
+  double shortest = 0.0; ///< spring [m]
+  double step = 0.0;     ///< largest stable explicit step [s]; 0 if the net has no stiffness yet
+  double work = 0.0;     ///< spring evaluations per second of motion at that step [1/s]; 0 likewise
+};
+/// At rest, without loads. As long as a few force passes; any thread.
+NetCost predictCost(const SpringNet& net);
+
+} // namespace esm
