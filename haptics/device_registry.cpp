@@ -83,7 +83,7 @@ std::vector<DeviceListing> listDevices()
   std::vector<DeviceListing> all;
   for (const DeviceKind& kind : kKinds)
     all.push_back({std::string(kind.name), std::string(kind.description), !kind.usb,
-                   kind.usb ? usb.error().detail : "", ""});
+                   kind.usb ? usb.error().detail : "", "", ""});
   return all;
 }
 

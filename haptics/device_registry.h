@@ -39,6 +39,7 @@ struct DeviceListing {
   std::string name, description;
   bool usable = false;
   std::string reason;   ///< why not; empty if usable
+  std::string details;  ///< what else one may want to know: the firmware with its SHA-256
   std::string udevRule; ///< the line that permits it; empty unless permission is what is missing
 };
 
@@ -53,6 +54,6 @@ std::uint32_t usbChanges() noexcept;
 /// The driver of a USB kind ("falcon", "pid", "wooden") on this bus. Errors: as openDevice().
 Result<std::unique_ptr<DeviceDriver>> openDriver(std::string_view kind, const DeviceOptions& options,
                                                  UsbTransport& usb);
-std::vector<DeviceListing> listDevices(UsbTransport& usb);
+std::vector<DeviceListing> listDevices(UsbTransport& usb, const DeviceOptions& options = {});
 
 } // namespace esm

@@ -3,6 +3,7 @@
 #include "core/base/file_io.h"
 #include "haptics/device/falcon_driver.h"
 #include "haptics/device/pid_driver.h"
+#include "haptics/device/sha256.h"
 #include "haptics/device/wooden_driver.h"
 #include "haptics/device_registry.h"
 
@@ -49,13 +50,19 @@ Result<std::vector<std::uint8_t>> readFirmware(const DriverProfile& profile)
   return std::vector<std::uint8_t>(bytes->begin(), bytes->end());
 }
 
-DeviceListing describe(const DeviceKind& kind, UsbTransport& usb)
+DeviceListing describe(const DeviceKind& kind, const DeviceOptions& options, UsbTransport& usb)
 {
-  DeviceListing listing{std::string(kind.name), std::string(kind.description), false, "", ""};
-  const Result<DriverProfile> profile = loadProfile(kind.name, {});
+  DeviceListing listing{std::string(kind.name), std::string(kind.description), false, "", "", ""};
+  const Result<DriverProfile> profile = loadProfile(kind.name, options);
   if (!profile) {
     listing.reason = profile.error().detail;
     return listing;
+  }
+  if (!profile->firmware.empty()) {
+    const auto firmware = readFirmware(*profile);
+    listing.details = firmware
+                        ? "Firmware " + profile->firmware.string() + ", SHA-256 " + sha256Hex(*firmware)
+                        : firmware.error().detail;
   }
   const auto info = findKind(kind.name, *profile, usb);
   if (!info) {
@@ -100,14 +107,14 @@ Result<std::unique_ptr<DeviceDriver>> openDriver(std::string_view kind, const De
   return driver;
 }
 
-std::vector<DeviceListing> listDevices(UsbTransport& usb)
+std::vector<DeviceListing> listDevices(UsbTransport& usb, const DeviceOptions& options)
 {
   std::vector<DeviceListing> all;
   for (const DeviceKind& kind : deviceKinds()) {
     if (kind.usb)
-      all.push_back(describe(kind, usb));
+      all.push_back(describe(kind, options, usb));
     else
-      all.push_back({std::string(kind.name), std::string(kind.description), true, "", ""});
+      all.push_back({std::string(kind.name), std::string(kind.description), true, "", "", ""});
   }
   return all;
 }
