@@ -46,11 +46,17 @@ struct Release {};
 struct FollowDevice {
   bool on;
 };
+struct Touch {
+  bool on;
+  double radius;   ///< [m]
+  double maxForce; ///< [N]
+};
 
 } // namespace command
 
-using SimCommand = std::variant<command::Load, command::SetParameters, command::Play, command::Pause,
-                                command::StepOnce, command::Reset, command::SetFrameRate, command::SetQuality,
-                                command::Grab, command::MoveGrab, command::Release, command::FollowDevice>;
+using SimCommand =
+  std::variant<command::Load, command::SetParameters, command::Play, command::Pause, command::StepOnce,
+               command::Reset, command::SetFrameRate, command::SetQuality, command::Grab, command::MoveGrab,
+               command::Release, command::FollowDevice, command::Touch>;
 
 } // namespace esm

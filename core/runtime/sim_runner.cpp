@@ -66,6 +66,9 @@ void SimRunner::carryOut(command::Load&& load)
   endContact();
   m_grip.reset();
   m_simulation.emplace(std::move(*fresh));
+  m_compliance.forget();
+  m_tip.reset();
+  if (m_touch) m_tip.emplace(m_simulation->net(), m_touch->radius, m_touch->maxForce);
   m_ladder = std::move(ladder);
   m_auto = isAuto;
   m_generation = load.generation;
@@ -85,6 +88,9 @@ void SimRunner::carryOut(command::SetParameters&& change)
     return;
   }
   if (m_grip) m_grip->adapt(m_simulation->net());
+  if (m_tip) m_tip->adapt(m_simulation->net());
+  m_compliance.forget();
+  endContact(); // the tissue in the hand is another one: it fades in anew
   m_failed = false;
   m_message.clear();
   keepPicture();
@@ -117,6 +123,7 @@ void SimRunner::carryOut(command::Reset)
   if (!m_simulation) return;
   endContact();
   m_grip.reset();
+  if (m_tip) m_tip->letGo();
   m_simulation->setTools({});
   m_simulation->reset();
   m_failed = m_stepPending = false;
@@ -159,7 +166,21 @@ void SimRunner::carryOut(command::Release)
 void SimRunner::carryOut(const command::FollowDevice& follow)
 {
   m_followDevice = follow.on;
-  if (!follow.on) endContact();
+  if (follow.on) return;
+  endContact();
+  if (m_tip) m_tip->letGo();
+  if (m_simulation && !m_grip) m_simulation->setTools({});
+}
+
+void SimRunner::carryOut(const command::Touch& touch)
+{
+  endContact();
+  m_tip.reset();
+  m_touch.reset();
+  if (touch.on) m_touch = touch;
+  if (!m_simulation) return;
+  if (!m_grip) m_simulation->setTools({});
+  if (touch.on) m_tip.emplace(m_simulation->net(), touch.radius, touch.maxForce);
 }
 
 // === Motion
@@ -168,15 +189,12 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
 {
   if (!wantsFrame()) return 0.0;
   m_stepPending = false;
-  if (m_grip) {
-    if (m_followDevice) readDevice();
-    const ToolSpring tool = m_grip->spring(m_simulation->state());
-    m_simulation->setTools({&tool, 1});
-  }
+  applyTools();
   const StepReport report = enough ? advanceSliced(m_period, enough) : m_simulation->advance(m_period);
   judge(report);
   keepPicture();
-  if (m_grip && m_followDevice && m_playing) publishContact();
+  if (deviceTouches()) m_tip->update(m_simulation->state());
+  if ((m_grip || m_tip) && m_followDevice && m_playing) publishContact();
   return report.simulatedTime;
 }
 
@@ -192,10 +210,23 @@ void SimRunner::applyAccuracy()
     m_message = "The accuracy was not taken, the former one holds: " + status.error().detail;
 }
 
-void SimRunner::readDevice()
+void SimRunner::applyTools()
 {
+  const NetState& state = m_simulation->state();
   const ToolState& tool = m_tool.latest();
-  if (tool.sequence != 0) m_grip->moveTo(tool.position, tool.velocity);
+  const bool leads = m_followDevice && tool.sequence != 0;
+  if (m_grip) {
+    if (leads) m_grip->moveTo(tool.position, tool.velocity);
+    const ToolSpring spring = m_grip->spring(state);
+    m_simulation->setTools({&spring, 1});
+  } else if (deviceTouches() && leads) {
+    m_tip->moveTo(tool.position, tool.velocity);
+    m_tip->update(state);
+    if (m_tip->touches())
+      m_simulation->setTools(m_tip->springs(state));
+    else
+      m_simulation->setTools({});
+  }
 }
 
 /// In slices that each take a small part of the frame's allowance, so that it can be broken off between them.
@@ -257,8 +288,14 @@ void SimRunner::keepPicture()
 
 void SimRunner::publishContact()
 {
-  ContactModel model = m_grip->contactModel(m_simulation->net(), m_simulation->state());
-  if (!model.force.allFinite() || !model.stiffness.allFinite()) {
+  const NetState& state = m_simulation->state();
+  ContactModel model;
+  if (m_grip)
+    model = m_grip->contactModel(
+      state, m_compliance.at(*m_simulation, {{m_grip->node(), kNoIndex, kNoIndex}, {1.0, 0.0, 0.0}}));
+  else if (m_tip->isNear())
+    model = m_tip->contactModel(state, m_compliance.at(*m_simulation, m_tip->point()));
+  if (!model.active || !model.force.allFinite() || !model.stiffness.allFinite()) {
     endContact();
     return;
   }
@@ -304,9 +341,22 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();
   picture.message = m_message.empty() ? m_why : m_message;
   picture.grabbedNode = m_grip ? m_grip->node() : kNoIndex;
-  picture.toolPosition = m_grip ? m_grip->target() : Eigen::Vector3d(Eigen::Vector3d::Zero());
-  picture.toolForce =
-    m_grip ? m_grip->forceOnHand(m_simulation->state()) : Eigen::Vector3d(Eigen::Vector3d::Zero());
+  const NetState* state = m_simulation ? &m_simulation->state() : nullptr;
+  picture.toolPosition.setZero();
+  picture.toolForce.setZero();
+  picture.tipRadius = 0.0;
+  picture.tipTouches = false;
+  picture.tipPosition.setZero();
+  if (m_grip) {
+    picture.toolPosition = m_grip->target();
+    picture.toolForce = m_grip->forceOnHand(*state);
+  } else if (deviceTouches()) {
+    picture.toolPosition = m_tip->hand();
+    picture.toolForce = m_tip->forceOnHand(*state);
+    picture.tipRadius = m_tip->radius();
+    picture.tipTouches = m_tip->touches();
+    picture.tipPosition = m_tip->proxy();
+  }
 }
 
 } // namespace esm

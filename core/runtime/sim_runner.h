@@ -6,7 +6,9 @@
 #include "core/runtime/hand_over.h"
 #include "core/runtime/sim_command.h"
 #include "core/runtime/sim_thread.h"
+#include "core/runtime/static_compliance.h"
 #include "core/runtime/tool_grip.h"
+#include "core/runtime/tool_tip.h"
 
 #include <cstdint>
 #include <functional>
@@ -62,10 +64,12 @@ private:
   void carryOut(const command::MoveGrab& move);
   void carryOut(command::Release);
   void carryOut(const command::FollowDevice& follow);
+  void carryOut(const command::Touch& touch);
 
   void applyAccuracy();
   Stability stability() const;
-  void readDevice();
+  bool deviceTouches() const noexcept { return m_tip && m_followDevice && !m_grip; }
+  void applyTools();
   StepReport advanceSliced(double interval, const std::function<bool()>& enough);
   void judge(const StepReport& report);
   void keepPicture();
@@ -76,6 +80,9 @@ private:
   TripleBuffer<ContactModel>& m_contact;
   std::optional<Simulation> m_simulation;
   std::optional<ToolGrip> m_grip;
+  std::optional<ToolTip> m_tip;
+  std::optional<command::Touch> m_touch; ///< wanted, for nets to come too
+  StaticCompliance m_compliance;
   QualityLadder m_ladder;
   bool m_auto = false; ///< the solver is the engine's own choice
   std::uint64_t m_generation = 0;

@@ -200,6 +200,11 @@ void SimThread::followDevice(bool on)
   m_impl->commands.push(command::FollowDevice{on});
 }
 
+void SimThread::touch(bool on, double radius, double maxForce)
+{
+  m_impl->commands.push(command::Touch{on, radius, maxForce});
+}
+
 const SimSnapshot& SimThread::latest()
 {
   return m_impl->pictures.latest();

@@ -41,6 +41,9 @@ struct SimSnapshot {
   Index grabbedNode = kNoIndex;
   Eigen::Vector3d toolPosition = Eigen::Vector3d::Zero(); ///< [m]
   Eigen::Vector3d toolForce = Eigen::Vector3d::Zero();    ///< on the hand [N]
+  double tipRadius = 0.0;                                 ///< [m]; 0: no tip that touches
+  bool tipTouches = false;
+  Eigen::Vector3d tipPosition = Eigen::Vector3d::Zero(); ///< where it is shown: never beyond the surface [m]
 };
 
 /// The simulation in its own thread, on the wall clock at frames of 1/frameRate. All calls return at once:
@@ -75,6 +78,9 @@ public:
   void release();
   /// While on, the grab's target is the newest ToolState instead of moveGrab(): the hand on a device leads.
   void followDevice(bool on);
+  /// While on, and the device leads and holds no node, the hand presses on the surface with a ball of
+  /// `radius` [m].
+  void touch(bool on, double radius = 0.003, double maxForce = 5.0);
 
   /// The newest picture; valid until the next call. Never waits.
   const SimSnapshot& latest();

@@ -3,12 +3,9 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
-#include "core/forces/spring_law.h"
 #include "core/runtime/hand_over.h"
 
 #include <Eigen/Core>
-
-#include <vector>
 
 namespace esm {
 
@@ -18,10 +15,8 @@ namespace esm {
 ///           p, v      h, vh
 ///
 /// k is a few times what the net itself opposes at that node (so the node follows the hand rather than
-/// lagging behind), c damps the node's own mass on k. The pull is limited by moving the end of the spring
-/// closer, to where it pulls with maxForce. From twice that distance on the spring also softens, by octaves:
-/// so the force changes little while the node moves within a frame, and k changes rarely, which spares the
-/// solver new preparations. The spring is never stiffer than k.
+/// lagging behind), c damps the node's own mass on k. The pull is limited, see LimitedPull; the spring is
+/// never stiffer than k.
 class ToolGrip {
 public:
   /// @pre node in range.
@@ -40,25 +35,28 @@ public:
   /// Force on the hand [N], norm <= maxForce.
   Eigen::Vector3d forceOnHand(const NetState& state) const;
 
-  /// How the force on the hand answers small motions of the hand within the next frame: the tool spring in
-  /// series with what the springs and anchors at the node oppose while its neighbours stay where they are.
-  /// That is stiffer than the whole net is in the long run (condensing the net would give that); the next
-  /// frame's force brings the difference. A spring under compression counts along its axis only, so the
-  /// result is positive semidefinite. `sequence` is the caller's.
-  ContactModel contactModel(const SpringNet& net, const NetState& state) const;
+  /// How the force on the hand answers motions of the hand: the tool spring in series with what the net
+  /// opposes in the long run, and the tool's damping by the share of the motion that the spring takes.
+  /// @param compliance  of the net at the node [m/N], see StaticCompliance. `sequence` is the caller's.
+  ContactModel contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const;
 
 private:
-  Eigen::Matrix3d nodeStiffness(const SpringNet& net, const Eigen::Matrix3Xd& position) const;
-  bool isFar(const Eigen::Vector3d& nodePosition) const; ///< the limit holds
-
   Index m_node;
   Eigen::Vector3d m_target;
   Eigen::Vector3d m_targetVelocity = Eigen::Vector3d::Zero();
   double m_maxForce;
   double m_stiffness = 0.0, m_viscosity = 0.0;
-  bool m_held = false;          ///< the node is fixed: nothing gives but the tool spring
-  SpringBatch m_springs;        ///< at the node, of any law
-  std::vector<Index> m_anchors; ///< at the node
 };
+
+/// Stiffness of a tool's spring with a compliant point behind it: T (I + C T)^-1, symmetric and positive
+/// semidefinite for such T [N/m] and C [m/N].
+Eigen::Matrix3d inSeries(const Eigen::Matrix3d& tool, const Eigen::Matrix3d& compliance);
+
+/// What the net's springs and anchors at a node oppose at most [N/m].
+double stiffnessAround(const SpringNet& net, Index node);
+
+/// How stiff a tool's spring is on that [N/m], and its damping with a mass behind it [N s/m].
+double toolStiffness(double own);
+double toolViscosity(double stiffness, double mass);
 
 } // namespace esm

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/implicit_matrix.h"
+#include "core/dynamics/simulation.h"
+
+#include <array>
+#include <memory>
+
+namespace esm {
+
+/// A point that hangs on nodes: x = sum of weight_i p_i, weights >= 0 with sum 1; unused places have weight
+/// 0.
+struct NodeCombination {
+  std::array<Index, 3> node{kNoIndex, kNoIndex, kNoIndex};
+  std::array<double, 3> weight{0.0, 0.0, 0.0};
+};
+
+/// How a point of the net gives way to a force that rests on it, once all motion has died down: the 3 x 3
+/// compliance C = W^T K^-1 W, K the tangent stiffness of the whole net as it is deformed now. Three solutions
+/// with a sparse factor.
+///
+/// This, not the stiffness of a time step, is what a hand should feel between two frames: a step's compliance
+/// hides inertia and viscosity in it and gets worse the faster the simulation is.
+///
+/// Cost per frame is bounded: the factor is renewed every few frames, as few as a share of the frame allows
+/// (counted, not timed, so equal commands give equal bits); the three solutions are made each time. In nets
+/// of more than kMostNodes nodes only that many around the point count, the rest held: a little too stiff, by
+/// the share that the far field yields. Springs under pressure count along their axis only, so C is positive.
+/// A net that nothing holds is kept by its inertia over a second.
+/// @note One thread.
+class StaticCompliance {
+public:
+  static constexpr Index kMostNodes = 3000;
+
+  void forget() noexcept { m_parts.reset(); } ///< another net, other parameters
+  /// @return C [m/N]; 0 if the point's nodes are all held, or K has no factor.
+  Eigen::Matrix3d at(const Simulation& simulation, const NodeCombination& point);
+
+private:
+  struct Parts {
+    System system;
+    MotionState motion;
+    ImplicitMatrix matrix;
+    NodeArray vector;
+    std::vector<std::uint8_t>
+      inner;                   ///< N, 1: far enough from the rim that the part may be kept; empty: whole
+    int age = 0, interval = 1; ///< frames since the factor, frames between factors
+    bool hasFactor = false;
+  };
+  void prepare(const Simulation& simulation, const NodeCombination& point);
+  void renew(const Simulation& simulation);
+
+  std::unique_ptr<Parts> m_parts;
+};
+
+} // namespace esm

@@ -1,0 +1,298 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/runtime/tool_tip.h"
+
+#include "core/geometry/edge_table.h"
+#include "core/runtime/limited_pull.h"
+#include "core/runtime/tool_grip.h"
+
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm {
+
+namespace {
+
+constexpr int kMostTriangles = 64;      ///< that a contact slides over in one frame
+constexpr double kLeastAgreement = 0.3; ///< of the smooth normal with the face's, as a cosine
+constexpr double kLeastForce = 1e-6;    ///< [N]
+
+bool isClosedSurface(const SpringNet& net)
+{
+  Mesh mesh;
+  mesh.position = net.restPosition;
+  mesh.triangles = net.triangles;
+  const EdgeTable edges = findEdges(mesh);
+  return net.triangleCount() > 0 && std::all_of(edges.triangleCount.begin(), edges.triangleCount.end(),
+                                                [](Index count) { return count == 2; });
+}
+
+} // namespace
+
+ToolTip::ToolTip(const SpringNet& net, double radius, double maxForce)
+  : m_surface(net.triangles, net.restPosition),
+    m_isClosed(isClosedSurface(net)),
+    m_radius(std::isfinite(radius) ? std::max(radius, 0.0) : 0.0),
+    m_maxForce(std::isfinite(maxForce) ? std::max(maxForce, kLeastForce) : kLeastForce)
+{
+  const auto nodes = static_cast<std::size_t>(net.nodeCount());
+  m_firstTriangle.assign(nodes + 1, 0);
+  for (Index t = 0; t < net.triangleCount(); ++t)
+    for (int k = 0; k < 3; ++k) ++m_firstTriangle[static_cast<std::size_t>(net.triangles(k, t)) + 1];
+  for (std::size_t i = 1; i <= nodes; ++i) m_firstTriangle[i] += m_firstTriangle[i - 1];
+  m_triangleAt.resize(m_firstTriangle.back());
+  std::vector<std::size_t> place(m_firstTriangle);
+  for (Index t = 0; t < net.triangleCount(); ++t)
+    for (int k = 0; k < 3; ++k) m_triangleAt[place[static_cast<std::size_t>(net.triangles(k, t))]++] = t;
+  adapt(net);
+}
+
+void ToolTip::adapt(const SpringNet& net)
+{
+  m_own.assign(static_cast<std::size_t>(net.nodeCount()), 0.0);
+  for (Index s = 0; s < net.springCount(); ++s)
+    for (int end = 0; end < 2; ++end) m_own[static_cast<std::size_t>(net.ends(end, s))] += net.stiffness[s];
+  for (Index a = 0; a < net.anchors.count(); ++a)
+    m_own[static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(a)])] +=
+      net.anchors.stiffness[a];
+  m_mass.assign(net.mass.data(), net.mass.data() + net.mass.size());
+}
+
+void ToolTip::moveTo(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity)
+{
+  if (!hand.allFinite() || !velocity.allFinite()) return;
+  m_hand = hand;
+  m_velocity = velocity;
+}
+
+void ToolTip::letGo() noexcept
+{
+  m_touches = m_hasLast = false;
+  m_lastSide = 0.0;
+  m_near = m_contact = {};
+}
+
+// === Where the surface is
+
+Eigen::Vector3d ToolTip::faceNormal(Index triangle) const
+{
+  const Eigen::Vector3d a = m_surface.corner(triangle, 0);
+  return (m_surface.corner(triangle, 1) - a).cross(m_surface.corner(triangle, 2) - a);
+}
+
+/// The nodes' normals between them, so that the force does not turn suddenly where triangles meet; the face's
+/// own where the surface is too sharp for that.
+Eigen::Vector3d ToolTip::normalAt(const SurfacePoint& point) const
+{
+  const Eigen::Vector3d face = faceNormal(point.triangle).normalized();
+  Eigen::Vector3d smooth = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) {
+    const auto node = static_cast<std::size_t>(m_surface.triangles()(k, point.triangle));
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = m_firstTriangle[node]; i < m_firstTriangle[node + 1]; ++i)
+      sum += faceNormal(m_triangleAt[i]);
+    smooth += point.weight[k] * sum.normalized();
+  }
+  smooth.normalize();
+  return smooth.dot(face) > kLeastAgreement ? smooth : face;
+}
+
+/// Down the distance to `goal`, from triangle to triangle that share a corner: the nearest point of this part
+/// of the surface, not of the other side of the organ.
+SurfacePoint ToolTip::slideTo(const Eigen::Vector3d& goal, const SurfacePoint& from) const
+{
+  const auto nearestOn = [&](Index t) {
+    return SurfacePoint{
+      t, nearestWeights(goal, m_surface.corner(t, 0), m_surface.corner(t, 1), m_surface.corner(t, 2))};
+  };
+  SurfacePoint best = nearestOn(from.triangle);
+  double distance = (m_surface.pointAt(best) - goal).squaredNorm();
+  for (int i = 0; i < kMostTriangles; ++i) {
+    SurfacePoint next = best;
+    for (int k = 0; k < 3; ++k) {
+      if (best.weight[k] == 0.0) continue; // only where it has come to: an edge or a corner
+      if (best.weight.minCoeff() > 0.0) break;
+      const auto node = static_cast<std::size_t>(m_surface.triangles()(k, best.triangle));
+      for (std::size_t n = m_firstTriangle[node]; n < m_firstTriangle[node + 1]; ++n) {
+        const SurfacePoint candidate = nearestOn(m_triangleAt[n]);
+        const double squared = (m_surface.pointAt(candidate) - goal).squaredNorm();
+        if (squared >= distance) continue;
+        distance = squared;
+        next = candidate;
+      }
+    }
+    if (next.triangle == best.triangle) break;
+    best = next;
+  }
+  return best;
+}
+
+// === Contact
+
+void ToolTip::update(const NetState& state)
+{
+  if (m_surface.triangles().cols() == 0) return;
+  m_surface.refit(state.position);
+  if (m_touches)
+    follow();
+  else
+    search();
+  m_last = m_hand;
+  m_hasLast = true;
+}
+
+void ToolTip::begin(const SurfacePoint& point, double side)
+{
+  m_touches = true;
+  m_side = side;
+  m_contact = point;
+  follow();
+}
+
+/// A closed surface is touched from outside only; who begins inside comes out freely.
+void ToolTip::search()
+{
+  if (m_hasLast)
+    if (const auto hit = m_surface.firstHit(m_last, m_hand, m_isClosed))
+      return begin(*hit, faceNormal(hit->triangle).dot(m_hand - m_last) < 0.0 ? 1.0 : -1.0);
+  const auto near = m_surface.nearest(m_hand, kReach + m_radius);
+  m_near = near.value_or(SurfacePoint{});
+  if (!near) {
+    m_lastSide = 0.0;
+    return;
+  }
+  m_place = m_surface.pointAt(*near);
+  const Eigen::Vector3d normal = normalAt(*near);
+  const double height = normal.dot(m_hand - m_place);
+  const double side = height < 0.0 ? -1.0 : 1.0;
+  const bool cameOver = m_lastSide != 0.0 && side != m_lastSide; // the surface came over a hand at rest
+  if (cameOver && (m_lastSide > 0.0 || !m_isClosed)) return begin(*near, m_lastSide);
+  m_lastSide = side;
+  if (side < 0.0 && m_isClosed) {
+    m_near = {};
+    return;
+  }
+  m_normal = side * normal;
+  if ((m_hand - m_place).squaredNorm() < m_radius * m_radius) begin(*near, side);
+}
+
+/// The contact point sticks within the friction cone and slides to its rim beyond it; it ends when the hand
+/// is out.
+void ToolTip::follow()
+{
+  m_normal = m_side * normalAt(m_contact);
+  m_place = m_surface.pointAt(m_contact);
+  const Eigen::Vector3d goal = m_hand - m_radius * m_normal;
+  const Eigen::Vector3d apart = m_place - goal;
+  const double depth = apart.dot(m_normal), drag = (apart - depth * m_normal).norm();
+  if (drag > kFriction * std::max(depth, 0.0)) {
+    const SurfacePoint free = slideTo(goal, m_contact);
+    const Eigen::Vector3d freePlace = m_surface.pointAt(free), back = m_place - freePlace;
+    const double most = kFriction * (freePlace - goal).norm(), way = back.norm();
+    m_contact = way > most ? slideTo(freePlace + (most / way) * back, free) : m_contact;
+    m_normal = m_side * normalAt(m_contact);
+    m_place = m_surface.pointAt(m_contact);
+  }
+  if (m_normal.dot(m_hand - m_place) <= m_radius) return;
+  m_touches = false;
+  m_lastSide = m_side;
+  m_near = m_contact;
+}
+
+NodeCombination ToolTip::point() const noexcept
+{
+  const SurfacePoint& point = m_touches ? m_contact : m_near;
+  NodeCombination nodes;
+  for (int k = 0; k < 3; ++k) {
+    nodes.node[static_cast<std::size_t>(k)] = m_surface.triangles()(k, point.triangle);
+    nodes.weight[static_cast<std::size_t>(k)] = point.weight[k];
+  }
+  return nodes;
+}
+
+Eigen::Vector3d ToolTip::proxy() const noexcept
+{
+  return m_touches ? Eigen::Vector3d(m_place + m_radius * m_normal) : m_hand;
+}
+
+// === Forces
+
+Eigen::Vector3d ToolTip::pull() const
+{
+  return m_hand - m_radius * m_normal - m_place;
+}
+
+double ToolTip::stiffness() const noexcept
+{
+  const NodeCombination nodes = point();
+  double own = 0.0;
+  for (std::size_t k = 0; k < 3; ++k) own += nodes.weight[k] * m_own[static_cast<std::size_t>(nodes.node[k])];
+  return toolStiffness(own);
+}
+
+/// A spring on each corner by its weight: together they pull the contact point like one, and none turns the
+/// triangle.
+std::array<ToolSpring, 3> ToolTip::springs(const NetState& state) const
+{
+  const NodeCombination nodes = point();
+  const double k = stiffness();
+  const LimitedPull limited = limitedPull(pull(), k, m_maxForce);
+  Eigen::Vector3d surfaceVelocity = Eigen::Vector3d::Zero();
+  double mass = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    surfaceVelocity += nodes.weight[i] * state.velocity.col(nodes.node[i]);
+    mass += nodes.weight[i] * m_mass[static_cast<std::size_t>(nodes.node[i])];
+  }
+  // Along the surface the damper moves with it: drag is friction's.
+  const Eigen::Vector3d velocity = surfaceVelocity + m_normal.dot(m_velocity - surfaceVelocity) * m_normal;
+  std::array<ToolSpring, 3> springs;
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double share = limited.softness * nodes.weight[i];
+    springs[i] = {nodes.node[i], state.position.col(nodes.node[i]) + limited.offset, velocity, share * k,
+                  share * toolViscosity(k, mass)};
+  }
+  return springs;
+}
+
+Eigen::Vector3d ToolTip::forceOnHand(const NetState& state) const
+{
+  if (!m_touches) return Eigen::Vector3d::Zero();
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();
+  for (const ToolSpring& spring : springs(state))
+    force += spring.stiffness * (state.position.col(spring.node) - spring.target) +
+             spring.viscosity * (state.velocity.col(spring.node) - spring.targetVelocity);
+  if (force.dot(m_normal) <= 0.0) return Eigen::Vector3d::Zero(); // leaving faster than the surface follows
+  const double norm = force.norm();
+  return norm > m_maxForce ? Eigen::Vector3d(force * (m_maxForce / norm)) : force;
+}
+
+ContactModel ToolTip::contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const
+{
+  ContactModel model;
+  model.time = state.time;
+  if (!isNear()) return model;
+  const double k = stiffness();
+  model.active = true;
+  model.normal = m_normal;
+  model.friction = 2.0 * kFriction; // the contact point's own cone is the narrower one
+  if (!m_touches) {                 // where the surface will be met, and how stiff it will be there
+    const double across = m_normal.dot(inSeries(k * Eigen::Matrix3d::Identity(), compliance) * m_normal);
+    model.position = m_place + m_radius * m_normal;
+    model.stiffness = across * m_normal * m_normal.transpose();
+    return model;
+  }
+  double mass = 0.0;
+  const NodeCombination nodes = point();
+  for (std::size_t i = 0; i < 3; ++i)
+    mass += nodes.weight[i] * m_mass[static_cast<std::size_t>(nodes.node[i])];
+  model.position = m_hand;
+  model.stiffness = inSeries(pullStiffness(pull(), k, m_maxForce), compliance);
+  model.viscosity =
+    toolViscosity(k, mass) / k * m_normal.dot(model.stiffness * m_normal) * m_normal * m_normal.transpose();
+  model.force = forceOnHand(state) + model.viscosity * m_velocity;
+  return model;
+}
+
+} // namespace esm

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/simulation.h"
+#include "core/runtime/deforming_surface.h"
+#include "core/runtime/hand_over.h"
+#include "core/runtime/static_compliance.h"
+
+#include <array>
+#include <vector>
+
+namespace esm {
+
+/// A ball on the end of an instrument that presses on the surface of the net.
+///
+///        proxy (    )  touches from outside, is what the screen shows
+///     ______\__ c  _/______  surface; c the point of contact on it, n the normal
+///            \  |  /
+///             ( h )          hand: where the device is, may be deep inside
+///
+/// A god-object (Zilles and Salisbury 1995): the proxy stays outside whatever the hand does, a spring pulls
+/// the contact point towards where the hand would have it, h - r n, and the hand back by the same force. The
+/// contact point sticks while the drag is within the friction cone and slides along the surface beyond it
+/// (Harwin and Melder 2002). Contact begins where the hand's way first meets the surface, so thin walls are
+/// not jumped through, and ends when the hand comes out again.
+/// @note One thread.
+class ToolTip {
+public:
+  static constexpr double kFriction = 0.1; ///< of wet tissue [1]
+  static constexpr double kReach = 0.03;   ///< so near the surface a contact is expected [m]
+
+  /// @param radius [m] >= 0; @param maxForce on the hand [N].
+  ToolTip(const SpringNet& net, double radius, double maxForce);
+
+  void adapt(const SpringNet& net);                                          ///< other parameters
+  void moveTo(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity); ///< non-finite: stays
+  void letGo() noexcept; ///< of the surface; the hand counts as outside where it is next
+
+  /// Finds, follows or ends the contact on the surface as it is now.
+  void update(const NetState& state);
+  bool touches() const noexcept { return m_touches; }
+  bool isNear() const noexcept { return m_touches || m_near.triangle != kNoIndex; }
+  /// The contact, or the point next to it. @pre isNear()
+  NodeCombination point() const noexcept;
+
+  const Eigen::Vector3d& hand() const noexcept { return m_hand; }
+  double radius() const noexcept { return m_radius; }
+  Eigen::Vector3d proxy() const noexcept; ///< centre of the ball as shown [m]
+
+  /// What pulls the surface in the coming frame. @pre touches()
+  std::array<ToolSpring, 3> springs(const NetState& state) const;
+  Eigen::Vector3d forceOnHand(const NetState& state) const; ///< [N]; zero without contact
+  /// @param compliance  of the net at point() [m/N]. `sequence` is the caller's.
+  ContactModel contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const;
+
+private:
+  Eigen::Vector3d normalAt(const SurfacePoint& point) const;
+  Eigen::Vector3d faceNormal(Index triangle) const;
+  SurfacePoint slideTo(const Eigen::Vector3d& goal, const SurfacePoint& from) const;
+  void search();
+  void begin(const SurfacePoint& point, double side);
+  void follow();
+  Eigen::Vector3d pull() const; ///< from the contact point to where the hand would have it [m]
+  double stiffness() const noexcept;
+
+  DeformingSurface m_surface;
+  bool m_isClosed = false;
+  std::vector<std::size_t> m_firstTriangle; ///< triangles at node i: m_triangleAt[m_firstTriangle[i] ... + 1)
+  std::vector<Index> m_triangleAt;
+  std::vector<double> m_own, m_mass; ///< by nodes: stiffness around [N/m], [kg]
+
+  double m_radius, m_maxForce;
+  Eigen::Vector3d m_hand = Eigen::Vector3d::Zero(), m_velocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d m_last = Eigen::Vector3d::Zero(); ///< hand at the last update
+  bool m_hasLast = false, m_touches = false;
+  double m_side = 1.0;     ///< -1: touched from behind, on open surfaces
+  double m_lastSide = 0.0; ///< of the surface that the hand was on, while it was near; 0: not known
+  SurfacePoint m_contact, m_near;
+  Eigen::Vector3d m_normal = Eigen::Vector3d::Zero(); ///< at m_contact or m_near, towards the tip
+  Eigen::Vector3d m_place = Eigen::Vector3d::Zero();  ///< of it [m]
+};
+
+} // namespace esm
