@@ -92,7 +92,7 @@ std::vector<JsonLine> jsonOfParts(const MeshDefects& defects)
 
 } // namespace
 
-JsonLine jsonOf(const MeshDefects& defects, const Mesh& mesh)
+JsonLine jsonOfDefects(const MeshDefects& defects, const Mesh& mesh)
 {
   JsonLine json;
   json.add("parts", jsonOfParts(defects));

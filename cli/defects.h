@@ -8,7 +8,7 @@
 namespace esm::cli {
 
 /// All lists, with places: vertices and triangles by number, coordinates in the file's unit.
-JsonLine jsonOf(const MeshDefects& defects, const Mesh& mesh);
+JsonLine jsonOfDefects(const MeshDefects& defects, const Mesh& mesh);
 
 /// For people: a line per defect with its place, the first twenty of each kind.
 void printDefects(const MeshDefects& defects, const Mesh& mesh);

@@ -76,7 +76,7 @@ Exit inspect(const InspectOptions& options)
   for (const std::string& note : imported->notes) say(options.mesh + ": " + note);
   if (options.json) {
     JsonLine line = jsonOf(*imported);
-    if (options.defects) line.add("defects", jsonOf(findDefects(imported->mesh), imported->mesh));
+    if (options.defects) line.add("defects", jsonOfDefects(findDefects(imported->mesh), imported->mesh));
     print(line.text());
   } else {
     printReport(*imported);
