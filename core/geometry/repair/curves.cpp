@@ -54,7 +54,8 @@ private:
       const Index other = m_surface.twinOf(h);
       if (other == kNoIndex || other > h) continue;
       const Eigen::Vector3d &here = normals[at(h / 3)], &there = normals[at(other / 3)];
-      if (here.dot(there) < kCreaseCosine && !here.isZero() && !there.isZero()) creases.push_back(h);
+      if (here.dot(there) < kCreaseCosine && here.squaredNorm() > 0.0 && there.squaredNorm() > 0.0)
+        creases.push_back(h);
     }
     return creases;
   }

@@ -105,7 +105,7 @@ private:
     for (Index i = 0; i < n; ++i) {
       m_mesh.triangles.col(i) << i, (i + 1) % n, n;
       const Eigen::Vector3d u = m_rim[at(i)] - middle, v = m_rim[at((i + 1) % n)] - middle;
-      if (!(u.cross(v).norm() > 1e-9 * u.norm() * v.norm())) return false;
+      if (!(u.cross(v).norm() > 1e-6 * u.norm() * v.norm())) return false;
     }
     return true;
   }

@@ -112,7 +112,7 @@ private:
   {
     const Eigen::Vector3d u = point(b) - point(a), v = point(c) - point(a);
     const double twice = u.cross(v).norm();
-    return twice > 1e-9 * u.norm() * v.norm() ? 0.5 * twice : kNever;
+    return twice > 1e-6 * u.norm() * v.norm() ? 0.5 * twice : kNever;
   }
 
   const std::vector<Eigen::Vector3d>& m_points;

@@ -51,7 +51,8 @@ bool Remesher::keepsShape(Index gone, Index kept, double longest) const
       fits = reach <= longest * longest && (target - pc).squaredNorm() <= longest * longest &&
              area > 1e-4 * opposite.squaredNorm() * reach;
       const double turn = before.dot(after);
-      fits = fits && (turn > 0.0 ? turn * turn > 0.04 * before.squaredNorm() * area : before.isZero());
+      fits = fits &&
+             (turn > 0.0 ? turn * turn > 0.04 * before.squaredNorm() * area : (before.array() == 0.0).all());
     },
     [](Index) {});
   return fits;
@@ -214,7 +215,7 @@ Eigen::Vector3d Remesher::onShape(Index vertex, const Eigen::Vector3d& target)
   return found.point;
 }
 
-/// Moves, unless a triangle would fold over.
+/// Moves, unless a triangle would fold over or lose its area.
 void Remesher::moveTo(Index vertex, const Eigen::Vector3d& target)
 {
   Eigen::Vector3d& here = m_mesh.position[at(vertex)];
@@ -223,8 +224,9 @@ void Remesher::moveTo(Index vertex, const Eigen::Vector3d& target)
     if (!fits) return;
     const Eigen::Vector3d &b = m_mesh.position[at(m_mesh.to(h))], &c = m_mesh.position[at(m_mesh.apex(h))];
     const Eigen::Vector3d before = (b - here).cross(c - here), after = (b - target).cross(c - target);
-    const double turn = before.dot(after), areas = before.squaredNorm() * after.squaredNorm();
-    fits = before.isZero() || (turn > 0.0 && turn * turn > 0.25 * areas);
+    const double turn = before.dot(after), was = before.squaredNorm(), is = after.squaredNorm();
+    const bool isNeedle = is < was && is < 1e-6 * (b - target).squaredNorm() * (c - target).squaredNorm();
+    fits = was == 0.0 || (turn > 0.0 && turn * turn > 0.25 * was * is && !isNeedle);
   });
   if (fits) here = target;
 }
