@@ -18,7 +18,7 @@ from pathlib import Path
 
 SKIP = 77
 MODULES = ["usbip-core", "vhci-hcd", "usbhid", "hid-generic"]
-TIMEOUT = 240  # s; under TCG on an idle machine it takes a quarter of that
+TIMEOUT = 360  # s; under TCG on an idle machine it takes a small part of that
 INIT = """#!/bin/busybox sh
 /bin/busybox mkdir -p /proc /sys /dev /tmp
 /bin/busybox mount -t proc none /proc
