@@ -3,6 +3,7 @@
 #include "app/document/append_net.h"
 
 #include "core/base/assert.h"
+#include "core/net/net_edit.h"
 
 #include <algorithm>
 
@@ -10,33 +11,21 @@ namespace esm {
 
 namespace {
 
-template <class Columns>
-void appendColumns(Columns& to, const Columns& from)
+/// Arrays that may be absent: there from now on if the other net has them.
+void prepare(Eigen::ArrayXd& values, const Eigen::ArrayXd& other, Index count)
 {
-  const Eigen::Index before = to.cols();
-  to.conservativeResize(Eigen::NoChange, before + from.cols());
-  to.rightCols(from.cols()) = from;
+  if (values.size() == 0 && other.size() > 0) values.setZero(count);
 }
 
-void appendValues(Eigen::ArrayXd& to, const Eigen::ArrayXd& from)
+void putAtEnd(Eigen::ArrayXd& to, const Eigen::ArrayXd& from)
 {
-  const Eigen::Index before = to.size();
-  to.conservativeResize(before + from.size());
-  to.tail(from.size()) = from;
+  if (from.size() > 0) to.tail(from.size()) = from;
 }
 
 template <class T>
-void appendList(std::vector<T>& to, const std::vector<T>& from)
+void putAtEnd(std::vector<T>& to, const std::vector<T>& from)
 {
-  to.insert(to.end(), from.begin(), from.end());
-}
-
-template <class Id>
-void appendIds(std::vector<Id>& ids, std::size_t count)
-{
-  Index next = 0;
-  for (const Id id : ids) next = std::max(next, static_cast<Index>(id) + 1);
-  for (std::size_t i = 0; i < count; ++i) ids.push_back(Id{next++});
+  std::copy(from.begin(), from.end(), to.end() - static_cast<std::ptrdiff_t>(from.size()));
 }
 
 } // namespace
@@ -45,28 +34,31 @@ void appendNet(SpringNet& net, const SpringNet& added)
 {
   ESM_ASSERT(added.anchors.count() == 0 && added.tables.empty());
   const Index offset = net.nodeCount();
+  prepare(net.volume, added.volume, offset);
+  prepare(net.section, added.section, net.springCount());
+  if (net.supportNode.empty() && !added.supportNode.empty())
+    net.supportNode.assign(static_cast<std::size_t>(offset), 0);
+  growNet(net, added.nodeCount(), added.springCount());
 
-  appendColumns(net.restPosition, added.restPosition);
-  if (net.initialVelocity.cols() > 0) {
-    const Eigen::Index before = net.initialVelocity.cols();
-    net.initialVelocity.conservativeResize(Eigen::NoChange, before + added.nodeCount());
-    net.initialVelocity.rightCols(added.nodeCount()).setZero();
-  }
-  appendValues(net.mass, added.mass);
-  if (net.massDamping.size() > 0) appendValues(net.massDamping, Eigen::ArrayXd::Zero(added.nodeCount()));
-  appendList(net.fixed, added.fixed);
-  appendIds(net.nodeId, static_cast<std::size_t>(added.nodeCount()));
+  net.restPosition.rightCols(added.nodeCount()) = added.restPosition;
+  putAtEnd(net.mass, added.mass);
+  putAtEnd(net.fixed, added.fixed);
+  putAtEnd(net.volume, added.volume);
+  putAtEnd(net.supportNode, added.supportNode);
 
-  appendColumns<SegmentMatrix>(net.ends, (added.ends.array() + offset).matrix());
-  appendValues(net.restLength, added.restLength);
-  appendValues(net.stiffness, added.stiffness);
-  appendValues(net.viscosity, added.viscosity);
-  appendList(net.law, added.law);
-  appendValues(net.lawParameter, added.lawParameter);
-  appendList(net.tensionOnly, added.tensionOnly);
-  appendList(net.kind, added.kind);
-  appendIds(net.springId, static_cast<std::size_t>(added.springCount()));
-  appendColumns<TriangleMatrix>(net.triangles, (added.triangles.array() + offset).matrix());
+  net.ends.rightCols(added.springCount()) = added.ends.array() + offset;
+  putAtEnd(net.restLength, added.restLength);
+  putAtEnd(net.stiffness, added.stiffness);
+  putAtEnd(net.viscosity, added.viscosity);
+  putAtEnd(net.law, added.law);
+  putAtEnd(net.lawParameter, added.lawParameter);
+  putAtEnd(net.tensionOnly, added.tensionOnly);
+  putAtEnd(net.kind, added.kind);
+  putAtEnd(net.section, added.section);
+
+  const Eigen::Index triangles = net.triangles.cols();
+  net.triangles.conservativeResize(Eigen::NoChange, triangles + added.triangles.cols());
+  net.triangles.rightCols(added.triangles.cols()) = added.triangles.array() + offset;
 }
 
 } // namespace esm

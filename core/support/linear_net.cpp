@@ -15,6 +15,9 @@ namespace esm {
 
 namespace {
 
+constexpr double kMostWork = 4e9;              ///< multiplications of a factor: a second or two
+constexpr std::size_t kMostNumbers = 40000000; ///< in a factor
+
 NodeBlock blockOf(const Eigen::Matrix3d& matrix)
 {
   NodeBlock block;
@@ -73,16 +76,60 @@ void LinearNet::addSupport(Index node, const Eigen::Vector3d& axis, double k)
 bool LinearNet::factor(double shift)
 {
   if (m_nodeOf.empty()) return false;
-  if (m_cholesky.nodeCount() == 0 && !m_cholesky.analyze(freeCount(), m_pairs)) return false;
+  m_shift = shift;
+  if (!m_isIterative && m_cholesky.nodeCount() == 0)
+    m_isIterative =
+      !m_cholesky.analyze(freeCount(), m_pairs, kMostNumbers) || m_cholesky.factorWork() > kMostWork;
+  if (m_isIterative) return shift >= 0.0;
   NodeBlocks diagonal;
-  for (const Index node : m_nodeOf)
-    diagonal.push_back(blockOf(m_diagonal[static_cast<std::size_t>(node)] +
-                               shift * m_net.mass[node] * Eigen::Matrix3d::Identity()));
+  for (const Index node : m_nodeOf) diagonal.push_back(blockOf(blockAt(node)));
   return m_cholesky.factor(diagonal.data(), m_coupling.data());
+}
+
+Eigen::Matrix3d LinearNet::blockAt(Index node) const
+{
+  return m_diagonal[static_cast<std::size_t>(node)] +
+         m_shift * m_net.mass[node] * Eigen::Matrix3d::Identity();
+}
+
+Eigen::Matrix3Xd LinearNet::solveByGradients(const Eigen::Matrix3Xd& force) const
+{
+  constexpr int kMostIterations = 3000;
+  constexpr double kTolerance = 1e-8; ///< of the force
+  std::vector<Eigen::Matrix3d> inverse(static_cast<std::size_t>(m_net.nodeCount()), Eigen::Matrix3d::Zero());
+  for (const Index node : m_nodeOf)
+    inverse[static_cast<std::size_t>(node)] = blockAt(node).completeOrthogonalDecomposition().pseudoInverse();
+  const auto precondition = [&](const Eigen::Matrix3Xd& r) {
+    Eigen::Matrix3Xd z(3, r.cols());
+    for (Index node = 0; node < m_net.nodeCount(); ++node)
+      z.col(node) = inverse[static_cast<std::size_t>(node)] * r.col(node);
+    return z;
+  };
+  Eigen::Matrix3Xd x = Eigen::Matrix3Xd::Zero(3, m_net.nodeCount()), r = force;
+  for (Index node = 0; node < m_net.nodeCount(); ++node)
+    if (m_blockOf[static_cast<std::size_t>(node)] == kNoIndex) r.col(node).setZero();
+  Eigen::Matrix3Xd z = precondition(r), p = z;
+  double energy = dotOf(r, z);
+  const double enough = kTolerance * kTolerance * energy;
+  for (int i = 0; i < kMostIterations && energy > enough && !stopWanted(m_control); ++i) {
+    Eigen::Matrix3Xd product = multiply(p) + m_shift * (p * m_net.mass.matrix().asDiagonal());
+    for (Index node = 0; node < m_net.nodeCount(); ++node)
+      if (m_blockOf[static_cast<std::size_t>(node)] == kNoIndex) product.col(node).setZero();
+    const double curvature = dotOf(p, product);
+    if (!(curvature > 0.0)) break;
+    x += (energy / curvature) * p;
+    r -= (energy / curvature) * product;
+    z = precondition(r);
+    const double next = dotOf(r, z);
+    p = z + (next / energy) * p;
+    energy = next;
+  }
+  return x;
 }
 
 Eigen::Matrix3Xd LinearNet::solve(const Eigen::Matrix3Xd& force)
 {
+  if (m_isIterative) return solveByGradients(force);
   m_vector.resize(m_nodeOf.size());
   for (std::size_t i = 0; i < m_nodeOf.size(); ++i) m_vector[i] = toLanes(force.col(m_nodeOf[i]));
   m_cholesky.solve(m_vector.data());
@@ -116,11 +163,15 @@ double LinearNet::stiffestRate() const noexcept
 
 SlowModes slowestModes(LinearNet& net, int count, WorkControl* control)
 {
-  constexpr int kSpare = 4, kMostRounds = 60;
+  constexpr int kSpare = 4;
   constexpr double kShift = 1e-8; ///< of the stiffest rate
   SlowModes modes;
   const int size = std::min(count + kSpare, 3 * net.freeCount());
   if (size <= 0 || !net.factor(kShift * net.stiffestRate())) return modes;
+  // Without a factor each round is long: a frequency within a per cent must do.
+  const int kMostRounds = net.isIterative() ? 8 : 60;
+  const double enough = net.isIterative() ? 1e-3 : 1e-7;
+  net.watch(control);
   const RigidMotions rigid(net.net(), true);
   const Index nodes = net.net().nodeCount();
   std::vector<Eigen::Matrix3Xd> basis;
@@ -160,7 +211,7 @@ SlowModes slowestModes(LinearNet& net, int count, WorkControl* control)
     basis = std::move(next);
     const Eigen::VectorXd values = ritz.eigenvalues();
     const bool settled = ((values - before).head(std::min(count, size)).cwiseAbs().array() <=
-                          1e-7 * values.head(std::min(count, size)).array().abs())
+                          enough * values.head(std::min(count, size)).array().abs())
                            .all();
     before = values;
     if (settled) break;

@@ -14,6 +14,9 @@ namespace esm {
 
 /// A net for small motions about its rest shape: K of its springs (along their axes, at their stiffness at
 /// rest) and anchors, M of its masses. Fixed nodes are held. Springs count as stress-free.
+///
+/// A skin has a sparse factor. Struts join everything to everything, so that the factor of a fat body is nearly
+/// full; but then the matrix is well conditioned, and conjugate gradients take its place.
 class LinearNet {
 public:
   /// @param withAnchors false: the net as if nothing held it but its fixed nodes.
@@ -25,8 +28,13 @@ public:
 
   /// Adds k axis axis^T at a node, as a support that gives way in all other directions.
   void addSupport(Index node, const Eigen::Vector3d& axis, double k);
-  /// Factors K + shift M. @return whether there is a factor.
+  /// Makes ready for solve() with K + shift M. @return whether that is possible.
   bool factor(double shift);
+  bool isIterative() const noexcept
+  {
+    return m_isIterative;
+  } ///< of the last factor(): no factor, no modesBelow()
+  void watch(WorkControl* control) noexcept { m_control = control; } ///< that ends long solves early
   /// Modes with K u = w2 M u, w2 < -shift, of the last factor(); Sylvester's law of inertia.
   std::int64_t modesBelow() const noexcept { return m_cholesky.negativePivots(); }
   /// (K + shift M)^-1 force, 3 x N; held nodes stay at 0. @pre factor() was true
@@ -38,7 +46,13 @@ public:
   const SpringNet& net() const noexcept { return m_net; }
 
 private:
+  Eigen::Matrix3Xd solveByGradients(const Eigen::Matrix3Xd& force) const;
+  Eigen::Matrix3d blockAt(Index node) const;
+
   const SpringNet& m_net;
+  WorkControl* m_control = nullptr;
+  bool m_isIterative = false;
+  double m_shift = 0.0;
   Eigen::ArrayXd m_stiffness;
   Eigen::Matrix3Xd m_direction; ///< 3 x S
   std::vector<Index> m_blockOf, m_nodeOf;

@@ -35,7 +35,7 @@ OutwardSurface::OutwardSurface(const SpringNet& net, WorkControl* control)
 {
   if (stopWanted(control)) return;
   joinParts(control);
-  turnOutwards(control);
+  if (!stopWanted(control)) turnOutwards(control);
 }
 
 /// Spreads from triangle to triangle over shared edges, and turns each as the one that it was reached from.
@@ -44,7 +44,8 @@ void OutwardSurface::joinParts(WorkControl* control)
   Mesh mesh;
   mesh.position = m_position;
   mesh.triangles = m_triangles;
-  const EdgeTable edges = findEdges(mesh);
+  const EdgeTable edges = findEdges(mesh, control);
+  if (stopWanted(control)) return;
   const auto count = static_cast<Index>(m_triangles.cols());
   Grouped<Index> trianglesOf;
   trianglesOf.build(static_cast<std::size_t>(edges.ends.cols()), [&](const auto& add) {

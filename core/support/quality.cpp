@@ -108,14 +108,17 @@ Status measure(const SpringNet& net, QualityReport& report, WorkControl* control
   const double rate = free.stiffestRate();
   if (!(rate > 0.0))
     return Error{ErrorCode::InvalidValue, "the net has no stiffness yet; apply a tissue before judging it"};
-  if (free.factor(-kMechanism * rate)) {
-    const RigidMotions rigid(net, false);
-    std::int64_t rigidMotions = 0;
-    for (Index part = 0; part < rigid.partCount(); ++part) rigidMotions += rigid.isLoose(part) ? 6 : 0;
+  const RigidMotions rigid(net, false);
+  std::int64_t rigidMotions = 0;
+  for (Index part = 0; part < rigid.partCount(); ++part) rigidMotions += rigid.isLoose(part) ? 6 : 0;
+  if (free.factor(-kMechanism * rate))
     report.mechanisms = std::max<std::int64_t>(0, free.modesBelow() - rigidMotions);
-  }
+  else // Maxwell's count: no fewer
+    report.mechanisms =
+      std::max<std::int64_t>(0, 3 * std::int64_t{free.freeCount()} - net.springCount() - rigidMotions);
   if (stopWanted(control)) return cancelledError();
   LinearNet held(net);
+  held.watch(control);
   const SlowModes modes = slowestModes(held, 1, control);
   if (modes.frequency.size() > 0) report.frequency = modes.frequency[0];
   if (stopWanted(control)) return cancelledError();

@@ -52,6 +52,7 @@ struct QualityReport {
 /// Looks at the net as tissue has made it: linear statics and vibrations about the rest shape. A dozen
 /// places, far from each other, are poked one by one with 0.1 N against the surface, over 5 mm or an eighth
 /// of the size if that is less; a part that nothing holds swims away with the poke, and only its dent counts.
+/// (Where struts make the factor too large, mechanisms are counted by Maxwell, S - 3 N, a lower bound.)
 /// Mechanisms are counted without anchors, by Sylvester's law of inertia: motions slower than 1e-9 of the
 /// stiffest rate. Deterministic; any thread.
 /// @pre the net has stiffness. @param control may be null.

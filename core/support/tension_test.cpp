@@ -109,6 +109,7 @@ Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isS
   std::fill(free.fixed.begin(), free.fixed.end(), std::uint8_t{0});
   free.mass.setOnes();
   LinearNet linear(free, places.perModulus, false);
+  linear.watch(control);
   const double roller = kRoller * linear.stiffestRate();
   // The ends are stretched as a bar is, by a strain of 1, so that springs that reach into them pull as all
   // others.
@@ -122,6 +123,7 @@ Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isS
     return impossible("the net has no stiffness that could be scaled");
   if (stopWanted(control)) return cancelledError();
   const Eigen::Matrix3Xd moved = linear.solve(force);
+  if (stopWanted(control)) return cancelledError();
   double pull = 0.0;
   for (const Index node : top) pull += roller * (height[node] - from - test.axis.dot(moved.col(node)));
   test.measured = pull / (to - from);
