@@ -160,17 +160,19 @@ void ImportDialog::readFile()
   ImportOptions options;
   options.weld = m_weld->isChecked();
   options.weldTolerance = m_tolerance->value();
-  m_jobs->start(
-    [path = std::filesystem::path(m_path.toStdString()), options] { return importMesh(path, options); },
-    [this](Result<ImportedMesh> mesh) {
-      if (!mesh) return showFailure(mesh.error());
-      const bool first = !m_mesh.has_value();
-      m_mesh = std::move(mesh).value();
-      const Eigen::Vector3d extent = m_mesh->report.boxMax - m_mesh->report.boxMin;
-      if (first) m_unit->setCurrentIndex(m_unit->findData(static_cast<int>(guessedUnit(extent.maxCoeff()))));
-      showReport();
-      setReady(true);
-    });
+  m_jobs->start([path = std::filesystem::path(m_path.toStdString()),
+                 options](WorkControl* control) { return importMesh(path, options, control); },
+                [this](Result<ImportedMesh> mesh) {
+                  if (!mesh) return showFailure(mesh.error());
+                  const bool first = !m_mesh.has_value();
+                  m_mesh = std::move(mesh).value();
+                  const Eigen::Vector3d extent = m_mesh->report.boxMax - m_mesh->report.boxMin;
+                  if (first)
+                    m_unit->setCurrentIndex(
+                      m_unit->findData(static_cast<int>(guessedUnit(extent.maxCoeff()))));
+                  showReport();
+                  setReady(true);
+                });
 }
 
 void ImportDialog::addLine(const QString& what, const QString& value, bool bad)
@@ -257,9 +259,9 @@ void ImportDialog::accept()
   if (!m_mesh || m_jobs->busy()) return;
   setReady(false);
   m_jobs->start(
-    [mesh = m_mesh->mesh, unit = unit(), up = upAxis()]() mutable {
+    [mesh = m_mesh->mesh, unit = unit(), up = upAxis()](WorkControl* control) mutable {
       toScene(mesh, unit, up);
-      return buildNet(mesh);
+      return buildNet(mesh, nullptr, control);
     },
     [this](Result<SpringNet> net) {
       if (!net) return showFailure(net.error());

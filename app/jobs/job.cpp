@@ -8,6 +8,7 @@ namespace esm {
 
 JobRunner::~JobRunner()
 {
+  cancel();
   for (std::thread& thread : m_threads) thread.join(); // events posted to us die with us
 }
 
@@ -23,6 +24,7 @@ void JobRunner::deliver(std::uint64_t ticket, std::function<void()> finish)
     this,
     [this, ticket, finish = std::move(finish)] {
       if (ticket != m_ticket) return; // dropped: cancelled, or a newer task runs
+      m_control.reset();
       setBusy(false);
       finish();
     },
@@ -31,8 +33,15 @@ void JobRunner::deliver(std::uint64_t ticket, std::function<void()> finish)
 
 void JobRunner::cancel()
 {
+  if (m_control) m_control->cancelled = true;
+  m_control.reset();
   ++m_ticket;
   setBusy(false);
+}
+
+double JobRunner::done() const noexcept
+{
+  return m_control ? m_control->done.load(std::memory_order_relaxed) : 0.0;
 }
 
 void JobRunner::setBusy(bool busy)

@@ -110,6 +110,7 @@ void Overlay::draw()
   m_painter.setRenderHint(QPainter::Antialiasing);
   if (m_model.net()) {
     drawRegion();
+    drawMarks();
     drawPull();
     drawSelectionBox();
     if (m_model.colouring() != Colouring::None) drawLegend();
@@ -150,7 +151,17 @@ void Overlay::drawSelectedSpring()
 void Overlay::drawRing(Index node, double radius, const QColor& colour)
 {
   if (node < 0 || node >= m_model.position().cols()) return;
-  const QPointF at = toQt(m_model.camera.project(m_model.position().col(node)).pixel);
+  drawRingAt(m_model.position().col(node), radius, colour);
+}
+
+void Overlay::drawMarks()
+{
+  for (const auto& place : m_model.marks().colwise()) drawRingAt(place, 8.0, kAccent);
+}
+
+void Overlay::drawRingAt(const Eigen::Vector3d& place, double radius, const QColor& colour)
+{
+  const QPointF at = toQt(m_model.camera.project(place).pixel);
   if (std::isnan(at.x())) return;
   m_painter.setBrush(Qt::NoBrush);
   m_painter.setPen(QPen(QColor(255, 255, 255, 200), 4.0));

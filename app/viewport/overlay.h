@@ -41,7 +41,9 @@ private:
   QString hint() const;
   void drawForce(Index node);
   void drawSelectedSpring();
+  void drawMarks();
   void drawRing(Index node, double radius, const QColor& colour);
+  void drawRingAt(const Eigen::Vector3d& place, double radius, const QColor& colour);
   void drawLegend();
   void drawAxes();
   void drawScaleBar();

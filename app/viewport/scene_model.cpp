@@ -185,6 +185,13 @@ bool SceneModel::setColouring(Colouring colouring)
   return true;
 }
 
+bool SceneModel::setMarks(const Eigen::Matrix3Xd& places)
+{
+  if (m_marks.cols() == 0 && places.cols() == 0) return false;
+  m_marks = places;
+  return true;
+}
+
 bool SceneModel::setShown(bool surface, bool springs)
 {
   if (surface == m_surface && springs == m_springs) return false;

@@ -41,6 +41,7 @@ public:
   bool setRegions(const std::vector<Region>& regions, int selected);
   bool setColouring(Colouring colouring);
   bool setShown(bool surface, bool springs);
+  bool setMarks(const Eigen::Matrix3Xd& places); ///< 3 x K [m]
 
   const SpringNet* net() const noexcept { return m_net.get(); }
   const Eigen::Matrix3Xd& position() const noexcept { return m_position; }
@@ -53,6 +54,7 @@ public:
   bool surfaceShown() const noexcept { return m_surface; }
   bool springsShown() const noexcept { return m_springs; }
   Index grabbedNode() const noexcept { return m_grabbed; }
+  const Eigen::Matrix3Xd& marks() const noexcept { return m_marks; }
 
   // === Selected nodes, rising; another net has none
   const std::vector<Index>& selection() const noexcept { return m_selection; }
@@ -101,6 +103,7 @@ private:
   std::vector<Region> m_regions;
   int m_selectedRegion = -1;
   std::vector<Index> m_selection;
+  Eigen::Matrix3Xd m_marks{3, 0};
   Colouring m_colouring = Colouring::Stiffness;
   bool m_surface = true, m_springs = true;
   bool m_autoFit = true;

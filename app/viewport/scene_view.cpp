@@ -12,7 +12,10 @@
 #include <QEvent>
 #include <QLabel>
 #include <QVBoxLayout>
+#include <QVariantAnimation>
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace esm {
@@ -26,6 +29,7 @@ struct SceneView::Impl {
   QLabel* placeholder = nullptr; ///< child of the view, or null
   QString failure;               ///< what the driver said when a usable context could not draw after all
   Tool tool = Tool::Camera;
+  QVariantAnimation* flight = nullptr; ///< of the camera; child of the view
 
   void repaintIf(bool changed) const
   {
@@ -152,6 +156,16 @@ void SceneView::setToolForce(const Eigen::Vector3d& force)
   if (m_impl->canvas) m_impl->canvas->setToolForce(force);
 }
 
+void SceneView::setMarks(const Eigen::Matrix3Xd& places)
+{
+  m_impl->repaintIf(m_impl->model.setMarks(places));
+}
+
+const Eigen::Matrix3Xd& SceneView::marks() const
+{
+  return m_impl->model.marks();
+}
+
 void SceneView::setTool(Tool tool)
 {
   m_impl->tool = tool;
@@ -167,6 +181,29 @@ void SceneView::fit()
 {
   m_impl->model.fit();
   m_impl->repaintIf(true);
+}
+
+void SceneView::flyTo(const Eigen::Matrix3Xd& places, double nearest)
+{
+  const Camera start = m_impl->model.camera;
+  Camera goal = start;
+  goal.fit(places);
+  const double distance = std::max(goal.distance(), 0.5 * nearest / std::tan(0.5 * Camera::kFieldOfView));
+  const Eigen::Vector3d target = goal.target();
+  delete std::exchange(m_impl->flight, new QVariantAnimation(this));
+  m_impl->flight->setDuration(300); // [ms]
+  m_impl->flight->setEasingCurve(QEasingCurve::InOutQuad);
+  m_impl->flight->setStartValue(0.0);
+  m_impl->flight->setEndValue(1.0);
+  connect(m_impl->flight, &QVariantAnimation::valueChanged, this, [=, this](const QVariant& share) {
+    const double t = share.toDouble();
+    m_impl->model.camera.setPose(start.target() + t * (target - start.target()),
+                                 start.distance() * std::pow(distance / start.distance(), t), start.azimuth(),
+                                 start.elevation());
+    m_impl->model.cameraMoved();
+    m_impl->repaintIf(true);
+  });
+  m_impl->flight->start();
 }
 
 ViewSettings SceneView::viewSettings() const

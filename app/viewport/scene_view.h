@@ -41,11 +41,14 @@ public:
   void setColouring(Colouring colouring);                            ///< legend with unit follows
   void setShown(bool surface, bool springs);
   void setToolForce(const Eigen::Vector3d& force); ///< arrow at the grabbed node [N]
+  void setMarks(const Eigen::Matrix3Xd& places);   ///< rings over the picture that stay; 3 x K [m]
 
   // === Camera and tools
   void setTool(Tool tool);
   Tool tool() const;
   void fit();
+  /// Glides within a moment to where the points fill the picture, but no nearer than `nearest` [m] wide.
+  void flyTo(const Eigen::Matrix3Xd& places, double nearest);
   ViewSettings viewSettings() const;
   void setViewSettings(const ViewSettings& settings);
   QImage picture(); ///< what is on the screen, overlays included
@@ -59,6 +62,7 @@ public:
   /// The handles of the chosen region's gizmo by name ("move", "falloff", "stretch x+", "slide x", "turn x");
   /// empty unless the tool Region shows them.
   QMap<QString, QPointF> gizmoHandles() const;
+  const Eigen::Matrix3Xd& marks() const;
   QString legendTitle() const; ///< empty while there is no legend
 
   /// The nodes that the tool Select has chosen, rising.

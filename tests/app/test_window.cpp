@@ -224,14 +224,15 @@ TEST_F(WindowTest, ImportDialogSaysWhyItCannot)
   EXPECT_FALSE(dialog.findChild<QAbstractButton*>("importOk")->isEnabled());
 }
 
-// A cancelled task runs to its end, but nobody hears of it.
-TEST(Jobs, CancelDropsTheResult)
+// A cancelled task is told to stop, and nobody hears of its result.
+TEST(Jobs, CancelStopsTheTaskAndDropsItsResult)
 {
   JobRunner jobs;
   std::atomic<bool> ran = false;
   bool heard = false;
   jobs.start(
-    [&]() -> Result<int> {
+    [&](WorkControl* control) -> Result<int> {
+      while (!stopWanted(control)) QThread::msleep(1);
       ran = true;
       return 1;
     },
@@ -241,7 +242,7 @@ TEST(Jobs, CancelDropsTheResult)
   QTest::qWait(30);
   EXPECT_FALSE(heard);
   EXPECT_FALSE(jobs.busy());
-  jobs.start([]() -> Result<int> { throw std::bad_alloc(); },
+  jobs.start([](WorkControl*) -> Result<int> { throw std::bad_alloc(); },
              [&](Result<int> result) { heard = !result && result.error().code == ErrorCode::Internal; });
   EXPECT_TRUE(QTest::qWaitFor([&] { return heard; }));
 }
