@@ -6,12 +6,16 @@
 #include "core/geometry/weld.h"
 #include "meshimport/assimp_reader.h"
 #include "meshimport/content.h"
+#include "meshimport/dxf_reader.h"
 #include "meshimport/file_bytes.h"
+#include "meshimport/msh_reader.h"
 #include "meshimport/obj_reader.h"
 #include "meshimport/off_reader.h"
 #include "meshimport/ply_reader.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/stl_reader.h"
+#include "meshimport/vtk_reader.h"
+#include "meshimport/vtu_reader.h"
 
 #include <algorithm>
 #include <new>
@@ -174,8 +178,9 @@ void toScene(Mesh& mesh, LengthUnit unit, UpAxis up)
 const std::vector<MeshReader>& readerTable()
 {
   // The surest signs first; assimp takes what is left.
-  static const std::vector<MeshReader> table{plyReader(), offReader(), stlReader(), objReader(),
-                                             assimpReader()};
+  static const std::vector<MeshReader> table{plyReader(), offReader(), vtkReader(),
+                                             vtuReader(), mshReader(), dxfReader(),
+                                             stlReader(), objReader(), assimpReader()};
   return table;
 }
 

@@ -40,6 +40,13 @@ public:
     m_entries = largeVector<Entry>(static_cast<std::size_t>(total), Entry{kNoIndex, kNoIndex});
   }
 
+  /// Fetches the memory of a later findOrAdd(a, b): first where the bucket is, then the bucket.
+  void foreseePlace(Index a, Index b) const { __builtin_prefetch(m_start.data() + std::min(a, b)); }
+  void foreseeBucket(Index a, Index b) const
+  {
+    __builtin_prefetch(m_entries.data() + m_start[static_cast<std::size_t>(std::min(a, b))]);
+  }
+
   /// The number of the edge between a and b; `next` if it was none yet and now is.
   Index findOrAdd(Index a, Index b, Index next)
   {
@@ -72,8 +79,10 @@ private:
   std::vector<Entry> m_entries;
 };
 
-/// Calls visit(a, b, side) for each side of a triangle and then each segment with two different ends, until
-/// it returns false. The three sides of triangle t are 3 t, 3 t + 1, 3 t + 2.
+constexpr int kTetrahedronEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
+
+/// Calls visit(a, b, side) for each side of a triangle, then each segment, then each side of a tetrahedron,
+/// with two different ends, until it returns false. The three sides of triangle t are 3 t, 3 t + 1, 3 t + 2.
 template <class Visit>
 void visitSides(const Mesh& mesh, const Visit& visit)
 {
@@ -88,6 +97,13 @@ void visitSides(const Mesh& mesh, const Visit& visit)
   const Index* end = mesh.segments.data();
   for (Index s = 0; s < mesh.segmentCount(); ++s, end += 2)
     if (end[0] != end[1] && !visit(end[0], end[1], triangleSides + s)) return;
+  const Index others = triangleSides + mesh.segmentCount();
+  for (Index t = 0; t < mesh.tetrahedronCount(); ++t)
+    for (int k = 0; k < 6; ++k) {
+      const Index a = mesh.tetrahedra(kTetrahedronEdges[k][0], t),
+                  b = mesh.tetrahedra(kTetrahedronEdges[k][1], t);
+      if (a != b && !visit(a, b, others + 6 * t + k)) return;
+    }
 }
 
 /// The smallest corner of a triangle and the two others, whatever their order.
@@ -103,9 +119,11 @@ std::pair<Index, std::uint64_t> triangleKey(const Index* corner)
 
 EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
 {
-  ESM_ASSERT(3 * std::int64_t{mesh.triangleCount()} + mesh.segmentCount() <=
+  ESM_ASSERT(3 * std::int64_t{mesh.triangleCount()} + mesh.segmentCount() +
+               6 * std::int64_t{mesh.tetrahedronCount()} <=
              std::numeric_limits<Index>::max());
-  const Index triangleSides = 3 * mesh.triangleCount(), sides = triangleSides + mesh.segmentCount();
+  const Index triangleSides = 3 * mesh.triangleCount();
+  const Index sides = triangleSides + mesh.segmentCount() + 6 * mesh.tetrahedronCount();
   EdgeBuckets buckets(mesh.vertexCount(), [&mesh](const auto& visit) { visitSides(mesh, visit); });
   if (stopWanted(control)) return {};
 
@@ -117,8 +135,22 @@ EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
   reserveLarge(ends, 2 * usual + usual / 8);
   reserveLarge(table.triangleCount, usual + usual / 16);
   bool surfaceDone = false;
+  // Triangles without order miss the caches with every side; their buckets are fetched some triangles ahead.
+  constexpr Index kAhead = 12;
+  const auto foresee = [&](Index side) {
+    const Index soon = side + 3 * kAhead, later = soon + 3 * kAhead;
+    if (later + 2 >= triangleSides) return;
+    const Index* c = mesh.triangles.data() + later;
+    buckets.foreseePlace(c[0], c[1]);
+    buckets.foreseePlace(c[1], c[2]);
+    c = mesh.triangles.data() + soon;
+    buckets.foreseeBucket(c[0], c[1]);
+    buckets.foreseeBucket(c[1], c[2]);
+    buckets.foreseeBucket(c[2], c[0]);
+  };
   visitSides(mesh, [&](Index a, Index b, Index side) {
     if (stopWantedAt(static_cast<std::size_t>(side), static_cast<std::size_t>(sides), control)) return false;
+    if (side % 3 == 0) foresee(side);
     const auto next = static_cast<Index>(table.triangleCount.size());
     const Index edge = buckets.findOrAdd(a, b, next);
     if (side >= triangleSides && !std::exchange(surfaceDone, true)) table.surfaceEdges = next;

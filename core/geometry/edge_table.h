@@ -10,7 +10,8 @@
 namespace esm {
 
 /// The unique edges of a mesh: first those of the triangles in the order of their first appearance
-/// (corners 0-1, 1-2, 2-0 of triangle 0, then triangle 1, ...), then the segments that are no edge yet.
+/// (corners 0-1, 1-2, 2-0 of triangle 0, then triangle 1, ...), then the segments that are no edge yet,
+/// then the edges of tetrahedra that are none yet.
 /// Ends with a == b make no edge. Duplicate and degenerate triangles count like all others.
 struct EdgeTable {
   SegmentMatrix ends;               ///< 2 x E, smaller vertex first

@@ -1,0 +1,314 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/msh_reader.h"
+
+#include "meshimport/cells.h"
+#include "meshimport/number_source.h"
+
+#include <algorithm>
+#include <array>
+
+namespace esm {
+
+namespace {
+
+/// Tags of nodes, which may be any numbers in any order, to vertices in the order of the file.
+class NodeTags {
+public:
+  void add(long long tag) { m_tags.push_back({tag, static_cast<Index>(m_tags.size())}); }
+  void finish()
+  {
+    const auto byTag = [](const Entry& a, const Entry& b) { return a.tag < b.tag; };
+    if (!std::is_sorted(m_tags.begin(), m_tags.end(), byTag))
+      std::stable_sort(m_tags.begin(), m_tags.end(), byTag);
+  }
+  /// kNoIndex if no node has the tag.
+  Index find(long long tag) const
+  {
+    if (m_tags.empty()) return kNoIndex;
+    const auto guess =
+      static_cast<std::uint64_t>(tag) - static_cast<std::uint64_t>(m_tags.front().tag); // tags without a gap
+    if (tag >= m_tags.front().tag && guess < m_tags.size() && m_tags[guess].tag == tag)
+      return m_tags[guess].vertex;
+    const auto found =
+      std::lower_bound(m_tags.begin(), m_tags.end(), tag,
+                       [](const Entry& entry, long long wanted) { return entry.tag < wanted; });
+    return found != m_tags.end() && found->tag == tag ? found->vertex : kNoIndex;
+  }
+
+private:
+  struct Entry {
+    long long tag;
+    Index vertex;
+  };
+  std::vector<Entry> m_tags;
+};
+
+class MshParser {
+public:
+  MshParser(std::string_view bytes, const std::string& origin, WorkControl* control)
+    : m_source(bytes), m_origin(origin), m_control(control), m_cells(m_raw)
+  {}
+
+  Result<Mesh> run(std::string& format, std::vector<std::string>& notes)
+  {
+    while (m_source.skipToWord()) {
+      const std::string section(m_source.word().substr(0, 40));
+      Status status = section == "$MeshFormat" ? meshFormat()
+                      : section == "$Nodes"    ? nodes()
+                      : section == "$Elements" ? elements()
+                                               : Status();
+      if (stopWanted(m_control)) return cancelledError();
+      if (!status) return status.error();
+      if (section.substr(0, 1) == "$" && section.substr(0, 4) != "$End") skipToEnd(section.substr(1));
+      m_source.nextLine();
+    }
+    format = std::string("Gmsh ") + (m_isNew ? "4.1" : "2.2") + (m_source.binary ? " (binary)" : " (ASCII)");
+    if (m_raw.isEmpty())
+      return fault(ErrorCode::EmptyResult, m_origin, 0,
+                   "it holds " + std::to_string(m_raw.vertexCount()) +
+                     " nodes but no line, face or tetrahedron");
+    m_cells.tellNotes(notes);
+    return finishMesh(std::move(m_raw), m_origin, notes, m_control);
+  }
+
+private:
+  Error wrong(const std::string& text) const
+  {
+    return fault(ErrorCode::BadFormat, m_origin, m_source.binary ? 0 : m_source.line(), text);
+  }
+  Error cutShort() const
+  {
+    return wrong("it ends early or holds something that is no number; is it cut short?");
+  }
+
+  /// Sections end with "$End" and their name; those that are not read may hold anything.
+  void skipToEnd(const std::string& name)
+  {
+    const std::size_t end = m_source.rest().find("$End" + name);
+    m_source.skipBytes(end == std::string_view::npos ? m_source.rest().size() : end);
+  }
+
+  Status meshFormat()
+  {
+    double version = 0.0;
+    long long isBinary = 0, size = 0;
+    if (!m_source.skipToWord() || !m_source.number(version) || !m_source.integer(isBinary) ||
+        !m_source.integer(size))
+      return wrong("$MeshFormat needs version, type and size");
+    m_isNew = version >= 4.1;
+    if (!(version >= 2.0 && version < 3.0) && !(version >= 4.1 && version < 5.0))
+      return fault(ErrorCode::Unsupported, m_origin, 0,
+                   "this version of the Gmsh format is not read; save it in format 4.1 or 2.2");
+    m_known = true;
+    if (isBinary == 0) return {};
+    if (size != 8)
+      return fault(ErrorCode::Unsupported, m_origin, 0, "a binary Gmsh file needs sizes of 8 bytes");
+    m_source.nextLine();
+    if (m_source.rest().size() < 4) return cutShort();
+    m_source.binary = std::endian::little;
+    long long one = 0;
+    m_source.next(Scalar::Int32, one);
+    if (one != 1) m_source.binary = std::endian::big;
+    return {};
+  }
+
+  /// Behind the line of the section's name, where a binary body begins.
+  Status begin()
+  {
+    if (!m_known) return wrong("the section $MeshFormat must come first");
+    m_source.nextLine();
+    return {};
+  }
+  template <std::size_t n>
+  bool numbers(Scalar type, std::array<long long, n>& values)
+  {
+    return std::all_of(values.begin(), values.end(),
+                       [&](long long& value) { return m_source.next(type, value); });
+  }
+  bool mayCome(long long items, std::size_t binaryBytes, std::size_t textBytes) const
+  {
+    const std::size_t least = m_source.binary ? binaryBytes : textBytes;
+    return items >= 0 && static_cast<std::uint64_t>(items) <= (m_source.rest().size() + 1) / least;
+  }
+  Error tooMany(long long items, const char* what) const
+  {
+    return wrong("it promises " + std::to_string(items) + " " + what +
+                 ", but the file is too small for them; it is cut short, fetch it again");
+  }
+
+  Status nodes()
+  {
+    if (Status status = begin(); !status) return status;
+    Status status = m_isNew ? newNodes() : oldNodes();
+    m_tags.finish();
+    return status;
+  }
+  bool addNode(double x, double y, double z)
+  {
+    m_raw.addVertex(x, y, z, m_source.binary ? 0 : m_source.line());
+    return m_raw.coordinates.size() <= kMostItems;
+  }
+
+  Status oldNodes()
+  {
+    std::array<long long, 1> count{};
+    if (m_source.binary) { // the count is text all the same
+      if (!m_source.integer(count[0])) return cutShort();
+      m_source.nextLine();
+    } else if (!numbers(Scalar::Int32, count)) {
+      return cutShort();
+    }
+    if (!mayCome(count[0], 28, 8)) return tooMany(count[0], "nodes");
+    for (long long i = 0; i < count[0]; ++i) {
+      if (i % 4096 == 0 && m_source.stopWanted(m_control)) return cancelledError();
+      long long tag = 0;
+      double p[3];
+      if (!m_source.next(Scalar::Int32, tag) || !m_source.next(Scalar::Float64, p[0]) ||
+          !m_source.next(Scalar::Float64, p[1]) || !m_source.next(Scalar::Float64, p[2]))
+        return cutShort();
+      m_tags.add(tag);
+      if (!addNode(p[0], p[1], p[2])) return tooManyError(m_origin);
+    }
+    return {};
+  }
+
+  Status newNodes()
+  {
+    std::array<long long, 4> head{}; // blocks, nodes, smallest and largest tag
+    if (!numbers(Scalar::UInt64, head)) return cutShort();
+    if (!mayCome(head[0], 20, 8)) return tooMany(head[0], "blocks of nodes");
+    for (long long block = 0; block < head[0]; ++block) {
+      std::array<long long, 3> kind{}; // dimension, tag, with parameters
+      std::array<long long, 1> count{};
+      if (!numbers(Scalar::Int32, kind) || !numbers(Scalar::UInt64, count)) return cutShort();
+      if (!mayCome(count[0], 32, 8)) return tooMany(count[0], "nodes");
+      for (long long i = 0; i < count[0]; ++i) {
+        std::array<long long, 1> tag{};
+        if (!numbers(Scalar::UInt64, tag)) return cutShort();
+        m_tags.add(tag[0]);
+      }
+      const long long parameters = kind[2] != 0 ? std::clamp(kind[0], 0LL, 3LL) : 0;
+      for (long long i = 0; i < count[0]; ++i) {
+        if (i % 4096 == 0 && m_source.stopWanted(m_control)) return cancelledError();
+        double p[6] = {};
+        for (long long k = 0; k < 3 + parameters; ++k)
+          if (!m_source.next(Scalar::Float64, p[k])) return cutShort();
+        if (!addNode(p[0], p[1], p[2])) return tooManyError(m_origin);
+      }
+    }
+    return {};
+  }
+
+  Status elements()
+  {
+    if (Status status = begin(); !status) return status;
+    return m_isNew ? newElements() : oldElements();
+  }
+
+  Status oldElements()
+  {
+    std::array<long long, 1> count{};
+    if (m_source.binary ? !m_source.integer(count[0]) : !numbers(Scalar::Int32, count)) return cutShort();
+    if (m_source.binary) m_source.nextLine();
+    if (!mayCome(count[0], 8, 8)) return tooMany(count[0], "elements");
+    for (long long done = 0; done < count[0];) {
+      // Text: number, type, count of tags, tags, nodes. Binary: type, how many follow, count of tags; then
+      // each number, tags, nodes.
+      std::array<long long, 3> head{};
+      if (!numbers(Scalar::Int32, head)) return cutShort();
+      const long long type = m_source.binary ? head[0] : head[1];
+      const long long follow = m_source.binary ? head[1] : 1, tags = head[2];
+      if (follow < 1 || follow > count[0] - done || tags < 0 || !mayCome(tags, 4, 2)) return cutShort();
+      for (long long i = 0; i < follow; ++i, ++done) {
+        const long long ahead = tags + (m_source.binary ? 1 : 0);
+        for (long long k = 0; k < ahead; ++k) {
+          std::array<long long, 1> passed{};
+          if (!numbers(Scalar::Int32, passed)) return cutShort();
+        }
+        if (Status status = element(type, Scalar::Int32, done); !status) return status;
+      }
+    }
+    return {};
+  }
+
+  Status newElements()
+  {
+    std::array<long long, 4> head{};
+    if (!numbers(Scalar::UInt64, head)) return cutShort();
+    if (!mayCome(head[0], 20, 8)) return tooMany(head[0], "blocks of elements");
+    for (long long block = 0; block < head[0]; ++block) {
+      std::array<long long, 3> kind{}; // dimension, tag, type
+      std::array<long long, 1> count{}, tag{};
+      if (!numbers(Scalar::Int32, kind) || !numbers(Scalar::UInt64, count)) return cutShort();
+      if (!mayCome(count[0], 16, 4)) return tooMany(count[0], "elements");
+      for (long long i = 0; i < count[0]; ++i) {
+        if (!numbers(Scalar::UInt64, tag)) return cutShort();
+        if (Status status = element(kind[2], Scalar::UInt64, i); !status) return status;
+      }
+    }
+    return {};
+  }
+
+  Status element(long long type, Scalar nodeType, long long number)
+  {
+    if (number % 4096 == 0 && m_source.stopWanted(m_control)) return cancelledError();
+    const std::optional<CellKind> kind =
+      type > 0 && type < 1000 ? gmshElement(static_cast<int>(type)) : std::nullopt;
+    if (!kind)
+      return fault(ErrorCode::Unsupported, m_origin, m_source.binary ? 0 : m_source.line(),
+                   "elements of type " + std::to_string(type) +
+                     " are not read; save the mesh with simpler ones");
+    m_nodes.clear();
+    for (int k = 0; k < kind->nodes; ++k) {
+      long long tag = 0;
+      if (!m_source.next(nodeType, tag)) return cutShort();
+      const Index vertex = m_tags.find(tag);
+      if (vertex == kNoIndex)
+        return fault(ErrorCode::InvalidValue, m_origin, m_source.binary ? 0 : m_source.line(),
+                     "there is no node " + std::to_string(tag) + ", but an element uses it");
+      m_nodes.push_back(vertex);
+    }
+    m_cells.add(*kind, m_nodes);
+    const std::size_t items = m_raw.corners.size() + m_raw.segments.size() + m_raw.tetrahedra.size();
+    return items > kMostItems ? Status(tooManyError(m_origin)) : Status();
+  }
+
+  NumberSource m_source;
+  const std::string& m_origin;
+  WorkControl* m_control;
+  RawMesh m_raw;
+  CellCollector m_cells;
+  NodeTags m_tags;
+  std::vector<Index> m_nodes; ///< of the current element
+  bool m_known = false, m_isNew = false;
+};
+
+bool recognises(std::string_view bytes, std::string_view)
+{
+  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
+  if (first == std::string_view::npos) return false;
+  const std::string_view start = bytes.substr(first, 20);
+  return start.substr(0, 11) == "$MeshFormat" || start.substr(0, 4) == "$NOD" ||
+         start.substr(0, 9) == "$Comments";
+}
+
+Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
+                  std::vector<std::string>& notes, WorkControl* control)
+{
+  format = "Gmsh";
+  if (bytes.substr(0, 64).find("$NOD") != std::string_view::npos)
+    return fault(ErrorCode::Unsupported, origin, 0,
+                 "this is a Gmsh file of format 1; save it in format 4.1 or 2.2");
+  return MshParser(bytes, origin, control).run(format, notes);
+}
+
+} // namespace
+
+MeshReader mshReader()
+{
+  return {"Gmsh", recognises, read};
+}
+
+} // namespace esm

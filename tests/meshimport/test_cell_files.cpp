@@ -1,0 +1,315 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// Files of finite-element and visualization programs (VTK, VTU, Gmsh) and drawings (DXF): what becomes of
+// each cell and entity, and what is refused in one sentence.
+#include "tests/meshimport/import_bytes.h"
+
+#include <gmock/gmock.h>
+
+namespace {
+
+using namespace esm;
+using namespace esm::test;
+using ::testing::HasSubstr;
+
+std::string contents(const Result<ImportedMesh>& imported)
+{
+  if (!imported) return "error: " + imported.error().detail;
+  const Mesh& mesh = imported->mesh;
+  return std::to_string(mesh.vertexCount()) + " vertices, " + std::to_string(mesh.segmentCount()) +
+         " segments, " + std::to_string(mesh.triangleCount()) + " triangles, " +
+         std::to_string(mesh.tetrahedronCount()) + " tetrahedra";
+}
+
+std::string allNotes(const Result<ImportedMesh>& imported)
+{
+  std::string all;
+  if (imported)
+    for (const std::string& note : imported->notes) all += note;
+  return all;
+}
+
+// === VTK
+
+const std::string kVtkGrid = "# vtk DataFile Version 3.0\na tetrahedron, a quad and a line\nASCII\n"
+                             "DATASET UNSTRUCTURED_GRID\nPOINTS 5 float\n0 0 0 1 0 0\n1 1 0 0 1 0 0 0 1\n"
+                             "CELLS 3 13\n4 0 1 2 4\n4 0 1 2 3\n2 3 4\nCELL_TYPES 3\n10\n9\n3\n"
+                             "CELL_DATA 3\nSCALARS s float\nLOOKUP_TABLE default\n1 2 3\n";
+
+TEST(Vtk, tetrahedraQuadsAndLinesOfAGridArrive)
+{
+  const auto imported = importBytes("grid.vtk", kVtkGrid);
+  EXPECT_EQ(contents(imported), "5 vertices, 1 segments, 2 triangles, 1 tetrahedra");
+  EXPECT_EQ(imported->format, "VTK (ASCII)");
+}
+
+TEST(Vtk, aGridOfVersionFiveWithFieldDataSaysTheSame)
+{
+  const std::string text =
+    "# vtk DataFile Version 5.1\nv5\nASCII\nDATASET UNSTRUCTURED_GRID\nFIELD FieldData 1\nTimeValue 1 1 "
+    "double\n0.5\n"
+    "POINTS 5 double\n0 0 0 1 0 0 1 1 0 0 1 0 0 0 1\nMETADATA\nINFORMATION 0\n\nCELLS 4 10\nOFFSETS "
+    "vtktypeint64\n"
+    "0 4 8 10\nCONNECTIVITY vtktypeint64\n0 1 2 4 0 1 2 3 3 4\nCELL_TYPES 3\n10\n9\n3\n";
+  EXPECT_EQ(contents(importBytes("grid.vtk", text)), contents(importBytes("grid.vtk", kVtkGrid)));
+}
+
+TEST(Vtk, aBinaryPolyDataIsBigEndian)
+{
+  std::string bytes = "# vtk DataFile Version 2.0\nx\nBINARY\nDATASET POLYDATA\nPOINTS 4 float\n";
+  for (const float x : {0.f, 0.f, 0.f, 1.f, 0.f, 0.f, 1.f, 1.f, 0.f, 0.f, 1.f, 0.f})
+    bytes += bytesOf(x, std::endian::big);
+  bytes += "\nPOLYGONS 1 4\n";
+  for (const int i : {3, 0, 1, 2}) bytes += bytesOf(i, std::endian::big);
+  bytes += "\nLINES 1 4\n";
+  for (const int i : {3, 2, 3, 0}) bytes += bytesOf(i, std::endian::big);
+  EXPECT_EQ(contents(importBytes("poly.vtk", bytes)), "4 vertices, 2 segments, 1 triangles, 0 tetrahedra");
+}
+
+TEST(Vtk, aHexahedronBecomesItsTwelveEdgesAndQuadraticCellsTheirCorners)
+{
+  const std::string text = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n"
+                           "0 0 0 1 0 0 1 1 0 0 1 0 0 0 1 1 0 1 1 1 1 0 1 1\nCELLS 2 16\n"
+                           "8 0 1 2 3 4 5 6 7\n6 0 1 2 4 5 6\nCELL_TYPES 2\n12\n22\n";
+  const auto imported = importBytes("hexa.vtk", text);
+  EXPECT_EQ(contents(imported), "8 vertices, 12 segments, 1 triangles, 0 tetrahedra");
+  EXPECT_THAT(allNotes(imported), HasSubstr("1 hexahedra, wedges and pyramids became their edges"));
+  EXPECT_THAT(allNotes(imported), HasSubstr("1 cells of higher order were reduced to their corners"));
+}
+
+// === VTU
+
+std::string vtu(const std::string& head, const std::string& points, const std::string& lists)
+{
+  return "<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" byte_order=\"LittleEndian\"" + head +
+         ">\n<UnstructuredGrid><Piece NumberOfPoints=\"4\" NumberOfCells=\"2\">\n<Points>" + points +
+         "</Points>\n<Cells>" + lists + "</Cells></Piece></UnstructuredGrid>\n";
+}
+
+TEST(Vtu, textArraysArrive)
+{
+  const std::string text =
+    vtu("",
+        "<DataArray type=\"Float64\" NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 "
+        "1</DataArray>",
+        "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">0 1 2 3 0 3</DataArray>"
+        "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">4 6</DataArray>"
+        "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">10 3</DataArray>") +
+    "</VTKFile>\n";
+  EXPECT_EQ(contents(importBytes("a.vtu", text)), "4 vertices, 1 segments, 0 triangles, 1 tetrahedra");
+}
+
+std::string appendedVtu()
+{
+  std::string data;
+  const auto block = [&data](const std::string& bytes) {
+    data += bytesOf(std::uint64_t{bytes.size()}) + bytes;
+  };
+  std::string points, nodes, ends, types = "\x0a\x03";
+  for (const double x : {0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.}) points += bytesOf(x);
+  for (const std::int64_t i : {0, 1, 2, 3, 0, 3}) nodes += bytesOf(i);
+  for (const std::int64_t i : {4, 6}) ends += bytesOf(i);
+  std::string offsets[4];
+  int i = 0;
+  for (const std::string* bytes : {&points, &nodes, &ends, &types}) {
+    offsets[i++] = "\" format=\"appended\" offset=\"" + std::to_string(data.size()) + "\"/>";
+    block(*bytes);
+  }
+  return vtu(" header_type=\"UInt64\"", "<DataArray type=\"Float64" + offsets[0],
+             "<DataArray Name=\"connectivity\" type=\"Int64" + offsets[1] +
+               "<DataArray Name=\"offsets\" type=\"Int64" + offsets[2] +
+               "<DataArray Name=\"types\" type=\"UInt8" + offsets[3]) +
+         "<AppendedData encoding=\"raw\">_" + data + "</AppendedData></VTKFile>";
+}
+
+TEST(Vtu, rawAppendedDataArrives)
+{
+  EXPECT_EQ(contents(importBytes("a.vtu", appendedVtu())),
+            "4 vertices, 1 segments, 0 triangles, 1 tetrahedra");
+}
+
+TEST(Vtu, aSizeBeyondTheFileIsRefusedBeforeMemoryIsTaken)
+{
+  std::string bytes = appendedVtu();
+  const std::size_t size = bytes.find(">_") + 2;
+  bytes.replace(size, 8, bytesOf(std::uint64_t{1} << 50));
+  EXPECT_THAT(contents(importBytes("a.vtu", bytes)), HasSubstr("promises more than the file holds"));
+}
+
+// === Gmsh
+
+const std::string kMsh2 =
+  "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n4\n10 0 0 0\n3 1 0 0\n7 0 1 0\n5 0 0 1\n$EndNodes\n"
+  "$Elements\n3\n1 4 2 1 1 10 3 7 5\n2 2 2 1 1 10 3 7\n3 1 2 1 1 3 5\n$EndElements\n";
+
+TEST(Gmsh, tagsInAnyOrderAreFollowed)
+{
+  const auto imported = importBytes("a.msh", kMsh2);
+  EXPECT_EQ(contents(imported), "4 vertices, 1 segments, 1 triangles, 1 tetrahedra");
+  EXPECT_EQ(imported->mesh.position.col(1), Eigen::Vector3d(1, 0, 0))
+    << "vertices keep the order of the file";
+  EXPECT_EQ(imported->mesh.tetrahedra.col(0), (Eigen::Matrix<Index, 4, 1>(0, 1, 2, 3)));
+}
+
+std::string binaryMsh4(std::endian order)
+{
+  const auto i4 = [order](int value) { return bytesOf(value, order); };
+  const auto i8 = [order](std::uint64_t value) { return bytesOf(value, order); };
+  std::string bytes = "$MeshFormat\n4.1 1 8\n" + i4(1) + "\n$EndMeshFormat\n$Nodes\n";
+  bytes += i8(1) + i8(4) + i8(1) + i8(4) + i4(3) + i4(1) + i4(0) + i8(4);
+  for (const std::uint64_t tag : {1, 2, 3, 4}) bytes += i8(tag);
+  for (const double x : {0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.}) bytes += bytesOf(x, order);
+  bytes += "\n$EndNodes\n$Elements\n" + i8(1) + i8(1) + i8(1) + i8(1) + i4(3) + i4(1) + i4(4) + i8(1) + i8(1);
+  for (const std::uint64_t tag : {1, 2, 3, 4}) bytes += i8(tag);
+  return bytes + "\n$EndElements\n";
+}
+
+TEST(Gmsh, binaryFilesOfBothByteOrdersArrive)
+{
+  for (const std::endian order : {std::endian::little, std::endian::big})
+    EXPECT_EQ(contents(importBytes("b.msh", binaryMsh4(order))),
+              "4 vertices, 0 segments, 0 triangles, 1 tetrahedra");
+}
+
+// === DXF
+
+std::string dxf(const std::string& entities, const std::string& blocks = "")
+{
+  return "0\nSECTION\n2\nBLOCKS\n" + blocks + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities +
+         "0\nENDSEC\n0\nEOF\n";
+}
+std::string dxfVertex(const char* x, const char* y, const char* z, const char* more = "")
+{
+  return std::string("0\nVERTEX\n8\n0\n10\n") + x + "\n20\n" + y + "\n30\n" + z + "\n" + more;
+}
+const std::string kFourVertices = dxfVertex("0", "0", "0") + dxfVertex("1", "0", "0") +
+                                  dxfVertex("1", "1", "0") + dxfVertex("0", "1", "0") + "0\nSEQEND\n";
+
+TEST(Dxf, aPolylineOfFourVerticesHasThreeSegmentsAndFourIfClosed)
+{
+  EXPECT_EQ(contents(importBytes("a.dxf", dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices))),
+            "4 vertices, 3 segments, 0 triangles, 0 tetrahedra");
+  EXPECT_EQ(contents(importBytes("a.dxf", dxf("0\nPOLYLINE\n70\n9\n" + kFourVertices))),
+            "4 vertices, 4 segments, 0 triangles, 0 tetrahedra");
+}
+
+TEST(Dxf, aLightPolylineLiesAtItsElevation)
+{
+  const auto imported =
+    importBytes("a.dxf", dxf("  0\nLWPOLYLINE\n 90\n3\n 70\n1\n 38\n2.5\n 10\n0\n 20\n0\n 10\n1\n"
+                             " 20\n0\n 42\n0.5\n 10\n0\n 20\n1\n"));
+  EXPECT_EQ(contents(imported), "3 vertices, 3 segments, 0 triangles, 0 tetrahedra");
+  EXPECT_EQ(imported->mesh.position.row(2).minCoeff(), 2.5);
+  EXPECT_THAT(allNotes(imported), HasSubstr("1 arcs of polylines became their chords"));
+}
+
+TEST(Dxf, facesPolyfacesAndMeshesAreFaces)
+{
+  const std::string face =
+    "0\n3DFACE\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n1\n22\n1\n32\n0\n13\n1\n23\n1\n33\n0\n";
+  EXPECT_EQ(contents(importBytes("a.dxf", dxf(face))), "3 vertices, 0 segments, 1 triangles, 0 tetrahedra");
+  const auto corner = [](const char* x, const char* y) { return dxfVertex(x, y, "0", "70\n192\n"); };
+  const std::string polyface =
+    "0\nPOLYLINE\n70\n64\n71\n4\n72\n1\n" + corner("0", "0") + corner("1", "0") + corner("1", "1") +
+    corner("0", "1") + dxfVertex("0", "0", "0", "70\n128\n71\n1\n72\n-2\n73\n3\n74\n4\n") + "0\nSEQEND\n";
+  EXPECT_EQ(contents(importBytes("a.dxf", dxf(polyface))),
+            "4 vertices, 0 segments, 2 triangles, 0 tetrahedra");
+  EXPECT_EQ(contents(importBytes("a.dxf", dxf("0\nPOLYLINE\n70\n16\n71\n2\n72\n2\n" + kFourVertices))),
+            "4 vertices, 0 segments, 2 triangles, 0 tetrahedra");
+}
+
+TEST(Dxf, anInsertIsScaledTurnedAndMoved)
+{
+  const std::string block =
+    "0\nBLOCK\n2\nB\n10\n1\n20\n0\n30\n0\n0\nLINE\n10\n1\n20\n0\n30\n0\n11\n2\n21\n0\n31\n0\n"
+    "0\nENDBLK\n";
+  const auto imported =
+    importBytes("a.dxf", dxf("0\nINSERT\n2\nB\n10\n5\n20\n5\n30\n0\n41\n3\n50\n90\n", block));
+  ASSERT_EQ(contents(imported), "2 vertices, 1 segments, 0 triangles, 0 tetrahedra");
+  EXPECT_TRUE(imported->mesh.position.col(0).isApprox(Eigen::Vector3d(5, 5, 0), 1e-12)); // a few roundings
+  EXPECT_TRUE(imported->mesh.position.col(1).isApprox(Eigen::Vector3d(5, 8, 0), 1e-12));
+}
+
+TEST(Dxf, aBlockInsideItselfAndABombOfBlocksAreRefused)
+{
+  const std::string line = "0\nLINE\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n";
+  const std::string self = "0\nBLOCK\n2\nB\n" + line + "0\nINSERT\n2\nB\n0\nENDBLK\n";
+  EXPECT_THAT(contents(importBytes("a.dxf", dxf("0\nINSERT\n2\nB\n", self))), HasSubstr("nested too deep"));
+  std::string bomb = "0\nBLOCK\n2\nB0\n" + line + "0\nENDBLK\n";
+  for (int i = 1; i < 12; ++i) { // 10^11 lines
+    bomb += "0\nBLOCK\n2\nB" + std::to_string(i) + "\n";
+    for (int k = 0; k < 10; ++k) bomb += "0\nINSERT\n2\nB" + std::to_string(i - 1) + "\n";
+    bomb += "0\nENDBLK\n";
+  }
+  EXPECT_THAT(contents(importBytes("a.dxf", dxf("0\nINSERT\n2\nB11\n", bomb))),
+              HasSubstr("explode them first"));
+}
+
+// === What is refused, and why
+
+struct Refused {
+  const char* test;
+  const char* name;
+  std::string bytes;
+  const char* message;
+};
+
+std::string without(std::string text, const std::string& part, const std::string& with = "")
+{
+  return text.replace(text.find(part), part.size(), with);
+}
+
+class CellFileRefused : public ::testing::TestWithParam<Refused> {};
+
+TEST_P(CellFileRefused, saysFileAndCauseInOneLine)
+{
+  const auto imported = importBytes(GetParam().name, GetParam().bytes);
+  ASSERT_FALSE(imported);
+  EXPECT_THAT(imported.error().detail, HasSubstr(std::string(GetParam().name) + ": "));
+  EXPECT_THAT(imported.error().detail, HasSubstr(GetParam().message));
+  EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
+}
+
+const Refused kRefused[] = {
+  {"vtkLyingPoints", "x.vtk", without(kVtkGrid, "POINTS 5", "POINTS 1000000000"), "too small"},
+  {"vtkLyingCells", "x.vtk", without(kVtkGrid, "CELLS 3 13", "CELLS 3 2000000000"), "too small"},
+  {"vtkIndex", "x.vtk", without(kVtkGrid, "4 0 1 2 4", "4 0 1 2 9"), "there is no point 9"},
+  {"vtkCut", "x.vtk", kVtkGrid.substr(0, kVtkGrid.find("CELL_TYPES")), "no CELL_TYPES"},
+  {"vtkImage", "x.vtk", without(kVtkGrid, "UNSTRUCTURED_GRID", "STRUCTURED_POINTS"), "no mesh of cells"},
+  {"mshLyingNodes", "x.msh", without(kMsh2, "$Nodes\n4", "$Nodes\n900000000"), "promises 900000000 nodes"},
+  {"mshNode", "x.msh", without(kMsh2, "10 3 7 5", "10 3 7 6"), "there is no node 6"},
+  {"mshVersion", "x.msh", without(kMsh2, "2.2 0 8", "4 0 8"), "format 4.1 or 2.2"},
+  {"mshCut", "x.msh", binaryMsh4(std::endian::little).substr(0, 120), "cut short"},
+  {"vtuCut", "x.vtu", appendedVtu().substr(0, 300), "cut short"},
+  {"vtuLz4", "x.vtu",
+   without(appendedVtu(), " header_type", " compressor=\"vtkLZ4DataCompressor\" header_type"),
+   "vtkLZ4DataCompressor is not read"},
+  {"dxfBinary", "x.dxf", std::string("AutoCAD Binary DXF\r\n\x1a\0 and so on", 31), "binary DXF is not read"},
+  {"dxfCut", "x.dxf", dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices).substr(0, 110), "cut short"},
+  {"dxfComma", "x.dxf", dxf("0\nLINE\n10\n0,5\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n"), "written with a point"},
+  {"dxfCirclesOnly", "x.dxf", dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n1\n"), "only 1 entities of other kinds"},
+};
+INSTANTIATE_TEST_SUITE_P(Files, CellFileRefused, ::testing::ValuesIn(kRefused),
+                         [](const auto& file) { return std::string(file.param.test); });
+
+// === Watched and stopped
+
+TEST(ImportControl, aWishToStopBeforehandIsAnsweredByEveryReader)
+{
+  WorkControl control;
+  control.cancelled = true;
+  const TempFolder folder;
+  for (const auto& [name, bytes] : {std::pair<const char*, std::string>{"a.vtk", kVtkGrid},
+                                    {"a.vtu", appendedVtu()},
+                                    {"a.msh", kMsh2},
+                                    {"a.dxf", dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices)},
+                                    {"a.stl", binaryStl(kTwoFacets, 2)},
+                                    {"a.obj", "v 0 0 0\nv 1 0 0\nl 1 2\n"}}) {
+    const auto imported = importMesh(folder.write(name, bytes), {}, &control);
+    ASSERT_FALSE(imported) << name;
+    EXPECT_EQ(imported.error().code, ErrorCode::Cancelled) << name;
+  }
+}
+
+} // namespace
