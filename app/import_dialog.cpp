@@ -275,9 +275,9 @@ IncomingModel ImportDialog::takeModel()
   IncomingModel model;
   const QFileInfo file(m_path);
   model.name = file.completeBaseName();
-  model.source.file = file.fileName().toStdString();
-  model.source.unit = lengthUnitName(unit());
-  model.source.up = upAxis() == UpAxis::Y ? "y" : "z";
+  model.source.files = {{file.absoluteFilePath().toStdString(), m_mesh->fingerprint}};
+  model.source.unit = unit();
+  model.source.up = upAxis();
   model.source.weldTolerance = m_weld->isChecked() ? m_tolerance->value() : -1.0;
   model.net = std::move(m_net).value();
   m_net.reset();

@@ -99,10 +99,10 @@ bool MainWindow::playSample(const QString& path)
 void MainWindow::chooseAndOpen()
 {
   const QString folder = QFileInfo(m_document->path()).absolutePath();
-  const QString path =
-    QFileDialog::getOpenFileName(this, tr("Open project"), m_document->path().isEmpty() ? QString() : folder,
-                                 tr("Projects (*.esm *.esmb)") + QStringLiteral(";;") +
-                                   tr("Plain nets (*.json)") + QStringLiteral(";;") + tr("All files (*)"));
+  const QString path = QFileDialog::getOpenFileName(
+    this, tr("Open project"), m_document->path().isEmpty() ? QString() : folder,
+    tr("Projects (*.esm *.esmb)") + QStringLiteral(";;") + tr("Plain nets (*.json *.xsp)") +
+      QStringLiteral(";;") + tr("All files (*)"));
   if (!path.isEmpty()) openPath(path);
 }
 
@@ -213,7 +213,8 @@ void MainWindow::exportShape()
   const QString path =
     QFileDialog::getSaveFileName(this, tr("Export shape"), m_document->displayName() + QStringLiteral(".obj"),
                                  tr("OBJ with springs (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binary "
-                                    "(*.glb);;VTK (*.vtu);;Tables (*.csv)"));
+                                    "(*.glb);;glTF text (*.gltf);;VTK (*.vtu);;Tables (*.csv);;SOFA scene "
+                                    "(*.scn);;Masses and springs, Xsp 3.0 (*.xsp)"));
   if (path.isEmpty()) return;
   const Eigen::Matrix3Xd position = snapshot.position; // the snapshot may move on
   Frame frame;
@@ -221,9 +222,18 @@ void MainWindow::exportShape()
   frame.position = &position;
   frame.tension = snapshot.tension.size() == net->springCount() ? &snapshot.tension : nullptr;
   frame.time = snapshot.time;
+  frame.loads = &m_document->project().loads;
   if (auto written = exportFrame(frame, path.toStdString()); !written)
     return showError(tr("Export shape"), written.error());
-  statusBar()->showMessage(tr("Exported %1").arg(QFileInfo(path).fileName()), 4000);
+  const QString name = QFileInfo(path).fileName();
+  QStringList lost;
+  for (const std::string& what : lostInExport(frame, path.toStdString()))
+    lost << QString::fromStdString(what);
+  if (lost.isEmpty())
+    statusBar()->showMessage(tr("Exported %1").arg(name), 4000);
+  else
+    statusBar()->showMessage(
+      tr("Exported %1. It does not hold: %2").arg(name, lost.join(QStringLiteral("; "))), 15000);
 }
 
 void MainWindow::savePicture()

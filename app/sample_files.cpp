@@ -51,13 +51,20 @@ QStringList sampleFiles()
 
 bool isProjectFile(const QString& path)
 {
-  return QStringList{QStringLiteral("esm"), QStringLiteral("esmb"), QStringLiteral("json")}.contains(
-    QFileInfo(path).suffix().toLower());
+  return QStringList{QStringLiteral("esm"), QStringLiteral("esmb"), QStringLiteral("json"),
+                     QStringLiteral("xsp")}
+    .contains(QFileInfo(path).suffix().toLower());
 }
 
 Result<Project> projectFromFile(const QString& path)
 {
-  if (isProjectFile(path)) return loadProject(path.toStdString());
+  if (isProjectFile(path)) {
+    Result<Project> project = loadProject(path.toStdString());
+    if (project)
+      project->source =
+        withAbsoluteNames(std::move(project->source), QFileInfo(path).absolutePath().toStdString());
+    return project;
+  }
   auto imported = importMesh(path.toStdString());
   if (!imported) return imported.error();
   toScene(imported->mesh, LengthUnit::Millimetre, UpAxis::Z);
@@ -67,8 +74,8 @@ Result<Project> projectFromFile(const QString& path)
   Project project;
   const QFileInfo file(path);
   project.name = file.completeBaseName().replace(QLatin1Char('_'), QLatin1Char(' ')).toStdString();
-  project.source.file = file.fileName().toStdString();
-  project.source.unit = lengthUnitName(LengthUnit::Millimetre);
+  project.source.files = {{file.absoluteFilePath().toStdString(), 0}};
+  project.source.unit = LengthUnit::Millimetre;
   project.net = std::move(net).value();
   project.tissue = defaultTissue();
   if (auto applied = applyTissue(project.tissue, project.net); !applied) return applied.error();

@@ -36,6 +36,8 @@ Exit apply(const ApplyOptions& options)
     if (const Status status = takeRules(options.rules, project->tissue); !status) return fail(status.error());
   if (const Status status = applyEdits(options.edits, *project); !status) return fail(status.error());
 
+  project->source =
+    withRelativeNames(withAbsoluteNames(project->source, folderOf(options.file)), folderOf(options.output));
   // A net that brought its own numbers keeps them until somebody speaks of tissue.
   project->parametersFromTissue |= touchesTissue(options) || options.edits.empty();
   ApplyReport report;

@@ -33,6 +33,14 @@ double numberArgument(const std::string& option, const std::string& text, Number
   return *value;
 }
 
+int integerArgument(const std::string& option, const std::string& text, int least, int most)
+{
+  const auto number = parseInteger(text);
+  if (!number || *number < least || *number > most)
+    refuse(option, text, "an integer from " + std::to_string(least) + " to " + std::to_string(most));
+  return static_cast<int>(*number);
+}
+
 std::vector<double> numbersArgument(const std::string& option, const std::string& text, std::size_t least,
                                     std::size_t most)
 {
@@ -63,12 +71,14 @@ CLI::Option* addInteger(CLI::App& command, const std::string& name, std::optiona
                         const std::string& help, int least, int most)
 {
   const auto read = [&value, name, least, most](const std::string& text) {
-    const auto number = parseInteger(text);
-    if (!number || *number < least || *number > most)
-      refuse(name, text, "an integer from " + std::to_string(least) + " to " + std::to_string(most));
-    value = static_cast<int>(*number);
+    value = integerArgument(name, text, least, most);
   };
   return command.add_option_function<std::string>(name, read, help)->type_name("INTEGER");
+}
+
+std::filesystem::path folderOf(const std::filesystem::path& file)
+{
+  return std::filesystem::absolute(file).parent_path();
 }
 
 CLI::Option* addJsonFlag(CLI::App& command, bool& json)

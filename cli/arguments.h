@@ -6,6 +6,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include <filesystem>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,6 +21,9 @@ enum class NumberRange { Any, NotNegative, Positive };
 double numberArgument(const std::string& option, const std::string& text,
                       NumberRange range = NumberRange::Any);
 
+/// The text as an integer from `least` to `most`; throws as above.
+int integerArgument(const std::string& option, const std::string& text, int least, int most);
+
 /// "x,y,z,...": as many numbers as `least` to `most`.
 std::vector<double> numbersArgument(const std::string& option, const std::string& text, std::size_t least,
                                     std::size_t most);
@@ -28,6 +32,9 @@ CLI::Option* addNumber(CLI::App& command, const std::string& name, std::optional
                        const std::string& help, NumberRange range = NumberRange::Any);
 CLI::Option* addInteger(CLI::App& command, const std::string& name, std::optional<int>& value,
                         const std::string& help, int least, int most);
+
+/// The folder in which a file lies.
+std::filesystem::path folderOf(const std::filesystem::path& file);
 
 CLI::Option* addJsonFlag(CLI::App& command, bool& json);
 

@@ -19,29 +19,35 @@ struct ExportOptions {
 };
 
 /// The net at rest, with the forces that its springs already have there.
-Status exportAtRest(const Project& project, const std::string& path)
+Status exportAtRest(const Project& project, const std::string& path, std::vector<std::string>& lost)
 {
   Result<Simulation> simulation = Simulation::create(project.net, project.loads, {});
   if (!simulation) return simulation.error();
   Eigen::ArrayXd tension(project.net.springCount());
   simulation->springTensions(tension);
   const NetState& state = simulation->state();
-  return exportFrame({&project.net, &state.position, &state.velocity, &tension, 0.0}, path);
+  const Frame frame{&project.net, &state.position, &state.velocity, &tension, 0.0, &project.loads};
+  lost = lostInExport(frame, path);
+  if (project.parametersFromTissue && !lost.empty())
+    lost.push_back("the rules, inputs and regions; the springs keep the numbers made from them");
+  return exportFrame(frame, path);
 }
 
 Exit exportProject(const ExportOptions& options)
 {
-  const Result<Project> project = loadProject(options.file);
+  Result<Project> project = loadProject(options.file);
   if (!project) return fail(project.error());
   const std::string ending = std::filesystem::path(options.output).extension().string();
   std::vector<std::string> lost;
   Status written;
   if (ending == ".json")
     written = writeFileAtomically(options.output, toNetFormat(*project, &lost));
-  else if (ending == ".esm" || ending == ".esmb")
+  else if (ending == ".esm" || ending == ".esmb") {
+    project->source =
+      withRelativeNames(withAbsoluteNames(project->source, folderOf(options.file)), folderOf(options.output));
     written = saveProject(*project, options.output);
-  else
-    written = exportAtRest(*project, options.output);
+  } else
+    written = exportAtRest(*project, options.output, lost);
   if (!written) return fail(written.error());
   for (const std::string& what : lost) say(options.output + ": does not hold " + what);
   if (options.json) {
@@ -65,7 +71,8 @@ void addExport(CLI::App& program, Work& work)
   command->add_option("PROJECT", options->file, ".esm, .esmb or net.json")->required();
   command
     ->add_option("-o,--output", options->output,
-                 "by its ending: obj, ply, stl, glb, vtu, csv; json is the plain net format esm-net-1, "
+                 "by its ending: obj, ply, stl, glb, gltf, vtu, csv, scn (SOFA), xsp; json is the plain net "
+                 "format esm-net-1, "
                  "esm and esmb are the two forms of a project")
     ->required();
   addJsonFlag(*command, options->json);

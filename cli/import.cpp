@@ -2,14 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/import_report.h"
+#include "cli/recipe_arguments.h"
 #include "cli/rules_file.h"
+#include "cli/update.h"
 #include "core/base/file_io.h"
 #include "core/base/json_line.h"
-#include "core/geometry/weld.h"
-#include "core/net/net_builder.h"
 #include "core/project/net_format.h"
 #include "core/project/project_io.h"
-#include "meshimport/mesh_importer.h"
+#include "core/project/xsp_format.h"
+#include "meshimport/net_import.h"
 
 namespace esm::cli {
 
@@ -17,100 +19,122 @@ namespace {
 
 struct ImportArguments {
   std::vector<std::string> files;
-  std::string output, unit = "m", up = "z", rules, name;
-  ImportOptions import;
+  std::string output, rules, name, saveRecipe, update;
+  RecipeArguments choices;
   bool json = false;
 };
 
-/// Whether the bytes claim to be a net in our plain format; a mesh may be JSON too (glTF).
+/// What came out, for the last line with --json.
+struct Outcome {
+  Project project;
+  std::optional<ImportedNet> imported; ///< none for a plain net
+};
+
+/// Whether the bytes claim to be a net with its own numbers; a mesh may be JSON too (glTF).
 bool looksLikePlainNet(std::string_view bytes)
 {
+  if (looksLikeXsp(bytes)) return true;
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   return start != std::string_view::npos && bytes[start] == '{' &&
          bytes.find("\"esm-net-1\"") != std::string_view::npos;
 }
 
-void append(Mesh& mesh, const Mesh& next)
+/// The recipe of the arguments for the given files, their names as a project in `folder` holds them.
+Result<ImportRecipe> recipeOf(const ImportArguments& arguments, const std::filesystem::path& folder)
 {
-  const Index offset = mesh.vertexCount();
-  const auto join = [](auto& matrix, const auto& more) {
-    const Eigen::Index old = matrix.cols();
-    matrix.conservativeResize(Eigen::NoChange, old + more.cols());
-    matrix.rightCols(more.cols()) = more;
-  };
-  join(mesh.position, next.position);
-  join(mesh.triangles, (next.triangles.array() + offset).matrix().eval());
-  join(mesh.segments, (next.segments.array() + offset).matrix().eval());
+  Result<ImportRecipe> recipe = arguments.choices.recipe();
+  if (!recipe) return recipe.error();
+  recipe->files.clear();
+  for (const std::string& file : arguments.files) recipe->files.push_back({file, 0});
+  return withRelativeNames(withAbsoluteNames(std::move(*recipe), "."), folder);
 }
 
-/// All files in one mesh, joined where they touch; in the scene's unit and axes.
-Result<Mesh> readMeshes(const ImportArguments& arguments)
+/// Tissue over a net that has come in, and a name.
+Status finishProject(const ImportArguments& arguments, Outcome& outcome)
 {
-  Mesh mesh;
-  for (const std::string& file : arguments.files) {
-    const Result<ImportedMesh> imported = importMesh(file, arguments.import);
-    if (!imported) return imported.error();
-    for (const std::string& note : imported->notes) say(file + ": " + note);
-    append(mesh, imported->mesh);
-  }
-  if (arguments.files.size() > 1 && arguments.import.weld) weldVertices(mesh, arguments.import.weldTolerance);
-  toScene(mesh, *lengthUnitFromName(arguments.unit), arguments.up == "y" ? UpAxis::Y : UpAxis::Z);
-  return mesh;
-}
-
-Result<Project> projectFromMeshes(const ImportArguments& arguments)
-{
-  const Result<Mesh> mesh = readMeshes(arguments);
-  if (!mesh) return mesh.error();
-  const auto inFile = [&](const Error& error) {
-    return Error{error.code, arguments.files.front() + ": " + error.detail};
-  };
-  Result<SpringNet> net = buildNet(*mesh);
-  if (!net) return inFile(net.error());
-
-  Project project;
   const std::filesystem::path first(arguments.files.front());
+  Project& project = outcome.project;
   project.name = first.stem().string();
-  project.source = {first.filename().string(), arguments.unit, arguments.up,
-                    arguments.import.weld ? arguments.import.weldTolerance : -1.0};
-  project.net = std::move(*net);
+  project.source = outcome.imported->recipe;
+  project.net = outcome.imported->net;
   project.tissue = defaultTissue();
   if (!arguments.rules.empty())
     if (const Status status = takeRules(arguments.rules, project.tissue); !status) return status.error();
-  if (const auto applied = applyTissue(project.tissue, project.net); !applied) return inFile(applied.error());
-  return project;
+  if (const auto applied = applyTissue(project.tissue, project.net); !applied)
+    return Error{applied.error().code, arguments.files.front() + ": " + applied.error().detail};
+  return {};
+}
+
+Result<Outcome> importMeshes(const ImportArguments& arguments)
+{
+  const std::filesystem::path folder = folderOf(arguments.output);
+  const Result<ImportRecipe> recipe = recipeOf(arguments, folder);
+  if (!recipe) return recipe.error();
+  Result<ImportedNet> imported = importNet(*recipe, folder);
+  if (!imported) return imported.error();
+  for (const std::string& note : imported->notes)
+    say(arguments.files.size() > 1 ? note : arguments.files.front() + ": " + note);
+  Outcome outcome{{}, std::move(*imported)};
+  if (const Status status = finishProject(arguments, outcome); !status) return status.error();
+  return outcome;
+}
+
+Result<Outcome> importPlainNet(const ImportArguments& arguments, const std::string& bytes)
+{
+  if (arguments.files.size() > 1)
+    return Error{ErrorCode::Unsupported, arguments.files.front() + ": is a net, only meshes can be joined"};
+  std::vector<std::string> notes;
+  Result<Project> project = looksLikeXsp(bytes) ? parseXsp(bytes, arguments.files.front(), &notes)
+                                                : parseNetFormat(bytes, arguments.files.front());
+  if (!project) return project.error();
+  for (const std::string& note : notes) say(arguments.files.front() + ": " + note);
+  if (!arguments.rules.empty()) {
+    if (const Status status = takeRules(arguments.rules, project->tissue); !status) return status.error();
+    say("the net keeps its own numbers; the rules take hold with esm apply");
+  }
+  return Outcome{std::move(*project), {}};
+}
+
+JsonLine jsonOf(const ImportArguments& arguments, const Outcome& outcome)
+{
+  const SpringNet& net = outcome.project.net;
+  JsonLine line;
+  line.add("file", arguments.output);
+  line.add("nodes", net.nodeCount());
+  line.add("springs", net.springCount());
+  line.add("triangles", net.triangleCount());
+  line.add("parameters_from_tissue", outcome.project.parametersFromTissue);
+  if (!outcome.imported) return line;
+  line.add("before", meshReportJson(outcome.imported->before));
+  line.add("after", meshReportJson(outcome.imported->after));
+  line.add("cost", costJson(predictCost(outcome.project.net)));
+  line.add("notes", outcome.imported->notes);
+  return line;
 }
 
 Exit importFiles(const ImportArguments& arguments)
 {
+  if (!arguments.update.empty())
+    return updateProject(
+      {arguments.update, arguments.output, arguments.files, arguments.choices, arguments.json});
   const Result<std::string> bytes = readFile(arguments.files.front());
   if (!bytes) return fail(bytes.error());
-  const bool plain = looksLikePlainNet(*bytes);
-  if (plain && arguments.files.size() > 1)
-    return fail({ErrorCode::Unsupported, arguments.files.front() + ": is a net, only meshes can be joined"});
-  Result<Project> project =
-    plain ? parseNetFormat(*bytes, arguments.files.front()) : projectFromMeshes(arguments);
-  if (!project) return fail(project.error());
-  if (plain && !arguments.rules.empty()) {
-    if (const Status status = takeRules(arguments.rules, project->tissue); !status)
-      return fail(status.error());
-    say("the net keeps its own numbers; the rules take hold with esm apply");
+  Result<Outcome> outcome =
+    looksLikePlainNet(*bytes) ? importPlainNet(arguments, *bytes) : importMeshes(arguments);
+  if (!outcome) return fail(outcome.error());
+  Project& project = outcome->project;
+  if (!arguments.name.empty()) project.name = arguments.name;
+  if (const Status saved = saveProject(project, arguments.output); !saved) return fail(saved.error());
+  if (!arguments.saveRecipe.empty()) {
+    ImportRecipe recipe = project.source;
+    recipe.files.clear(); // the choices are what is used again
+    if (const Status saved = writeFileAtomically(arguments.saveRecipe, toRecipeJson(recipe)); !saved)
+      return fail(saved.error());
   }
-  if (!arguments.name.empty()) project->name = arguments.name;
-  if (const Status saved = saveProject(*project, arguments.output); !saved) return fail(saved.error());
-
-  const SpringNet& net = project->net;
+  const SpringNet& net = project.net;
   say(arguments.output + ": " + std::to_string(net.nodeCount()) + " nodes, " +
       std::to_string(net.springCount()) + " springs, " + std::to_string(net.triangleCount()) + " triangles");
-  if (arguments.json) {
-    JsonLine line;
-    line.add("file", arguments.output);
-    line.add("nodes", net.nodeCount());
-    line.add("springs", net.springCount());
-    line.add("triangles", net.triangleCount());
-    line.add("parameters_from_tissue", project->parametersFromTissue);
-    print(line.text());
-  }
+  if (arguments.json) print(jsonOf(arguments, *outcome).text());
   return Exit::Done;
 }
 
@@ -121,23 +145,38 @@ void addImport(CLI::App& program, Work& work)
   auto arguments = std::make_shared<ImportArguments>();
   CLI::App* command =
     program.add_subcommand("import", "Make a project from meshes, or from a net in the plain format");
+  CLI::Option* meshes = command->add_option("MESH", arguments->files,
+                                            "mesh files, joined to one net, or one net: net.json (esm-net-1) "
+                                            "or net.xsp (Xsp 3.0), known by its content");
+  CLI::Option* output =
+    command->add_option("-o,--output", arguments->output, "the project: .esm (JSON) or .esmb (CBOR)");
+  CLI::Option* update =
+    command->add_option("--update", arguments->update,
+                        "import the meshes of this project again, as its recipe and the flags say; tissue, "
+                        "regions, loads and fixed "
+                        "nodes stay; without -o in place, and only if a file has changed");
+  addRecipeOptions(*command, arguments->choices);
+  command->add_option("--save-recipe", arguments->saveRecipe,
+                      "write the choices made here to this file, for --recipe");
   command
-    ->add_option("MESH", arguments->files,
-                 "mesh files, joined to one net, or one net.json (esm-net-1), known by its content")
-    ->required();
-  command->add_option("-o,--output", arguments->output, "the project: .esm (JSON) or .esmb (CBOR)")
-    ->required();
-  command->add_option("--unit", arguments->unit, "length unit of the meshes (default m)")
-    ->check(CLI::IsMember({"mm", "cm", "m", "inch"}));
-  command->add_option("--up", arguments->up, "axis of the meshes that points up (default z)")
-    ->check(CLI::IsMember({"y", "z"}));
-  addWeldOptions(*command, arguments->import);
-  command->add_option("--rules", arguments->rules,
-                      "rules in place of the default ones: a text file or a project");
-  command->add_option("--name", arguments->name, "name of the project (default: from the first file)");
+    ->add_option("--rules", arguments->rules, "rules in place of the default ones: a text file or a project")
+    ->excludes(update);
+  command->add_option("--name", arguments->name, "name of the project (default: from the first file)")
+    ->excludes(update);
   addJsonFlag(*command, arguments->json);
-  command->footer("Example:\n  esm import wall.stl struts.obj --unit mm --up y -o organ.esm");
-  command->callback([arguments, &work] { work = [arguments] { return importFiles(*arguments); }; });
+  command->footer("Examples:\n"
+                  "  esm import wall.stl struts.obj --unit mm --up y -o organ.esm\n"
+                  "  esm import scan.ply --unit mm --patient-axes lps --remove-useless --fill-holes 200 \\\n"
+                  "    --unify-orientation --triangles 10000 --interior struts -o organ.esm \\\n"
+                  "    --save-recipe scans.json\n"
+                  "  esm import next.ply --recipe scans.json -o next.esm\n"
+                  "  esm import --update organ.esm");
+  command->callback([arguments, meshes, output, update, &work] {
+    if (update->count() == 0)
+      for (const CLI::Option* needed : {meshes, output})
+        if (needed->count() == 0) throw CLI::RequiredError(needed->get_name());
+    work = [arguments] { return importFiles(*arguments); };
+  });
 }
 
 } // namespace esm::cli

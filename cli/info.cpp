@@ -50,7 +50,7 @@ JsonLine jsonOf(const Project& project)
   const SpringNet& net = project.net;
   JsonLine line;
   line.add("name", project.name);
-  line.add("source", project.source.file);
+  line.add("source", project.source.files.empty() ? std::string() : project.source.files.front().name);
   line.add("nodes", net.nodeCount());
   line.add("springs", net.springCount());
   line.add("triangles", net.triangleCount());
@@ -76,8 +76,8 @@ void printInfo(const Project& project)
   const SpringNet& net = project.net;
   const auto count = [](auto number, const char* what) { return std::to_string(number) + " " + what; };
   print("name       " + project.name);
-  if (!project.source.file.empty())
-    print("made from  " + project.source.file + " (" + project.source.unit + ")");
+  for (const SourceFile& file : project.source.files)
+    print("made from  " + file.name + " (" + lengthUnitName(project.source.unit) + ")");
   print("net        " + count(net.nodeCount(), "nodes, ") + count(net.springCount(), "springs, ") +
         count(net.triangleCount(), "triangles, ") + count(countSet(net.fixed), "fixed, ") +
         count(net.anchors.count(), "anchors"));

@@ -3,6 +3,7 @@
 #include "meshimport/mesh_importer.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/hash.h"
 #include "core/geometry/weld.h"
 #include "meshimport/assimp_reader.h"
 #include "meshimport/content.h"
@@ -24,23 +25,6 @@
 namespace esm {
 
 namespace {
-
-struct NamedUnit {
-  LengthUnit unit;
-  const char* name;
-  double metres;
-};
-
-constexpr NamedUnit kUnits[] = {{LengthUnit::Millimetre, "mm", 1e-3},
-                                {LengthUnit::Centimetre, "cm", 1e-2},
-                                {LengthUnit::Metre, "m", 1.0},
-                                {LengthUnit::Inch, "inch", 0.0254}};
-
-const NamedUnit& named(LengthUnit unit)
-{
-  return *std::find_if(std::begin(kUnits), std::end(kUnits),
-                       [unit](const auto& u) { return u.unit == unit; });
-}
 
 /// File names and words out of files may hold line breaks; a message is one line.
 Error onOneLine(Error error)
@@ -101,6 +85,7 @@ Result<ImportedMesh> readMesh(const std::filesystem::path& path, WorkControl* co
   if (reader == readers.end()) return unrecognised(bytes, origin);
 
   ImportedMesh imported;
+  imported.fingerprint = fingerprintOf(bytes);
   noteWrongName(*reader, ending, imported.notes);
   Result<Mesh> mesh = reader->read(bytes, origin, imported.format, imported.notes, control);
   if (!mesh) return mesh.error();
@@ -135,23 +120,6 @@ Result<ImportedMesh> importChecked(const std::filesystem::path& path, const Impo
 
 } // namespace
 
-std::optional<LengthUnit> lengthUnitFromName(std::string_view name) noexcept
-{
-  for (const NamedUnit& unit : kUnits)
-    if (name == unit.name) return unit.unit;
-  return std::nullopt;
-}
-
-std::string lengthUnitName(LengthUnit unit)
-{
-  return named(unit).name;
-}
-
-double metresPer(LengthUnit unit) noexcept
-{
-  return named(unit).metres;
-}
-
 Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options,
                                 WorkControl* control)
 {
@@ -165,14 +133,6 @@ Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportO
   } catch (const std::exception& error) {
     return onOneLine(fault(ErrorCode::Internal, path.string(), 0, error.what()));
   }
-}
-
-void toScene(Mesh& mesh, LengthUnit unit, UpAxis up)
-{
-  mesh.position *= metresPer(unit);
-  if (up == UpAxis::Z) return;
-  mesh.position.row(1).swap(mesh.position.row(2));           // (x, y, z) -> (x, z, y)
-  mesh.position.row(1) = 0.0 - mesh.position.row(1).array(); // -> (x, -z, y): a turn, nothing is mirrored
 }
 
 const std::vector<MeshReader>& readerTable()

@@ -6,7 +6,9 @@
 #include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/mesh_report.h"
+#include "core/geometry/scene_frame.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -15,13 +17,6 @@
 #include <vector>
 
 namespace esm {
-
-enum class LengthUnit { Millimetre, Centimetre, Metre, Inch };
-std::optional<LengthUnit> lengthUnitFromName(std::string_view name) noexcept; ///< mm, cm, m, inch
-std::string lengthUnitName(LengthUnit unit);
-double metresPer(LengthUnit unit) noexcept;
-
-enum class UpAxis { Y, Z };
 
 struct ImportOptions {
   bool weld = true;
@@ -34,6 +29,7 @@ struct ImportedMesh {
   MeshReport report;               ///< of `mesh`
   std::string format;              ///< "OBJ", "STL (binary)", "PLY (ASCII)", ...
   std::vector<Index> vertexOfFile; ///< file vertex -> vertex of `mesh`
+  std::uint64_t fingerprint = 0;   ///< fingerprintOf() the file's bytes
   std::vector<std::string> notes;  ///< what was passed over or repaired, one sentence each
 };
 
@@ -43,9 +39,6 @@ struct ImportedMesh {
 /// file without a triangle or line is an error, never a silent empty mesh), Cancelled.
 Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options = {},
                                 WorkControl* control = nullptr);
-
-/// Turns file coordinates into the scene's: metres, z up (y up: (x, y, z) -> (x, -z, y)).
-void toScene(Mesh& mesh, LengthUnit unit, UpAxis up);
 
 /// One mesh format. Adding one is one file and one line in readerTable().
 struct MeshReader {

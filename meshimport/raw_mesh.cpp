@@ -28,6 +28,23 @@ const RawMesh::NonFinite* usedNonFinite(const RawMesh& raw)
   return found == raw.nonFinite.end() ? nullptr : &*found;
 }
 
+/// The sides that two triangles of one polygon share, as pairs of vertices.
+/// @param sides room to work in, for meshes have many polygons
+void addDiagonals(std::span<const Index> triangles, std::vector<std::pair<Index, Index>>& sides,
+                  std::vector<Index>& out)
+{
+  sides.clear();
+  for (std::size_t t = 0; t < triangles.size(); t += 3)
+    for (std::size_t k = 0; k < 3; ++k)
+      sides.push_back(std::minmax(triangles[t + k], triangles[t + (k + 1) % 3]));
+  std::sort(sides.begin(), sides.end());
+  for (std::size_t i = 0; i + 1 < sides.size(); ++i)
+    if (sides[i] == sides[i + 1]) {
+      out.insert(out.end(), {sides[i].first, sides[i].second});
+      ++i;
+    }
+}
+
 } // namespace
 
 void RawMesh::addVertex(double x, double y, double z, long line)
@@ -80,13 +97,21 @@ Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<st
   } else {
     Index begin = 0;
     std::size_t polygons = 0;
+    std::vector<Index> diagonals;
+    std::vector<std::pair<Index, Index>> sides;
     for (const Index end : raw.faceEnd) {
       if (stopWanted(control)) return cancelledError();
       const std::span face(raw.corners.data() + begin, static_cast<std::size_t>(end - begin));
+      const std::size_t first = triangles.size();
       triangulate(mesh.position, face, triangles);
-      if (face.size() > 3) ++polygons;
+      if (face.size() > 3) {
+        ++polygons;
+        addDiagonals(std::span(triangles).subspan(first), sides, diagonals);
+      }
       begin = end;
     }
+    mesh.diagonals =
+      Eigen::Map<const SegmentMatrix>(diagonals.data(), 2, static_cast<Eigen::Index>(diagonals.size() / 2));
     notes.push_back(std::to_string(polygons) +
                     " faces with more than three corners were cut into triangles.");
   }

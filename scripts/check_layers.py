@@ -30,7 +30,7 @@ CORE = {
 }
 ALLOWED = {
     **CORE,
-    "meshimport": ["core/base", "core/geometry", "core/net"],
+    "meshimport": ["core/base", "core/geometry", "core/net", "core/support", "core/project/import_recipe.h"],
     "haptics": ["core/base", "core/runtime/hand_over.h"],
     "fuzzyeditor": ["core"],
     "app": ["core", "meshimport", "haptics", "fuzzyeditor"],

@@ -14,8 +14,10 @@ trap 'rm -rf "$work"' EXIT
 make() {
   local name=$1 mesh=$2 title=$3
   shift 3
-  "$esm" import "$samples/$mesh" --unit mm --rules "$samples/tissue.rules" --name "$title" -o "$work/$name.esm" 2>/dev/null
-  "$esm" apply "$work/$name.esm" -o "$out/$name.esm" "$@" 2>/dev/null
+  cp "$samples/$mesh" "$work/" # beside the project, as in the samples' folder
+  "$esm" import "$work/$mesh" --unit mm --rules "$samples/tissue.rules" --name "$title" -o "$work/$name.esm" 2>/dev/null
+  "$esm" apply "$work/$name.esm" -o "$work/$name.esm" "$@" 2>/dev/null
+  cp "$work/$name.esm" "$out/$name.esm"
   echo "$out/$name.esm"
 }
 

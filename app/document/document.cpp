@@ -62,19 +62,30 @@ void Document::start(Project project, const QString& path)
   emit titleChanged();
 }
 
+static std::filesystem::path folderOf(const QString& file)
+{
+  return QFileInfo(file).absolutePath().toStdString();
+}
+
 Status Document::open(const QString& path)
 {
   auto loaded = loadProject(path.toStdString());
   if (!loaded) return loaded.error();
   const QString ending = QFileInfo(path).suffix().toLower();
   const bool isProject = ending == "esm" || ending == "esmb"; // a plain net is read, never written over
+  loaded->source = withAbsoluteNames(std::move(loaded->source), folderOf(path));
   start(std::move(loaded).value(), isProject ? path : QString());
   return {};
 }
 
 Status Document::saveAs(const QString& path)
 {
-  if (auto saved = saveProject(m_project, path.toStdString()); !saved) return saved.error();
+  // Mesh files are named as seen from where the project is saved; here they are absolute, for it may move.
+  const ImportRecipe source = m_project.source;
+  m_project.source = withRelativeNames(source, folderOf(path));
+  const Status saved = esm::saveProject(m_project, path.toStdString());
+  m_project.source = source;
+  if (!saved) return saved.error();
   m_path = path;
   m_undo.setClean();
   m_savedRules = m_project.tissue.rules;

@@ -14,12 +14,13 @@ using SegmentMatrix = Eigen::Matrix<Index, 2, Eigen::Dynamic>;     ///< 2 x S, v
 
 /// What a mesh file holds: vertices; triangles, line segments and tetrahedra over them. Plain data, no
 /// invariants: what a reader returns may have indices in range only; welding and checks come after (weld.h,
-/// mesh_report.h). Units are the file's until scaleToMetres() of meshimport.
+/// mesh_report.h). Units are the file's until toScene() (scene_frame.h).
 struct Mesh {
   Eigen::Matrix3Xd position;    ///< 3 x V, in the order of the file
   TriangleMatrix triangles;     ///< 3 x F; polygons arrive triangulated
   SegmentMatrix segments;       ///< 2 x S; polylines arrive as their segments
   TetrahedronMatrix tetrahedra; ///< 4 x T, of volume meshes; most files have none
+  SegmentMatrix diagonals;      ///< 2 x D, the cuts that made triangles of polygons, each once per polygon
 
   Index vertexCount() const noexcept { return static_cast<Index>(position.cols()); }
   Index triangleCount() const noexcept { return static_cast<Index>(triangles.cols()); }

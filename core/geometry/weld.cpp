@@ -238,6 +238,7 @@ std::vector<Index> weldVertices(Mesh& mesh, double tolerance, WorkControl* contr
   std::for_each(mesh.triangles.data(), mesh.triangles.data() + mesh.triangles.size(), renumber);
   std::for_each(mesh.segments.data(), mesh.segments.data() + mesh.segments.size(), renumber);
   std::for_each(mesh.tetrahedra.data(), mesh.tetrahedra.data() + mesh.tetrahedra.size(), renumber);
+  std::for_each(mesh.diagonals.data(), mesh.diagonals.data() + mesh.diagonals.size(), renumber);
   return newOf;
 }
 

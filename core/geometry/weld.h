@@ -10,7 +10,7 @@
 namespace esm {
 
 /// Joins vertices at the same place, as unwelded STL needs. Vertices keep the order of their first
-/// appearance; triangles, segments and tetrahedra are renumbered, none is removed.
+/// appearance; triangles, segments, tetrahedra and diagonals are renumbered, none is removed.
 /// @param tolerance [file unit]; 0 joins bit-equal positions only (-0 equals 0). Above 0, a vertex
 ///        joins the first earlier kept vertex within `tolerance` (Euclidean). Vertices with a
 ///        non-finite coordinate join nothing.

@@ -11,8 +11,9 @@ namespace esm {
 
 namespace {
 
-constexpr FrameFormat kFormats[] = {{".obj", writeObj}, {".ply", writePly}, {".stl", writeStl},
-                                    {".glb", writeGlb}, {".vtu", writeVtu}, {".csv", writeCsv}};
+constexpr FrameFormat kFormats[] = {{".obj", writeObj}, {".ply", writePly},   {".stl", writeStl},
+                                    {".glb", writeGlb}, {".gltf", writeGltf}, {".vtu", writeVtu},
+                                    {".csv", writeCsv}, {".scn", writeSofa},  {".xsp", writeXsp}};
 
 /// The two ends of an edge as one number, whichever way it runs.
 std::uint64_t edgeKey(Index a, Index b)

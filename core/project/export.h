@@ -3,11 +3,13 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/forces/loads.h"
 #include "core/net/spring_net.h"
 
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -18,13 +20,19 @@ struct Frame {
   const Eigen::Matrix3Xd* velocity = nullptr; ///< 3 x N [m/s] or null
   const Eigen::ArrayXd* tension = nullptr;    ///< S [N] or null
   double time = 0.0;                          ///< [s]
+  const Loads* loads = nullptr;               ///< or null, not owned
 };
 
 /// Writes by the ending: obj (with `l` lines), ply (binary, with edge elements and per-spring parameters),
-/// stl (binary), glb (triangles and lines), vtu (springs as line cells with stiffness, damping,
-/// rest_length, strain, force), csv (two files: NAME.csv nodes, NAME_springs.csv springs). Atomic.
-/// Errors: Unsupported (the list of endings), FileUnwritable, Numerics (a non-finite coordinate).
+/// stl (binary), glb and gltf (triangles and lines), vtu (springs as line cells with stiffness, damping,
+/// rest_length, strain, force), csv (two files: NAME.csv nodes, NAME_springs.csv springs), scn (a SOFA
+/// scene), xsp (Xsp 3.0). Atomic. Errors: Unsupported (the list of endings), FileUnwritable, Numerics (a
+/// non-finite coordinate).
 Status exportFrame(const Frame& frame, const std::filesystem::path& path);
+
+/// What a file of this ending cannot hold of the frame, to be said before or while it is written: "the 3
+/// anchors; nothing holds these nodes to their places".
+std::vector<std::string> lostInExport(const Frame& frame, const std::filesystem::path& path);
 
 /// The time series of a run: writer of `.csv` (t,id,x,y,z), `.f64` (little-endian float64, frames x nodes
 /// x 3) or `.pvd` (a ParaView collection with one .vtu per frame in NAME_frames/). The file appears when

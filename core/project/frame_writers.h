@@ -22,8 +22,11 @@ Status writeObj(const Frame& frame, const std::filesystem::path& path);
 Status writePly(const Frame& frame, const std::filesystem::path& path);
 Status writeStl(const Frame& frame, const std::filesystem::path& path);
 Status writeGlb(const Frame& frame, const std::filesystem::path& path);
+Status writeGltf(const Frame& frame, const std::filesystem::path& path);
 Status writeVtu(const Frame& frame, const std::filesystem::path& path);
 Status writeCsv(const Frame& frame, const std::filesystem::path& path);
+Status writeSofa(const Frame& frame, const std::filesystem::path& path);
+Status writeXsp(const Frame& frame, const std::filesystem::path& path);
 
 std::string encodeVtu(const Frame& frame); ///< also one frame of a ParaView series
 
@@ -33,6 +36,7 @@ std::string encodeVtu(const Frame& frame); ///< also one frame of a ParaView ser
 Status checkFrame(const Frame& frame, const std::filesystem::path& path);
 /// (l - L) / L of every spring [1]; 0 where L = 0.
 Eigen::ArrayXd springStrains(const Frame& frame);
+bool isUniform(const Eigen::ArrayXd& values);
 /// Springs that are no edge of a triangle: the struts, which a file of triangles must name apart.
 std::vector<Index> springsWithoutTriangle(const SpringNet& net);
 

@@ -5,20 +5,13 @@
 #include "core/dynamics/simulation.h"
 #include "core/forces/loads.h"
 #include "core/net/spring_net.h"
+#include "core/project/import_recipe.h"
 #include "core/tissue/tissue_model.h"
 
 #include <string>
 #include <vector>
 
 namespace esm {
-
-/// How the geometry came in, so that it can be imported again. Empty file name: made elsewhere.
-struct ImportRecipe {
-  std::string file;           ///< name only, no folder
-  std::string unit = "m";     ///< mm, cm, m or inch
-  std::string up = "z";       ///< y or z: the axis of the file that points up
-  double weldTolerance = 0.0; ///< [file unit]; < 0 = not welded
-};
 
 /// Where a picture is taken from. Saved with the project, but not part of undo.
 struct ViewSettings {
@@ -39,7 +32,7 @@ struct SimulationSettings {
 /// The whole document: what `.esm` holds and undo works on. Plain data. SI units.
 struct Project {
   std::string name;
-  ImportRecipe source;
+  ImportRecipe source;              ///< how the geometry came in
   SpringNet net;                    ///< with its parameters, so that it runs without inference
   bool parametersFromTissue = true; ///< false: the net brought its own (esm-net-1); tissue is then idle
   TissueModel tissue;

@@ -5,7 +5,9 @@
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/net_json.h"
+#include "core/project/recipe_json.h"
 #include "core/project/tissue_json.h"
+#include "core/project/xsp_format.h"
 
 #include <algorithm>
 
@@ -18,8 +20,6 @@ using json::View;
 namespace {
 
 constexpr const char* kFormat = "esm-project";
-constexpr const char* kUnits[] = {"mm", "cm", "m", "inch"};
-constexpr const char* kAxes[] = {"y", "z"};
 constexpr const char* kColourings[] = {"none", "stiffness", "strain", "force", "region_weight"};
 
 Json tissueOf(const Project& project)
@@ -52,11 +52,7 @@ Json treeOf(const Project& project)
           {"schema_version", kSchemaVersion},
           {"name", json::validUtf8(project.name)},
           {"units", {{"length", "m"}, {"mass", "kg"}, {"time", "s"}, {"force", "N"}, {"pressure", "Pa"}}},
-          {"source",
-           {{"file", json::validUtf8(project.source.file)},
-            {"unit", project.source.unit},
-            {"up", project.source.up},
-            {"weld_tolerance", project.source.weldTolerance}}},
+          {"source", json::sourceOf(project.source)},
           {"rule_base", json::ruleBaseOf(project.tissue.rules)},
           {"inputs", json::inputsOf(project.tissue.inputs, project.tissue.rules)},
           {"regions", json::regionsOf(project.tissue)},
@@ -73,13 +69,6 @@ Json treeOf(const Project& project)
             {"show_springs", view.showSprings}}},
           {"geometry", json::geometryOf(project.net)},
           {"net", json::netOf(project.net)}};
-}
-
-ImportRecipe readSource(const View& object)
-{
-  object.expectKeys({"file", "unit", "up", "weld_tolerance"});
-  return {object["file"].text(), kUnits[object["unit"].choice(kUnits)], kAxes[object["up"].choice(kAxes)],
-          object["weld_tolerance"].number()};
 }
 
 TissueModel readTissue(const View& root, bool& parametersFromTissue)
@@ -163,7 +152,7 @@ Result<Project> readProject(const Json& tree, const std::string& origin)
   Project project;
   project.name = root["name"].text();
   checkUnits(root["units"]);
-  project.source = readSource(root["source"]);
+  project.source = json::readSource(root["source"]);
   project.tissue = readTissue(root, project.parametersFromTissue);
   project.simulation = readSimulation(root["simulation"]);
   project.view = readView(root["view"]);
@@ -185,10 +174,11 @@ Result<Project> parseTree(std::string_view bytes, const std::string& origin)
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos)
     return Error{ErrorCode::BadFormat, origin + ": is empty, it holds no project"};
+  if (looksLikeXsp(bytes)) return parseXsp(bytes, origin);
   const bool cbor = isCborMap(bytes);
   if (!cbor && bytes[start] != '{')
     return Error{ErrorCode::BadFormat,
-                 origin + ": is neither a project (.esm, .esmb) nor a net in the esm-net-1 format"};
+                 origin + ": is neither a project (.esm, .esmb) nor a net in the esm-net-1 or Xsp format"};
   const Result<Json> tree = cbor ? json::parseCbor(bytes, origin) : json::parseJson(bytes, origin);
   if (!tree) return tree.error();
   if (const auto format = tree->find("format"); format != tree->end() && *format == json::kPlainNetFormat)
@@ -235,6 +225,7 @@ Status checkLoads(const Loads& loads, Index nodes)
 Status checkProject(const Project& project)
 {
   if (const Status status = checkNet(project.net); !status) return status;
+  if (const Status status = checkRecipe(project.source); !status) return status;
   if (const Status status = checkLoads(project.loads, project.net.nodeCount()); !status) return status;
   if (const std::string& solver = project.simulation.solver.solver; !isSolver(solver))
     return Error{ErrorCode::InvalidValue,

@@ -17,8 +17,8 @@ namespace esm {
 std::string toJson(const Project& project);
 std::string toCbor(const Project& project);
 
-/// Reads either encoding (the content decides), or the plain net format esm-net-1. All or nothing, and
-/// what comes out has passed checkNet(), checkRuleBase() and the rest: it can be simulated.
+/// Reads either encoding (the content decides), or the plain net formats esm-net-1 and Xsp 3.0. All or
+/// nothing, and what comes out has passed checkNet(), checkRuleBase() and the rest: it can be simulated.
 /// Errors: BadFormat, InvalidValue (detail: file, JSON path, what), NewerVersion.
 /// @param origin name for messages, usually the path.
 Result<Project> parseProject(std::string_view bytes, const std::string& origin);

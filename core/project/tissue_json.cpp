@@ -221,11 +221,7 @@ Region readRegion(const View& object, const RuleBase& rules)
                     {"profile", "inside_out", "mirror", "locked", "visible"});
   Region region;
   region.name = object["name"].text();
-  region.ellipsoid.centre = object["centre"].vector();
-  region.ellipsoid.semiAxes = object["semi_axes"].vector();
-  for (std::size_t axis = 0; axis < 3 && object.sound(); ++axis)
-    object["semi_axes"][axis].number(Range::Positive);
-  region.ellipsoid.rotation = readRotation(object["rotation"]);
+  region.ellipsoid = readEllipsoid(object);
   region.falloff = object["falloff"].number(Range::ZeroToOne);
   region.enabled = object["enabled"].boolean();
   region.inputs = readInputs(object["inputs"], rules);
@@ -240,14 +236,11 @@ Region readRegion(const View& object, const RuleBase& rules)
 /// What a region seldom has is left out, so that programs from before can read the rest.
 Json regionOf(const Region& region, const RuleBase& rules)
 {
-  const Eigen::Quaterniond& q = region.ellipsoid.rotation;
-  Json object = {{"name", validUtf8(region.name)},
-                 {"centre", listOf(region.ellipsoid.centre)},
-                 {"semi_axes", listOf(region.ellipsoid.semiAxes)},
-                 {"rotation", {q.w(), q.x(), q.y(), q.z()}},
-                 {"falloff", region.falloff},
-                 {"enabled", region.enabled},
-                 {"inputs", inputsOf(region.inputs, rules)}};
+  Json object = {{"name", validUtf8(region.name)}};
+  object.update(ellipsoidOf(region.ellipsoid));
+  object["falloff"] = region.falloff;
+  object["enabled"] = region.enabled;
+  object["inputs"] = inputsOf(region.inputs, rules);
   if (region.profile != FalloffProfile::Smooth)
     object["profile"] = kProfiles[static_cast<std::size_t>(region.profile)];
   if (region.insideOut) object["inside_out"] = true;
@@ -259,6 +252,25 @@ Json regionOf(const Region& region, const RuleBase& rules)
 }
 
 } // namespace
+
+Json ellipsoidOf(const Ellipsoid& ellipsoid)
+{
+  const Eigen::Quaterniond& q = ellipsoid.rotation;
+  return {{"centre", listOf(ellipsoid.centre)},
+          {"semi_axes", listOf(ellipsoid.semiAxes)},
+          {"rotation", {q.w(), q.x(), q.y(), q.z()}}};
+}
+
+Ellipsoid readEllipsoid(const View& object)
+{
+  Ellipsoid ellipsoid;
+  ellipsoid.centre = object["centre"].vector();
+  ellipsoid.semiAxes = object["semi_axes"].vector();
+  for (std::size_t axis = 0; axis < 3 && object.sound(); ++axis)
+    object["semi_axes"][axis].number(Range::Positive);
+  ellipsoid.rotation = readRotation(object["rotation"]);
+  return ellipsoid;
+}
 
 Json ruleBaseOf(const RuleBase& rules)
 {

@@ -20,4 +20,8 @@ std::vector<fuzzy::InputValue> readInputs(const View& object, const fuzzy::RuleB
 Json regionsOf(const TissueModel& tissue);
 std::vector<Region> readRegions(const View& list, const fuzzy::RuleBase& rules);
 
+/// {"centre", "semi_axes", "rotation"}, of a region among other keys or alone.
+Json ellipsoidOf(const Ellipsoid& ellipsoid);
+Ellipsoid readEllipsoid(const View& object);
+
 } // namespace esm::json

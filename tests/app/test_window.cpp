@@ -207,7 +207,7 @@ TEST_F(WindowTest, ImportDialogReportsAndBuildsTheNet)
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.result() == QDialog::Accepted; }));
   const IncomingModel model = dialog.takeModel();
   EXPECT_EQ(model.net.nodeCount(), 4);
-  EXPECT_EQ(model.source.unit, "cm");
+  EXPECT_EQ(model.source.unit, LengthUnit::Centimetre);
   ASSERT_TRUE(window->document()->importModel(model, true));
   EXPECT_EQ(window->document()->undoStack()->count(), 1);
 }

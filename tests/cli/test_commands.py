@@ -64,6 +64,7 @@ class Import(ProgramTest):
     def test_units_axes_and_recipe(self):
         self.run_program("import", "tet.obj", "-o", "p.esm", "--unit", "mm", "--up", "y")
         project = self.read_json("p.esm")
+        self.assertRegex(project["source"].pop("fingerprint"), "^[0-9a-f]{1,16}$")
         self.assertEqual(project["source"], {"file": "tet.obj", "unit": "mm", "up": "y", "weld_tolerance": 0})
         position = project["geometry"]["position"]
         for got, wanted in zip(position[6:12], [0, 0, 0.01, 0, -0.01, 0]):  # (x, y, z) -> (x, -z, y)

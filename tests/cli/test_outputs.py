@@ -2,8 +2,11 @@
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: MIT
 """What `esm` writes for other programs, read back by independent readers (readers.py)."""
+import base64
+import json
 import struct
 import unittest
+import xml.etree.ElementTree as xml
 
 from program import OSCILLATOR, ProgramTest
 from readers import read_csv, read_f64, read_glb, read_ply, read_pvd, read_vtu
@@ -46,6 +49,59 @@ class Exports(ProgramTest):
         self.assertEqual([(e["vertex1"], e["vertex2"]) for e in tables["edge"]], self.ends)
         self.assertEqual([e["stiffness"] for e in tables["edge"]], self.stiffness)
         self.assertEqual(len(tables["face"]), 4)
+
+    def test_sofa_scene(self):
+        """As SOFA's own XML reader sees it: every number, by the standard library."""
+        self.run_program("apply", "p.esm", "-o", "p.esm", "--fix-box", "-1,-1,-1,1,1,0.001", "--gravity", "0,0,-9.81")
+        self.project = self.read_json("p.esm")
+        done = self.run_program("export", "p.esm", "-o", "x.scn")
+        for lost in ("anchors", "nonlinear spring laws"):
+            self.assertIn(lost, done.stderr)
+        root = xml.parse(self.folder / "x.scn").getroot()
+        self.assertEqual((root.tag, root.attrib["gravity"]), ("Node", "0 0 -9.81"))
+        plugins = {element.attrib["name"] for element in root.iter("RequiredPlugin")}
+        self.assertTrue(all(name.startswith("Sofa.Component.") for name in plugins))
+        net = root.find("Node")
+        self.assertEqual([element.tag for element in net],
+                         ["EulerImplicitSolver", "CGLinearSolver", "MeshTopology", "MechanicalObject", "DiagonalMass",
+                          "FixedProjectiveConstraint", "SpringForceField"])
+
+        def numbers(element, attribute, kind=float):
+            return [kind(word) for word in net.find(element).attrib[attribute].split()]
+
+        springs, stored = numbers("SpringForceField", "spring"), self.project["net"]["springs"]
+        self.assertEqual(len(springs), 5 * len(self.ends))
+        self.assertEqual([(int(a), int(b)) for a, b in zip(springs[0::5], springs[1::5])], self.ends)
+        for column, key in ((2, "stiffness"), (3, "viscosity"), (4, "rest_length")):
+            self.assertEqual(springs[column::5], stored[key], key)
+        for element in ("MeshTopology", "MechanicalObject"):
+            self.assertEqual(numbers(element, "position"), self.project["geometry"]["position"])
+        self.assertEqual(numbers("MeshTopology", "edges", int), stored["ends"])
+        self.assertEqual(numbers("MeshTopology", "triangles", int), self.project["geometry"]["triangles"])
+        self.assertEqual(numbers("DiagonalMass", "vertexMass"), self.project["net"]["nodes"]["mass"])
+        self.assertEqual(numbers("FixedProjectiveConstraint", "indices", int), self.project["net"]["nodes"]["fixed"])
+
+    def test_gltf_is_the_glb_as_text(self):
+        document, values = read_glb(self.export("x.glb"))
+        text = json.loads(self.export("x.gltf").read_text())
+        start = "data:application/octet-stream;base64,"
+        uri = text["buffers"][0].pop("uri")
+        self.assertTrue(uri.startswith(start))
+        self.assertEqual(text, document)
+        data = base64.b64decode(uri[len(start):], validate=True)
+        self.assertEqual(len(data), text["buffers"][0]["byteLength"])
+        accessor = text["accessors"][text["meshes"][0]["primitives"][0]["attributes"]["POSITION"]]
+        view = text["bufferViews"][accessor["bufferView"]]
+        begin = view["byteOffset"]
+        points = list(struct.iter_unpack("<3f", data[begin:begin + view["byteLength"]]))
+        self.assertEqual(points, values[0])
+
+    def test_both_gltf_forms_come_back(self):
+        for name in ("x.glb", "x.gltf"):
+            self.export(name)
+            back = self.json_of("inspect", name)
+            self.assertEqual((back["nodes"], back["springs"], back["triangles"]), (5, 8, 4), name)
+            self.assertAlmostEqual(back["bbox_max"][1], 0.1, places=6)  # glTF is y up
 
     def test_glb(self):
         document, values = read_glb(self.export("x.glb"))

@@ -187,6 +187,30 @@ TissueModel randomTissue(Dice& dice)
   return tissue;
 }
 
+ImportRecipe randomRecipe(Dice& dice)
+{
+  ImportRecipe recipe;
+  for (int i = dice.below(4); i > 0; --i)
+    recipe.files.push_back({"a" + dice.text(), dice.coin() ? 0xfedcba9876543210u + unsigned(i) : 0});
+  recipe.unit = LengthUnit(dice.below(4));
+  recipe.up = UpAxis(dice.below(2));
+  recipe.patientAxes = PatientAxes(dice.below(3));
+  recipe.weldTolerance = dice.any();
+  recipe.polygons = PolygonSprings(dice.below(2));
+  if (dice.coin()) {
+    recipe.repair.removeUseless = dice.coin();
+    recipe.repair.dropPartsShare = dice.uniform(0, 1);
+    recipe.repair.fillHolesUpTo = dice.below(1000);
+    recipe.repair.edgeLength = dice.notNegative();
+    recipe.support.interior = SupportOptions::Interior(dice.below(5));
+    recipe.support.program = dice.text();
+    recipe.support.anchors = SupportOptions::Anchors::Part;
+    recipe.support.anchorPart.centre = dice.points(1);
+    recipe.support.anchorLength = dice.notNegative();
+  }
+  return recipe;
+}
+
 } // namespace
 
 Project randomProject(unsigned seed)
@@ -194,7 +218,7 @@ Project randomProject(unsigned seed)
   Dice dice(seed);
   Project project;
   project.name = dice.text();
-  project.source = {dice.text(), dice.coin() ? "mm" : "inch", dice.coin() ? "y" : "z", dice.any()};
+  project.source = randomRecipe(dice);
   project.net = randomNet(dice);
   project.parametersFromTissue = dice.coin();
   project.tissue = randomTissue(dice);

@@ -111,7 +111,7 @@ TEST_P(RandomProjects, NumbersComeBackBitForBit)
   }
   EXPECT_EQ(before.simulation.solver.threads, after->simulation.solver.threads);
   EXPECT_EQ(before.view.showSurface, after->view.showSurface);
-  EXPECT_EQ(before.source.weldTolerance, after->source.weldTolerance);
+  EXPECT_EQ(before.source, after->source);
 }
 
 // Regions of former versions had seven keys. One without the newer gifts is still written so, for the older

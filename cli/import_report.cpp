@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "cli/import_report.h"
+
+namespace esm::cli {
+
+void addMeshReport(JsonLine& line, const MeshReport& report)
+{
+  line.add("nodes", report.nodes);
+  line.add("springs", report.springs);
+  line.add("triangles", report.triangles);
+  line.add("segments", report.segments);
+  line.add("components", report.components);
+  line.add("isolated_vertices", report.isolatedVertices);
+  line.add("boundary_edges", report.boundaryEdges);
+  line.add("nonmanifold_edges", report.nonManifoldEdges);
+  line.add("degenerate_faces", report.degenerateFaces);
+  line.add("duplicate_faces", report.duplicateFaces);
+  line.add("nonfinite_vertices", report.nonFiniteVertices);
+  line.add("bbox_min", report.boxMin);
+  line.add("bbox_max", report.boxMax);
+  line.add("finite", report.finite);
+  line.add("sum_rest_length", report.sumRestLength);
+}
+
+JsonLine meshReportJson(const MeshReport& report)
+{
+  JsonLine line;
+  addMeshReport(line, report);
+  return line;
+}
+
+JsonLine costJson(const NetCost& cost)
+{
+  JsonLine line;
+  line.add("nodes", cost.nodes);
+  line.add("springs", cost.springs);
+  line.add("shortest_spring", cost.shortest);
+  line.add("stable_step", cost.step);
+  return line;
+}
+
+} // namespace esm::cli

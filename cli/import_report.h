@@ -1,0 +1,19 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/base/json_line.h"
+#include "core/geometry/mesh_report.h"
+#include "core/support/net_cost.h"
+
+/// What `esm import` tells of meshes and of what becomes of them.
+namespace esm::cli {
+
+/// The counts of a mesh under the keys of `esm inspect --json`.
+void addMeshReport(JsonLine& line, const MeshReport& report);
+JsonLine meshReportJson(const MeshReport& report);
+
+/// {"nodes", "springs", "shortest_spring", "stable_step"}
+JsonLine costJson(const NetCost& cost);
+
+} // namespace esm::cli

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/geometry/repair/repair.h"
+#include "core/project/import_recipe.h"
+
+namespace esm {
+
+/// The options of an import, each named once: for the file, the command line and whoever else goes through
+/// them. A visitor has
+///     flag(key, bool&, help)
+///     count(key, Index&, help)                  0 or more
+///     number(key, double&, unit, help)          0 or more, finite
+///     choice(key, Enum&, words, help)           words[i] names Enum(i)
+///     text(key, std::string&, help)
+///     ellipsoid(key, Ellipsoid&, help)
+/// Keys are those of the file; on the command line '_' becomes '-'. `Options` may be const.
+
+template <class Options, class Visitor>
+void visitRepairOptions(Options& options, Visitor&& visit)
+{
+  visit.flag("remove_useless", options.removeUseless,
+             "take away degenerate and duplicate faces and unused vertices");
+  visit.flag("close_t_junctions", options.closeTJunctions, "tie vertices to the edges on which they lie");
+  visit.number("t_junction_tolerance", options.tJunctionTolerance, "m",
+               "how near a vertex must be to an edge (0: 1e-5 of the size)");
+  visit.count("drop_parts_below", options.dropPartsBelow, "take away parts with fewer elements");
+  visit.number("drop_parts_share", options.dropPartsShare, "",
+               "take away parts with fewer elements than this share of the largest, 0 to 1");
+  visit.count("fill_holes", options.fillHolesUpTo, "close holes of at most so many edges");
+  visit.number("fill_holes_length", options.fillHolesLength, "m",
+               "only holes with a rim of at most this length");
+  visit.flag("unify_orientation", options.unifyOrientation,
+             "turn faces until neighbours agree and closed parts look outwards");
+  visit.count("triangles", options.triangles, "remesh to about so many nearly equilateral triangles");
+  visit.number("edge_length", options.edgeLength, "m", "remesh to about this edge length");
+}
+
+inline constexpr const char* kInteriorNames[] = {"none", "struts", "hub", "lattice", "tetrahedra"};
+inline constexpr const char* kAnchorNames[] = {"none", "all", "part"};
+
+template <class Options, class Visitor>
+void visitSupportOptions(Options& options, Visitor&& visit)
+{
+  visit.choice("interior", options.interior, kInteriorNames, "what holds the shape from inside");
+  visit.count("struts_per_node", options.strutsPerNode, "struts from each node of the surface, 1 to 16");
+  visit.number("strut_lean", options.strutLean, "rad", "how far all struts but one lean, 0 to 1.4");
+  visit.number("longest_strut", options.longestStrut, "m", "no longer struts (0: any length)");
+  visit.count("hubs", options.hubs, "nodes in the middle (0: as many as the shape asks for)");
+  visit.number("lattice_cell", options.latticeCell, "m", "edge of a lattice cube (0: from the surface)");
+  visit.text("program", options.program, "for tetrahedra: tetgen or gmsh (default: the first that is there)");
+  visit.number("time_limit", options.timeLimit, "s", "for that program");
+  visit.choice("anchors", options.anchors, kAnchorNames, "nodes tied to the cavity around them");
+  visit.ellipsoid("anchor_part", options.anchorPart, "for anchors part: the nodes in this ellipsoid");
+  visit.number("anchor_length", options.anchorLength, "m", "length of the bands to the cavity");
+}
+
+/// All of a recipe's groups. No key stands in two of them.
+template <class Recipe, class Visitor>
+void visitRecipeOptions(Recipe& recipe, Visitor&& visit)
+{
+  visitRepairOptions(recipe.repair, visit);
+  visitSupportOptions(recipe.support, visit);
+}
+
+} // namespace esm

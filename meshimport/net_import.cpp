@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "meshimport/net_import.h"
+
+#include "core/base/file_io.h"
+#include "core/base/hash.h"
+#include "core/geometry/weld.h"
+#include "core/net/net_builder.h"
+#include "meshimport/polygon_springs.h"
+
+#include <algorithm>
+
+namespace esm {
+
+namespace {
+
+template <class Corners>
+void appendCorners(Corners& all, const Corners& more, Index offset)
+{
+  const Eigen::Index old = all.cols();
+  all.conservativeResize(Eigen::NoChange, old + more.cols());
+  all.rightCols(more.cols()) = (more.array() + offset).matrix();
+}
+
+void append(Mesh& mesh, const Mesh& more)
+{
+  const Index offset = mesh.vertexCount();
+  mesh.position.conservativeResize(Eigen::NoChange, offset + more.vertexCount());
+  mesh.position.rightCols(more.vertexCount()) = more.position;
+  appendCorners(mesh.triangles, more.triangles, offset);
+  appendCorners(mesh.segments, more.segments, offset);
+  appendCorners(mesh.tetrahedra, more.tetrahedra, offset);
+  appendCorners(mesh.diagonals, more.diagonals, offset);
+}
+
+/// `map` led on through `next`: kNoIndex stays kNoIndex.
+void follow(std::vector<Index>& map, const std::vector<Index>& next)
+{
+  for (Index& place : map)
+    if (place != kNoIndex) place = next[static_cast<std::size_t>(place)];
+}
+
+Status addFile(MeshSource& source, SourceFile& file, const std::filesystem::path& path, bool several,
+               WorkControl* control)
+{
+  ImportOptions options;
+  options.weld = source.recipe.weldTolerance >= 0.0;
+  options.weldTolerance = std::max(source.recipe.weldTolerance, 0.0);
+  Result<ImportedMesh> imported = importMesh(path, options, control);
+  if (!imported) return imported.error();
+  for (std::string& note : imported->notes)
+    source.notes.push_back(several ? file.name + ": " + note : std::move(note));
+  file.fingerprint = imported->fingerprint;
+
+  ReadFile read{file.name, std::move(imported->format), std::move(imported->vertexOfFile)};
+  if (source.files.empty()) {
+    source.mesh = std::move(imported->mesh);
+    source.report = imported->report;
+  } else {
+    const Index offset = source.mesh.vertexCount();
+    for (Index& vertex : read.vertexOfFile) vertex += offset;
+    append(source.mesh, imported->mesh);
+  }
+  source.files.push_back(std::move(read));
+  return {};
+}
+
+/// Several files are joined where they touch.
+Status weldFiles(MeshSource& source, WorkControl* control)
+{
+  if (source.recipe.weldTolerance >= 0.0) {
+    const std::vector<Index> newOf = weldVertices(source.mesh, source.recipe.weldTolerance, control);
+    if (stopWanted(control)) return cancelledError();
+    for (ReadFile& file : source.files) follow(file.vertexOfFile, newOf);
+  }
+  source.report = examine(source.mesh, control);
+  if (stopWanted(control)) return cancelledError();
+  return {};
+}
+
+/// A report in metres from one in the file's unit and axes: only lengths and places change.
+MeshReport inScene(MeshReport report, const Mesh& sceneMesh, double metres)
+{
+  report.sumRestLength *= metres;
+  report.boxMin.setZero();
+  report.boxMax.setZero();
+  bool first = true;
+  for (const auto& p : sceneMesh.position.colwise()) {
+    if (!p.allFinite()) continue;
+    report.boxMin = first ? Eigen::Vector3d(p) : report.boxMin.cwiseMin(p).eval();
+    report.boxMax = first ? Eigen::Vector3d(p) : report.boxMax.cwiseMax(p).eval();
+    first = false;
+  }
+  return report;
+}
+
+} // namespace
+
+Result<MeshSource> readMeshes(const ImportRecipe& recipe, const std::filesystem::path& folder,
+                              WorkControl* control)
+{
+  if (const Status status = checkRecipe(recipe); !status) return status.error();
+  if (recipe.files.empty()) return Error{ErrorCode::InvalidValue, "the recipe names no mesh file"};
+  MeshSource source;
+  source.recipe = recipe;
+  const bool several = recipe.files.size() > 1;
+  for (SourceFile& file : source.recipe.files)
+    if (const Status status = addFile(source, file, folder / file.name, several, control); !status)
+      return status.error();
+  if (several)
+    if (const Status status = weldFiles(source, control); !status) return status.error();
+  return source;
+}
+
+Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe, WorkControl* control)
+{
+  const auto inFile = [&](Error error) {
+    if (error.code != ErrorCode::Cancelled) error.detail = source.files.front().name + ": " + error.detail;
+    return error;
+  };
+  ImportedNet made;
+  made.recipe = recipe;
+  made.recipe.files = source.recipe.files;
+  made.recipe.weldTolerance = source.recipe.weldTolerance;
+  made.files = source.files;
+  made.notes = source.notes;
+
+  Mesh mesh = source.mesh;
+  toScene(mesh, recipe.unit, recipe.up, recipe.patientAxes);
+  made.before = made.after = inScene(source.report, mesh, metresPer(recipe.unit));
+  if (stopWanted(control)) return cancelledError();
+
+  std::vector<Index> nodeOfVertex;
+  if (!recipe.repair.doesNothing()) {
+    if (const Status status = repairMesh(mesh, recipe.repair, made.repair, control); !status)
+      return inFile(status.error());
+    made.notes.insert(made.notes.end(), made.repair.notes.begin(), made.repair.notes.end());
+    made.after = examine(mesh, control);
+    followDiagonals(mesh, source.mesh, made.repair.vertexOf);
+  }
+  Result<SpringNet> net = buildNet(mesh, &nodeOfVertex, control);
+  if (!net) return inFile(net.error());
+  made.net = std::move(*net);
+  if (recipe.polygons == PolygonSprings::EdgesOnly) {
+    if (recipe.repair.triangles > 0 || recipe.repair.edgeLength > 0.0)
+      made.notes.push_back("Polygons' edges are gone with the remeshing, all triangle edges are springs.");
+    else
+      dropDiagonals(made.net, mesh, nodeOfVertex);
+  }
+  if (!recipe.support.isNone()) {
+    Result<SupportReport> support = addSupport(made.net, recipe.support, control);
+    if (!support) return inFile(support.error());
+    made.support = std::move(*support);
+    made.notes.insert(made.notes.end(), made.support.notes.begin(), made.support.notes.end());
+  }
+  for (const ReadFile& file : made.files) {
+    std::vector<Index> nodeOf = file.vertexOfFile;
+    if (!recipe.repair.doesNothing()) follow(nodeOf, made.repair.vertexOf);
+    follow(nodeOf, nodeOfVertex);
+    made.nodeOfFile.push_back(std::move(nodeOf));
+  }
+  return made;
+}
+
+Result<ImportedNet> importNet(const ImportRecipe& recipe, const std::filesystem::path& folder,
+                              WorkControl* control)
+{
+  const Result<MeshSource> source = readMeshes(recipe, folder, control);
+  if (!source) return source.error();
+  return makeNet(*source, recipe, control);
+}
+
+Result<std::vector<std::string>> changedFiles(const ImportRecipe& recipe, const std::filesystem::path& folder)
+{
+  std::vector<std::string> changed;
+  for (const SourceFile& file : recipe.files) {
+    const Result<std::string> bytes = readFile(folder / file.name);
+    if (!bytes) return bytes.error();
+    if (fingerprintOf(*bytes) != file.fingerprint) changed.push_back(file.name);
+  }
+  return changed;
+}
+
+} // namespace esm
