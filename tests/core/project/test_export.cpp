@@ -103,7 +103,8 @@ TEST(Export, UnknownEndingsAndNonFiniteShapesAreRefused)
   EXPECT_THAT(ending.error().detail, HasSubstr(".obj, .ply, .stl, .glb, .gltf, .vtu, .csv, .scn, .xsp"));
 
   net.position(1, 3) = std::numeric_limits<double>::infinity();
-  for (const char* name : {"net.obj", "net.ply", "net.stl", "net.glb", "net.gltf", "net.vtu", "net.csv", "net.scn", "net.xsp"}) {
+  for (const char* name :
+       {"net.obj", "net.ply", "net.stl", "net.glb", "net.gltf", "net.vtu", "net.csv", "net.scn", "net.xsp"}) {
     const Status status = exportFrame(net.frame(), scratch / name);
     ASSERT_FALSE(status) << name;
     EXPECT_EQ(status.error().code, ErrorCode::Numerics);
