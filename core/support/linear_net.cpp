@@ -15,7 +15,9 @@ namespace esm {
 
 namespace {
 
-constexpr double kMostWork = 4e9;              ///< multiplications of a factor: a second or two
+/// Multiplications of a factor, a second or two; fewer where struts make gradients quick.
+constexpr double kMostWork = 4e9, kMostWorkBraced = 2e8;
+constexpr double kBraced = 4.0; ///< springs per node, from which on a net is braced: a skin has three
 constexpr std::size_t kMostNumbers = 40000000; ///< in a factor
 
 NodeBlock blockOf(const Eigen::Matrix3d& matrix)
@@ -77,9 +79,11 @@ bool LinearNet::factor(double shift)
 {
   if (m_nodeOf.empty()) return false;
   m_shift = shift;
+  const double mostWork =
+    static_cast<double>(m_pairs.size()) > kBraced * freeCount() ? kMostWorkBraced : kMostWork;
   if (!m_isIterative && m_cholesky.nodeCount() == 0)
     m_isIterative =
-      !m_cholesky.analyze(freeCount(), m_pairs, kMostNumbers) || m_cholesky.factorWork() > kMostWork;
+      !m_cholesky.analyze(freeCount(), m_pairs, kMostNumbers) || m_cholesky.factorWork() > mostWork;
   if (m_isIterative) return shift >= 0.0;
   NodeBlocks diagonal;
   for (const Index node : m_nodeOf) diagonal.push_back(blockOf(blockAt(node)));

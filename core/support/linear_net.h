@@ -15,8 +15,8 @@ namespace esm {
 /// A net for small motions about its rest shape: K of its springs (along their axes, at their stiffness at
 /// rest) and anchors, M of its masses. Fixed nodes are held. Springs count as stress-free.
 ///
-/// A skin has a sparse factor. Struts join everything to everything, so that the factor of a fat body is nearly
-/// full; but then the matrix is well conditioned, and conjugate gradients take its place.
+/// A skin has a sparse factor. Struts join everything to everything, so that the factor of a fat body is
+/// nearly full; but then the matrix is well conditioned, and conjugate gradients take its place.
 class LinearNet {
 public:
   /// @param withAnchors false: the net as if nothing held it but its fixed nodes.

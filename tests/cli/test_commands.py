@@ -53,6 +53,22 @@ class Inspect(ProgramTest):
         self.assertAlmostEqual(report["sum_rest_length"], edges, places=12)
         self.assertIs(report["finite"], True)
 
+    def test_quality_says_whether_the_net_carries_load(self):
+        # A tetrahedron is rigid; four struts around one node in a plane are not.
+        self.write("rigid.obj", "v 0 0 0\nv 10 0 0\nv 0 10 0\nv 0 0 10\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n")
+        self.write("flat.obj", "v 0 0 0\nv 10 0 0\nv 10 10 0\nv 0 10 0\nf 1 2 3\nf 1 3 4\n")
+        rigid = self.json_of("inspect", "rigid.obj", "--quality")
+        self.assertEqual((rigid["nodes"], rigid["springs"], rigid["mechanisms"]), (4, 6, 0))
+        self.assertGreater(rigid["stable_step"], 0)
+        flat = self.json_of("inspect", "flat.obj", "--quality")
+        self.assertIs(flat["carries_load"], False)
+        self.assertEqual(flat["mechanisms"], 1)  # it folds along its diagonal
+        kinds = {finding["kind"]: finding for finding in flat["findings"]}
+        self.assertEqual(sorted(kinds["flat_nodes"]["nodes"]), ["0", "1", "2", "3"])
+        self.assertIn("Add interior struts", kinds["nothing_inside"]["text"])
+        self.run_program("import", "rigid.obj", "-o", "rigid.esm")
+        self.assertIn("findings", self.json_of("inspect", "rigid.esm", "--quality"))
+
     def test_bad_meshes_are_named_in_one_line(self):
         self.write("empty.obj", "")
         self.write("short.stl", b"\0" * 90)
