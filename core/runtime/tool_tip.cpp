@@ -17,6 +17,7 @@ namespace {
 
 constexpr int kMostTriangles = 64;      ///< that a contact slides over in one frame
 constexpr double kLeastAgreement = 0.3; ///< of the smooth normal with the face's, as a cosine
+constexpr double kSameStretch = 0.5;    ///< of two places at rest, as a cosine between their normals
 constexpr double kLeastForce = 1e-6;    ///< [N]
 
 bool isClosedSurface(const SpringNet& net)
@@ -33,6 +34,7 @@ bool isClosedSurface(const SpringNet& net)
 
 ToolTip::ToolTip(const SpringNet& net, double radius, double maxForce)
   : m_surface(net.triangles, net.restPosition),
+    m_rest(net.restPosition),
     m_isClosed(isClosedSurface(net)),
     m_radius(std::isfinite(radius) ? std::max(radius, 0.0) : 0.0),
     m_maxForce(std::isfinite(maxForce) ? std::max(maxForce, kLeastForce) : kLeastForce)
@@ -178,27 +180,60 @@ void ToolTip::search()
   if ((m_hand - m_place).squaredNorm() < m_radius * m_radius) begin(*near, side);
 }
 
-/// The contact point sticks within the friction cone and slides to its rim beyond it; it ends when the hand
-/// is out.
+/// The contact point sticks while it is near the point that it would slide to without friction, by the
+/// friction cone, and slides to the cone's rim beyond it. The cone is about that point, not about the normal:
+/// a surface that tilts in the contact would hold on to the tip otherwise. It ends when the hand is out.
 void ToolTip::follow()
 {
   m_normal = m_side * normalAt(m_contact);
   m_place = m_surface.pointAt(m_contact);
   const Eigen::Vector3d goal = m_hand - m_radius * m_normal;
-  const Eigen::Vector3d apart = m_place - goal;
-  const double depth = apart.dot(m_normal), drag = (apart - depth * m_normal).norm();
-  if (drag > kFriction * std::max(depth, 0.0)) {
-    const SurfacePoint free = slideTo(goal, m_contact);
-    const Eigen::Vector3d freePlace = m_surface.pointAt(free), back = m_place - freePlace;
-    const double most = kFriction * (freePlace - goal).norm(), way = back.norm();
-    m_contact = way > most ? slideTo(freePlace + (most / way) * back, free) : m_contact;
+  const SurfacePoint free = slideTo(goal, m_contact);
+  const Eigen::Vector3d freePlace = m_surface.pointAt(free), back = m_place - freePlace;
+  const double most = kFriction * (freePlace - goal).norm(), way = back.norm();
+  if (way > most) {
+    m_contact = slideTo(freePlace + (most / way) * back, free);
     m_normal = m_side * normalAt(m_contact);
     m_place = m_surface.pointAt(m_contact);
   }
-  if (m_normal.dot(m_hand - m_place) <= m_radius) return;
+  if (m_normal.dot(m_hand - m_place) <= m_radius && !isUnhooked()) return place();
   m_touches = false;
   m_lastSide = m_side;
   m_near = m_contact;
+}
+
+/// A flap of tissue that the tip has turned over would hold on to it for ever. The tip is free when the
+/// surface nearest to the hand has it outside, and is the same stretch of surface: the far wall of an organ
+/// that was pressed flat sets nobody free.
+bool ToolTip::isUnhooked() const
+{
+  const double depth = (m_hand - m_place).norm();
+  const auto near = m_surface.nearest(m_hand, depth);
+  if (!near || near->triangle == m_contact.triangle) return false;
+  const Eigen::Vector3d away = m_hand - m_surface.pointAt(*near);
+  if (m_side * normalAt(*near).dot(away) <= std::max(m_radius, 0.5 * away.norm())) return false;
+  const auto atRest = [&](const SurfacePoint& point) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) sum += point.weight[k] * m_rest.col(m_surface.triangles()(k, point.triangle));
+    return sum;
+  };
+  const auto restNormal = [&](Index t) {
+    const Eigen::Vector3d a = m_rest.col(m_surface.triangles()(0, t));
+    return Eigen::Vector3d((m_rest.col(m_surface.triangles()(1, t)) - a)
+                             .cross(m_rest.col(m_surface.triangles()(2, t)) - a)
+                             .normalized());
+  };
+  return restNormal(near->triangle).dot(restNormal(m_contact.triangle)) > kSameStretch &&
+         (atRest(*near) - atRest(m_contact)).norm() < 2.0 * depth;
+}
+
+/// In a fold that is narrower than the ball the proxy stays half-way to the other wall.
+void ToolTip::place()
+{
+  m_lift = m_radius;
+  const Eigen::Vector3d begin = m_place + 1e-3 * m_radius * m_normal, end = m_place + m_radius * m_normal;
+  if (const auto wall = m_surface.firstHit(begin, end, false))
+    m_lift = 0.5 * (m_surface.pointAt(*wall) - m_place).norm();
 }
 
 NodeCombination ToolTip::point() const noexcept
@@ -214,7 +249,7 @@ NodeCombination ToolTip::point() const noexcept
 
 Eigen::Vector3d ToolTip::proxy() const noexcept
 {
-  return m_touches ? Eigen::Vector3d(m_place + m_radius * m_normal) : m_hand;
+  return m_touches ? Eigen::Vector3d(m_place + m_lift * m_normal) : m_hand;
 }
 
 // === Forces

@@ -61,10 +61,13 @@ private:
   void search();
   void begin(const SurfacePoint& point, double side);
   void follow();
+  void place();
+  bool isUnhooked() const;
   Eigen::Vector3d pull() const; ///< from the contact point to where the hand would have it [m]
   double stiffness() const noexcept;
 
   DeformingSurface m_surface;
+  Eigen::Matrix3Xd m_rest; ///< positions at t = 0 [m]
   bool m_isClosed = false;
   std::vector<std::size_t> m_firstTriangle; ///< triangles at node i: m_triangleAt[m_firstTriangle[i] ... + 1)
   std::vector<Index> m_triangleAt;
@@ -79,6 +82,7 @@ private:
   SurfacePoint m_contact, m_near;
   Eigen::Vector3d m_normal = Eigen::Vector3d::Zero(); ///< at m_contact or m_near, towards the tip
   Eigen::Vector3d m_place = Eigen::Vector3d::Zero();  ///< of it [m]
+  double m_lift = 0.0; ///< of the proxy over m_place: the radius, less in a fold that is narrower [m]
 };
 
 } // namespace esm
