@@ -21,7 +21,8 @@ SimulatedDevice::SimulatedDevice(const SimulatedDeviceSettings& settings, std::u
 {
   m_profile.name = "Simulated device";
   m_profile.ownDamping = settings.damping;
-  m_profile.delay = settings.delayTicks * m_profile.period;
+  m_profile.period = settings.period;
+  m_profile.delay = settings.delayTicks * settings.period;
   m_profile.armTime = settings.armTime;
 }
 

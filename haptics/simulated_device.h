@@ -18,6 +18,7 @@ struct SimulatedDeviceSettings {
   double coulomb = 0.3;         ///< dry friction [N]
   double quantum = 0.0;         ///< positions are multiples of this [m]; 0 = exact
   int delayTicks = 0;           ///< a position is this many reads old
+  double period = 0.001;        ///< wanted tick [s]
   double handStiffness = 300.0; ///< the hand's spring to its target [N/m]
   double handDamping = 8.0;     ///< [N s/m]
   double armTime = 0.3;         ///< no fingers in the way: shorter than a real device's [s]

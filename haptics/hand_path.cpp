@@ -1,0 +1,112 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "haptics/hand_path.h"
+
+#include "core/base/file_io.h"
+#include "core/base/text_number.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace esm {
+
+namespace {
+
+constexpr std::string_view kHeader = "t,x,y,z";
+
+std::string_view takeUntil(std::string_view& text, char end)
+{
+  const std::size_t length = std::min(text.find(end), text.size());
+  const std::string_view part = text.substr(0, length);
+  text.remove_prefix(std::min(length + 1, text.size()));
+  return part;
+}
+
+std::string_view withoutReturn(std::string_view line)
+{
+  return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
+}
+
+std::optional<std::array<double, 4>> numbersOf(std::string_view line)
+{
+  std::array<double, 4> numbers{};
+  for (std::size_t i = 0; i < 4; ++i) {
+    const std::optional<double> number = parseDouble(takeUntil(line, ','));
+    if (!number || !std::isfinite(*number)) return std::nullopt;
+    numbers[i] = *number;
+  }
+  if (!line.empty()) return std::nullopt;
+  return numbers;
+}
+
+} // namespace
+
+Eigen::Vector3d HandPath::at(double t) const noexcept
+{
+  const auto next = std::upper_bound(time.begin(), time.end(), t);
+  if (next == time.begin()) return position.col(0);
+  if (next == time.end()) return position.col(position.cols() - 1);
+  const Eigen::Index i = next - time.begin();
+  const double before = time[static_cast<std::size_t>(i - 1)];
+  const double share = (t - before) / (*next - before);
+  return position.col(i - 1) + share * (position.col(i) - position.col(i - 1));
+}
+
+Result<HandPath> readHandPath(const std::filesystem::path& file)
+{
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return bytes.error();
+  const auto fault = [&](std::size_t line, const std::string& what) {
+    return Error{ErrorCode::BadFormat, file.string() + ": line " + std::to_string(line) + ": " + what};
+  };
+  std::string_view text = *bytes;
+  if (withoutReturn(takeUntil(text, '\n')) != kHeader)
+    return fault(1, "a hand path begins with the columns \"t,x,y,z\"");
+  HandPath path;
+  std::vector<std::array<double, 4>> rows;
+  for (std::size_t line = 2; !text.empty(); ++line) {
+    const std::string_view row = withoutReturn(takeUntil(text, '\n'));
+    if (row.empty()) continue;
+    const auto numbers = numbersOf(row);
+    if (!numbers) return fault(line, "four finite numbers are expected: time [s] and x, y, z [m]");
+    if (!rows.empty() && (*numbers)[0] <= rows.back()[0])
+      return fault(line, "the times must rise from line to line");
+    rows.push_back(*numbers);
+  }
+  if (rows.empty()) return Error{ErrorCode::EmptyResult, file.string() + ": the path has no points"};
+  path.position.resize(3, static_cast<Eigen::Index>(rows.size()));
+  for (std::size_t i = 0; i < rows.size(); ++i) {
+    path.time.push_back(rows[i][0]);
+    path.position.col(static_cast<Eigen::Index>(i)) << rows[i][1], rows[i][2], rows[i][3];
+  }
+  return path;
+}
+
+Status writeHandPath(const std::filesystem::path& file, const HandPath& path)
+{
+  std::string text(kHeader);
+  text += '\n';
+  for (std::size_t i = 0; i < path.time.size(); ++i) {
+    appendDouble(text, path.time[i]);
+    for (int axis = 0; axis < 3; ++axis) {
+      text += ',';
+      appendDouble(text, path.position(axis, static_cast<Eigen::Index>(i)));
+    }
+    text += '\n';
+  }
+  return writeFileAtomically(file, text);
+}
+
+HandPose RecordedHand::pose(double time) noexcept
+{
+  if (!m_started) m_start = time;
+  m_started = true;
+  const Eigen::Vector3d first = m_path.position.col(0);
+  return {m_path.at(m_path.time.front() + time - m_start), first, 1};
+}
+
+} // namespace esm

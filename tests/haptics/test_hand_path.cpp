@@ -1,0 +1,62 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "haptics/hand_path.h"
+
+#include "core/base/file_io.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+namespace esm {
+
+namespace {
+
+class HandPathTest : public testing::Test {
+protected:
+  ~HandPathTest() override { std::filesystem::remove(file); }
+  std::filesystem::path file =
+    std::filesystem::temp_directory_path() /
+    (std::string("esm_hand_path_") + testing::UnitTest::GetInstance()->current_test_info()->name() + ".csv");
+};
+
+} // namespace
+
+TEST_F(HandPathTest, ComesBackToTheSameBits)
+{
+  HandPath path;
+  path.time = {0.0, 1.0 / 3.0, 0.7};
+  path.position = Eigen::Matrix3Xd::Random(3, 3) / 7.0;
+  ASSERT_TRUE(writeHandPath(file, path));
+  const Result<HandPath> read = readHandPath(file);
+  ASSERT_TRUE(read) << read.error().detail;
+  EXPECT_EQ(read->time, path.time);
+  EXPECT_EQ(read->position, path.position);
+}
+
+TEST_F(HandPathTest, LeadsOnStraightLinesAndRestsAtItsEnds)
+{
+  HandPath path;
+  path.time = {1.0, 2.0};
+  path.position.resize(3, 2);
+  path.position << 0.0, 0.1, 0.0, 0.0, 0.0, -0.2;
+  EXPECT_TRUE(path.at(1.5).isApprox(Eigen::Vector3d(0.05, 0.0, -0.1), 1e-12));
+  EXPECT_EQ(path.at(0.0), path.position.col(0));
+  EXPECT_EQ(path.at(9.0), path.position.col(1));
+}
+
+TEST_F(HandPathTest, AFaultNamesItsLine)
+{
+  for (const auto& [text, line] : {std::pair{"x,y\n", "line 1"},
+                                   {"t,x,y,z\n0,0,0,0\n0,1,1,1\n", "line 3"},
+                                   {"t,x,y,z\n0,0,0\n", "line 2"},
+                                   {"t,x,y,z\n0,nan,0,0\n", "line 2"},
+                                   {"t,x,y,z\n0,0,0,0,0\n", "line 2"}}) {
+    ASSERT_TRUE(writeFileAtomically(file, text));
+    const Result<HandPath> read = readHandPath(file);
+    ASSERT_FALSE(read) << text;
+    EXPECT_NE(read.error().detail.find(line), std::string::npos) << read.error().detail;
+  }
+}
+
+} // namespace esm
