@@ -21,8 +21,11 @@ struct ErrorScale {
 /// Measures errors of stretches of motion, and knows how much of it a stretch may add, so that the error of
 /// docs/FILE_FORMAT.md stays below the tolerance.
 ///
-/// An error lives as long as the motion's damping lets it (horizon()); a stretch may add its share of that
-/// time. Distances are RMS over the nodes of the whole net, of which a System may be a part.
+/// An error lives as long as the motion's damping lets it (horizon()). Were errors to add up one to one, a
+/// stretch could have only its share of that time; those of fast waves do not, but lose their direction or
+/// fade within milliseconds, and add up like the steps of a random walk. Which it is shows inside a stretch:
+/// its error grows with a power of time (errorPower()), and the share of the budget goes with the same power.
+/// Distances are RMS over the nodes of the whole net, of which a System may be a part.
 class ErrorGauge {
 public:
   void begin(const NodeArray& x, double extent);
@@ -43,7 +46,11 @@ public:
   double displacementOf(const NodeArray& x) const noexcept; ///< [m]
   double speedOf(const NodeArray& v) const noexcept;        ///< [m/s]
   /// Error that a stretch of this length may add before `state` or after it [m].
-  double budget(double tolerance, const MotionState& state, double length) const noexcept;
+  /// @param power with which errors grow over time, see errorPower()
+  double budget(double tolerance, const MotionState& state, double length, double power) const noexcept;
+  /// The power of time with which an error has grown that was `early` [m] after a `share` of the stretch and
+  /// `late` [m] at its end: 1 adds up without end, 3/4 is the least that is believed.
+  static double errorPower(double early, double late, double share) noexcept;
   /// How far apart two ends of a stretch are [m].
   double distance(const NodeArray& x, const NodeArray& v, const MotionState& state,
                   double length) const noexcept;

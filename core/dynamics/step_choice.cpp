@@ -60,7 +60,7 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_names.clear();
   m_start = state;
   m_startEnergies.reset();
-  m_coarse = state.x;
+  m_coarse = m_look.x = m_look.v = state.x; // room for later
   m_gauge.begin(state.x, extentOf(system, state.x));
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
@@ -72,6 +72,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_untilCheck = 0;
   m_checkGap = 1;
   m_checkedError = m_checkedPower = 0.0;
+  m_errorPower = 1.0;
   m_settled = m_descents = m_descentTerm = 0;
   m_grown = 0.0;
   m_toleranceGivenUp = m_roughAtCheck = false;

@@ -13,6 +13,10 @@ constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solver
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0, kMostErrorGrowth = 30.0;
 constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
+/// The look at the two runs of a check comes after about a quarter of the steps, if there are so many, and so
+/// many nodes: the errors of a few modes add up, whatever one look may say.
+constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
+constexpr std::size_t kLeastNodesForLook = 100;
 /// A step whose error is this share of the budget stays as it is.
 constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
 /// Of the budget: an error that, grown with the power of the dampers since the last check, asks for the next.
@@ -92,6 +96,39 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
   return Run::Done;
 }
 
+/// The first run of a check: on its way it keeps where it was after an even number of steps, so that the
+/// second run comes by at the same time.
+StepDriver::Run StepDriver::runWithLook(System& system, MotionState& state, double end, std::int64_t steps,
+                                        StepReport& report)
+{
+  m_look.steps = 0;
+  if (steps < kLeastStepsForLook || state.x.size() < kLeastNodesForLook)
+    return run(system, state, end, steps, report);
+  const double begin = state.time;
+  const std::int64_t early = steps / (2 * kLookShare) * 2;
+  m_look.share = static_cast<double>(early) / static_cast<double>(steps);
+  m_look.time = begin + (end - begin) * m_look.share;
+  const Run result = run(system, state, m_look.time, early, report);
+  if (result != Run::Done) return result;
+  m_look.steps = early;
+  m_look.x = state.x;
+  m_look.v = state.v;
+  return run(system, state, end, steps - early, report);
+}
+
+/// The second run of a check, with kFiner times the steps.
+StepDriver::Run StepDriver::runAgain(System& system, MotionState& state, double end, std::int64_t steps,
+                                     StepReport& report)
+{
+  if (m_look.steps == 0) return run(system, state, end, steps, report);
+  const auto early = static_cast<std::int64_t>(std::llround(kFiner * static_cast<double>(m_look.steps)));
+  const double begin = state.time;
+  const Run result = run(system, state, m_look.time, early, report);
+  if (result != Run::Done) return result;
+  m_look.error = m_gauge.distance(m_look.x, m_look.v, state, m_look.time - begin);
+  return run(system, state, end, steps - early, report);
+}
+
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
 {
   current().setSolveTolerance(1e-12 * m_gauge.extent(), false);
@@ -141,13 +178,16 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const auto steps = static_cast<std::int64_t>(count);
     // An implicit solver measures over the nodes that it has.
     const double budget =
-      m_gauge.budget(m_settings.tolerance, m_start, length) * m_gauge.shareOfWhole(state.x.size());
+      m_gauge.budget(m_settings.tolerance, m_start, length, 1.0) * m_gauge.shareOfWhole(state.x.size());
     // What nobody checks needs no digits beyond what the eye can see.
     const bool unchecked = m_toleranceGivenUp && m_method == m_implicit;
     current().setSolveTolerance(
       std::max(kSolveShare * budget / count, (unchecked ? 1e-4 : 1e-13) * m_gauge.extent()), unchecked);
     const auto finer = static_cast<std::int64_t>(std::ceil(kFiner * count));
-    Run result = run(system, state, end, steps, report);
+    // A check that comes unforeseen has no look.
+    m_look.steps = 0;
+    Run result = !unchecked && m_untilCheck <= 0 ? runWithLook(system, state, end, steps, report)
+                                                 : run(system, state, end, steps, report);
     if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
       report.rejectedSteps += steps;
       state = m_start;
@@ -177,7 +217,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       m_coarseV = state.v;
       state = m_start;
       current().restart();
-      result = run(system, state, end, finer, report);
+      result = runAgain(system, state, end, finer, report);
       if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     }
     if (result != Run::Done) {
@@ -212,8 +252,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
 {
   const double length = state.time - m_start.time, count = static_cast<double>(steps);
   const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
-  const double coarseError = m_gauge.distance(m_coarse, m_coarseV, state, length) * ratio / (ratio - 1.0);
-  const double allowed = m_gauge.budget(m_settings.tolerance, state, length);
+  const double apart = m_gauge.distance(m_coarse, m_coarseV, state, length);
+  const double coarseError = apart * ratio / (ratio - 1.0);
+  m_errorPower = m_look.steps > 0 ? ErrorGauge::errorPower(m_look.error, apart, m_look.share) : 1.0;
+  const double allowed = m_gauge.budget(m_settings.tolerance, state, length, m_errorPower);
   const bool isFine = coarseError / ratio <= allowed;
   // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
   const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
@@ -332,7 +374,8 @@ bool StepDriver::checkDue(const MotionState& state) const noexcept
   if (m_untilCheck <= 0 || !(m_gauge.speedOf(state.v) <= 2.0 * m_gauge.scale().topSpeed)) return true;
   const double length = state.time - m_start.time, power = (state.heat - m_start.heat) / length;
   const double grown = m_checkedPower > 0.0 ? std::sqrt(std::max(power, 0.0) / m_checkedPower) : 1.0;
-  return m_checkedError * length * grown > kSuspicious * m_gauge.budget(m_settings.tolerance, state, length);
+  return m_checkedError * length * grown >
+         kSuspicious * m_gauge.budget(m_settings.tolerance, state, length, m_errorPower);
 }
 
 /// From the error of steps of size `step` to the step that would just spend the budget. A step whose error is

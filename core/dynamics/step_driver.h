@@ -27,7 +27,8 @@ struct NetPart {
 /// not estimated from single steps: now and then a stretch is done twice, the second time with two thirds of
 /// the step, and the distance of the two ends tells the error. Single steps say much about fast modes whose
 /// error dies out before the next frame; whole stretches say what a frame shows. The second result is kept.
-/// How much error a stretch may add is told by ErrorGauge.
+/// How much error a stretch may add is told by ErrorGauge, which also takes a look at the two runs early in
+/// the stretch: it tells whether errors add up.
 ///
 /// `auto` compares costs: explicit steps at their limit against implicit ones at the accurate step. If even
 /// explicit steps would be too many, it goes implicit with a smallest step and says that the tolerance may
@@ -101,6 +102,8 @@ private:
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
   enum class Run { Done, Limit, NonFinite, NotConverged };
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  Run runWithLook(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  Run runAgain(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   bool fallBackToLeapfrog(System& system, double length);
   bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
   bool energyAppeared(const System& system, const MotionState& state, double share);
@@ -145,6 +148,7 @@ private:
   int m_checkGap = 1;
   double m_checkedError = 0.0; ///< that the present steps add, by the last check [m/s]
   double m_checkedPower = 0.0; ///< of the dampers then [W]
+  double m_errorPower = 1.0;   ///< with which errors grow over time, by the last check
   std::int64_t m_maxSteps = 0;
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
@@ -155,6 +159,15 @@ private:
   };
   std::optional<Energies> m_startEnergies; ///< of m_start, once somebody asked
   NodeArray m_coarse, m_coarseV;           ///< end of the first of two runs
+  /// Of the present check, early in the stretch. No steps: none was taken.
+  struct Look {
+    NodeArray x, v;         ///< of the first run
+    std::int64_t steps = 0; ///< of it up to here, an even number
+    double time = 0.0;
+    double share = 1.0; ///< of the stretch
+    double error = 0.0; ///< how far the second run was from it [m]
+  };
+  Look m_look;
 };
 
 } // namespace esm
