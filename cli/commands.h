@@ -27,6 +27,7 @@ void addSimulate(CLI::App& program, Work& work);
 void addExplain(CLI::App& program, Work& work);
 void addExport(CLI::App& program, Work& work);
 void addFuzzy(CLI::App& program, Work& work);
+void addHaptics(CLI::App& program, Work& work);
 void addSolvers(CLI::App& program, Work& work);
 
 } // namespace esm::cli

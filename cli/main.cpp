@@ -29,7 +29,7 @@ Exit run(int argc, char** argv)
   program.footer(kFooter);
   Work work;
   for (const auto add : {addInspect, addImport, addInfo, addValidate, addApply, addExplain, addSimulate,
-                         addExport, addFuzzy, addSolvers})
+                         addExport, addFuzzy, addHaptics, addSolvers})
     add(program, work);
   try {
     program.parse(argc, argv);

@@ -1,0 +1,266 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "cli/haptics.h"
+
+#include "core/base/file_io.h"
+#include "core/base/json_line.h"
+#include "core/base/text_number.h"
+#include "core/project/project_io.h"
+#include "core/runtime/sim_runner.h"
+#include "core/runtime/sim_thread.h"
+#include "haptics/device_registry.h"
+#include "haptics/exit_guard.h"
+#include "haptics/hand_path.h"
+#include "haptics/haptic_session.h"
+#include "haptics/servo_loop.h"
+#include "haptics/simulated_device.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <functional>
+#include <thread>
+
+namespace esm::cli {
+
+namespace {
+
+constexpr double kDefaultLimit = 5.0, kDefaultFrames = 60.0, kDefaultSeconds = 5.0;
+
+std::string csvOf(const std::vector<TraceSample>& samples)
+{
+  std::string text = "t,x,y,z,vx,vy,vz,fx,fy,fz,work,lateness\n";
+  for (const TraceSample& sample : samples) {
+    appendDouble(text, sample.time);
+    for (const Eigen::Vector3d* part : {&sample.position, &sample.velocity, &sample.force})
+      for (int i = 0; i < 3; ++i) {
+        text += ',';
+        appendDouble(text, (*part)[i]);
+      }
+    for (const double value : {sample.work, sample.lateness}) {
+      text += ',';
+      appendDouble(text, value);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+double largestForce(const std::vector<TraceSample>& samples)
+{
+  double largest = 0.0;
+  for (const TraceSample& sample : samples) largest = std::max(largest, sample.force.norm());
+  return largest;
+}
+
+JsonLine jsonOf(const JitterCounts& jitter)
+{
+  JsonLine line;
+  line.add("ticks", jitter.ticks);
+  line.add("missed", jitter.missed);
+  line.add("p50", jitter.percentile(0.5));
+  line.add("p99", jitter.percentile(0.99));
+  line.add("p999", jitter.percentile(0.999));
+  line.add("worst", jitter.worst);
+  return line;
+}
+
+std::string microseconds(double time)
+{
+  return formatDouble(1e6 * time, 3) + " us";
+}
+
+/// The net under a device, in commands for a thread or a runner.
+void touchNet(const HapticRunOptions& options, Project&& project, const Eigen::Vector3d& hand,
+              const std::function<void(SimCommand&&)>& obey)
+{
+  const double limit = options.forceLimit.value_or(kDefaultLimit);
+  obey(
+    command::Load{1, std::move(project.net), std::move(project.loads), std::move(project.simulation.solver)});
+  if (options.node)
+    obey(command::Grab{*options.node, hand, limit});
+  else
+    obey(command::Touch{true, options.radius, limit});
+  obey(command::FollowDevice{true});
+  obey(command::Play{});
+}
+
+/// The user's device, or a simulated one that a path leads.
+Result<std::unique_ptr<HapticDevice>> deviceFor(const HapticRunOptions& options, Eigen::Vector3d& hand)
+{
+  if (options.path.empty()) return openDevice(options.device);
+  if (options.device != "simulated")
+    return Error{ErrorCode::InvalidValue, "--path leads the simulated device; '" + options.device +
+                                            "' is led by a hand; leave out one of the two"};
+  Result<HandPath> path = readHandPath(options.path);
+  if (!path) return path.error();
+  hand = path->position.col(0);
+  return std::unique_ptr<HapticDevice>(std::make_unique<SimulatedDevice>(
+    SimulatedDeviceSettings{}, std::make_unique<RecordedHand>(std::move(*path))));
+}
+
+Status writeCsv(const std::string& file, const std::vector<TraceSample>& samples)
+{
+  if (file.empty()) return {};
+  return writeFileAtomically(file, csvOf(samples));
+}
+
+/// Until the time is over or somebody wants the program to end.
+void waitWhile(HapticSession& session, double seconds, std::vector<TraceSample>& samples)
+{
+  using Clock = std::chrono::steady_clock;
+  const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  while (Clock::now() < end && !ExitGuard::requested()) {
+    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    session.takeTrace(samples);
+  }
+  if (ExitGuard::requested()) // the servo lets the force fall by itself; its last ticks belong to the record
+    std::this_thread::sleep_for(std::chrono::milliseconds(30));
+  session.takeTrace(samples);
+}
+
+void endAsAsked()
+{
+  if (const int signal = ExitGuard::signal(); signal != 0) {
+    std::signal(signal, SIG_DFL);
+    std::raise(signal);
+  }
+}
+
+} // namespace
+
+Exit runDevice(const HapticRunOptions& options)
+{
+  const ExitGuard guard;
+  Eigen::Vector3d hand = Eigen::Vector3d::Zero();
+  SimThread simulation(options.frameRate.value_or(kDefaultFrames));
+  if (!options.project.empty()) {
+    Result<Project> project = loadProject(options.project);
+    if (!project) return fail(project.error());
+    simulation.load(std::move(project->net), std::move(project->loads),
+                    std::move(project->simulation.solver));
+    simulation.setQuality({});
+  }
+  Result<std::unique_ptr<HapticDevice>> device = deviceFor(options, hand);
+  if (!device) return fail(device.error());
+  auto session = HapticSession::start(std::move(*device), simulation.toolInput(), simulation.contactOutput());
+  if (!session) return fail(session.error());
+  const double limit = options.forceLimit.value_or(kDefaultLimit);
+  (*session)->setForceLimit(limit);
+  (*session)->setForceScale(options.gain.value_or(1.0));
+  if (!options.project.empty()) {
+    if (options.node)
+      simulation.grab(*options.node, hand, limit);
+    else
+      simulation.touch(true, options.radius, limit);
+    simulation.followDevice(true);
+    simulation.play();
+  }
+  if (options.arm) (*session)->arm();
+  std::vector<TraceSample> samples;
+  waitWhile(**session, options.seconds.value_or(kDefaultSeconds), samples);
+  const HapticStatus status = (*session)->status();
+  const JitterCounts jitter = (*session)->jitter();
+  session->reset(); // zero force, whatever comes now
+  if (const Status written = writeCsv(options.csv, samples); !written) return fail(written.error());
+  if (options.json) {
+    JsonLine line;
+    line.add("device", status.device);
+    line.add("priority", status.priority);
+    line.add("rate", status.rate);
+    line.add("largest_force", largestForce(samples));
+    line.add("reason", status.reason);
+    line.add("lateness", jsonOf(jitter));
+    print(line.text());
+  } else {
+    print(status.device + ": " + std::to_string(jitter.ticks) + " ticks (" + std::to_string(jitter.missed) +
+          " missed) at " + status.priority + " priority, largest force " +
+          formatDouble(largestForce(samples), 3) + " N");
+    print("late by " + microseconds(jitter.percentile(0.5)) + " (half), " +
+          microseconds(jitter.percentile(0.99)) + " (99 %), " + microseconds(jitter.percentile(0.999)) +
+          " (99.9 %), " + microseconds(jitter.worst) + " (worst)");
+    if (!status.reason.empty()) print(status.reason);
+  }
+  endAsAsked();
+  return Exit::Done;
+}
+
+Exit recordPath(const HapticRunOptions& options)
+{
+  const ExitGuard guard;
+  TripleBuffer<ToolState> tool;
+  TripleBuffer<ContactModel> contact;
+  auto session = HapticSession::open(options.device, tool, contact);
+  if (!session) return fail(session.error());
+  std::vector<TraceSample> samples;
+  waitWhile(**session, options.seconds.value_or(kDefaultSeconds), samples);
+  session->reset();
+  HandPath path;
+  path.position.resize(3, static_cast<Eigen::Index>(samples.size()));
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    path.time.push_back(samples[i].time - samples.front().time);
+    path.position.col(static_cast<Eigen::Index>(i)) = samples[i].position;
+  }
+  if (path.time.empty())
+    return fail(
+      {ErrorCode::EmptyResult, "the device '" + options.device + "' told no position; is it homed?"});
+  if (const Status written = writeHandPath(options.output, path); !written) return fail(written.error());
+  say(std::to_string(path.time.size()) + " positions in " + formatDouble(path.duration(), 3) + " s");
+  endAsAsked();
+  return Exit::Done;
+}
+
+Exit replayPath(const HapticRunOptions& options)
+{
+  Result<HandPath> path = readHandPath(options.path);
+  if (!path) return fail(path.error());
+  Result<Project> project = loadProject(options.project);
+  if (!project) return fail(project.error());
+  const Eigen::Vector3d start = path->position.col(0);
+  const double seconds = options.seconds.value_or(path->duration());
+  const double frame = 1.0 / options.frameRate.value_or(kDefaultFrames);
+
+  TripleBuffer<ToolState> tool;
+  TripleBuffer<ContactModel> contact;
+  SimRunner runner(1.0 / frame, tool, contact);
+  touchNet(options, std::move(*project), start, [&](SimCommand&& c) { runner.apply(std::move(c)); });
+  ServoLoop loop(std::make_unique<SimulatedDevice>(SimulatedDeviceSettings{},
+                                                   std::make_unique<RecordedHand>(std::move(*path))),
+                 std::make_unique<VirtualClock>(), tool, contact);
+  loop.core().setForceLimit(options.forceLimit.value_or(kDefaultLimit));
+  loop.core().setForceScale(options.gain.value_or(1.0));
+  loop.core().orders().give(ForceOrder::Arm);
+  std::vector<TraceSample> samples;
+  const auto ticks = static_cast<std::int64_t>(std::llround(seconds / loop.device().profile().period));
+  double nextFrame = 0.0;
+  for (std::int64_t i = 0; i < ticks; ++i) {
+    loop.runTicks(1);
+    loop.core().trace().takeNew(samples);
+    const double now = samples.back().time;
+    if (now < nextFrame || (options.stopAfter && now > *options.stopAfter)) continue;
+    nextFrame += frame;
+    runner.runFrame();
+  }
+  if (const Status written = writeCsv(options.csv, samples); !written) return fail(written.error());
+  SimSnapshot picture;
+  runner.draw(picture);
+  const ServoStatus& status = loop.core().status();
+  JsonLine line;
+  line.add("ticks", ticks);
+  line.add("largest_force", largestForce(samples));
+  line.add("force", status.force);
+  line.add("work", samples.empty() ? 0.0 : samples.back().work);
+  line.add("generated", status.generated);
+  line.add("tip", picture.tipPosition);
+  line.add("touches", picture.tipTouches);
+  line.add("simulation", picture.message);
+  if (options.json)
+    print(line.text());
+  else
+    print(std::to_string(ticks) + " ticks, largest force " + formatDouble(largestForce(samples), 3) +
+          " N, at the end " + formatDouble(status.force.norm(), 3) + " N");
+  return Exit::Done;
+}
+
+} // namespace esm::cli

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The ESM authors
+# SPDX-License-Identifier: MIT
+"""`esm haptics`: devices with their reason, paths that come back, the same forces each time, zero at the end."""
+import csv
+import math
+import os
+import signal
+import subprocess
+import time
+import unittest
+
+from program import PROGRAM, SOURCE, ProgramTest
+
+
+class Haptics(ProgramTest):
+    def rows(self, name):
+        with open(self.folder / name, newline="", encoding="utf-8") as file:
+            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+
+    def press_path(self):
+        """From 2 cm over the top of the uterus to 1 cm under it and back, in 2 s."""
+        with open(self.folder / "hand.csv", "w", encoding="utf-8") as file:
+            file.write("t,x,y,z\n")
+            for i in range(201):
+                t = i / 100
+                z = 0.095 - 0.03 * math.sin(math.pi * min(max(t - 0.5, 0.0) / 1.5, 1.0))
+                file.write(f"{t!r},0.0,0.009,{z!r}\n")
+
+    def replay(self, out, *more):
+        return self.json_of("haptics", "replay", "hand.csv", SOURCE / "resources/samples/uterus.esm", "--csv", out,
+                            *more)
+
+    def force(self, row):
+        return math.hypot(row["fx"], row["fy"], row["fz"])
+
+    def test_the_simulated_device_is_ready_and_others_say_why_not(self):
+        devices = {device["name"]: device for device in self.json_of("haptics", "list")["devices"]}
+        self.assertTrue(devices["simulated"]["usable"])
+        for device in devices.values():
+            self.assertTrue(device["usable"] or device["reason"], device)
+
+    def test_a_path_presses_the_uterus_and_equal_paths_give_equal_forces(self):
+        self.press_path()
+        said = self.replay("a.csv")
+        self.replay("b.csv")
+        with open(self.folder / "a.csv", "rb") as a, open(self.folder / "b.csv", "rb") as b:
+            self.assertEqual(a.read(), b.read())
+        rows = self.rows("a.csv")
+        self.assertGreater(said["largest_force"], 0.05)
+        self.assertLessEqual(said["largest_force"], 5.0 + 1e-12)
+        for before, row in zip(rows, rows[1:]):
+            change = math.hypot(*(row[k] - before[k] for k in ("fx", "fy", "fz")))
+            self.assertLessEqual(change, 1.0 + 1e-9)
+
+    def test_a_simulation_that_answers_no_more_is_no_wall(self):
+        self.press_path()
+        self.replay("a.csv", "--stop-simulation", "1.2")
+        rows = self.rows("a.csv")
+        self.assertGreater(max(self.force(r) for r in rows if r["t"] < 1.2), 0.02)
+        # The last model came up to a frame before; 100 ms until it is old, 50 ms until it is gone.
+        self.assertEqual(max(self.force(r) for r in rows if r["t"] > 1.36), 0.0)
+
+    def test_sigterm_ends_with_zero_force_and_a_record(self):
+        process = subprocess.Popen([PROGRAM, "haptics", "run", "--seconds", "60", "--arm", "--csv", "felt.csv"],
+                                   cwd=self.folder)
+        time.sleep(1.5)
+        process.send_signal(signal.SIGTERM)
+        self.assertEqual(process.wait(timeout=30), -signal.SIGTERM)
+        rows = self.rows("felt.csv")
+        self.assertGreater(len(rows), 100)
+        self.assertEqual(self.force(rows[-1]), 0.0)
+
+    def test_bad_paths_are_one_line(self):
+        with open(self.folder / "hand.csv", "w", encoding="utf-8") as file:
+            file.write("t,x,y,z\n0,0,0,0\n0,0,0,0\n")
+        self.run_program("haptics", "replay", "hand.csv", SOURCE / "resources/samples/uterus.esm", exit_code=1)
+
+    def test_the_selftest_is_good(self):
+        said = self.json_of("haptics", "selftest")
+        self.assertTrue(said["good"], [row for row in said["rows"] if not row["good"]])
+        self.assertEqual({row["id"] for row in said["rows"]}, {f"A{i}" for i in range(1, 10)})
+
+
+if __name__ == "__main__":
+    unittest.main()
