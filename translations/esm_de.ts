@@ -677,10 +677,6 @@
         <translation>Projekte (*.esm *.esmb)</translation>
     </message>
     <message>
-        <source>Plain nets (*.json)</source>
-        <translation>Einfache Netze (*.json)</translation>
-    </message>
-    <message>
         <source>All files (*)</source>
         <translation>Alle Dateien (*)</translation>
     </message>
@@ -729,10 +725,6 @@
         <translation>Form exportieren</translation>
     </message>
     <message>
-        <source>OBJ with springs (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binary (*.glb);;VTK (*.vtu);;Tables (*.csv)</source>
-        <translation>OBJ mit Federn (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binär (*.glb);;VTK (*.vtu);;Tabellen (*.csv)</translation>
-    </message>
-    <message>
         <source>Exported %1</source>
         <translation>%1 exportiert</translation>
     </message>
@@ -767,6 +759,18 @@
     <message>
         <source>Region: drag its handles (Esc takes a drag back)</source>
         <translation>Region: an den Griffen ziehen (Esc nimmt es zurück)</translation>
+    </message>
+    <message>
+        <source>Plain nets (*.json *.xsp)</source>
+        <translation>Einfache Netze (*.json *.xsp)</translation>
+    </message>
+    <message>
+        <source>OBJ with springs (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binary (*.glb);;glTF text (*.gltf);;VTK (*.vtu);;Tables (*.csv);;SOFA scene (*.scn);;Masses and springs, Xsp 3.0 (*.xsp)</source>
+        <translation>OBJ mit Federn (*.obj);;PLY (*.ply);;STL (*.stl);;glTF binär (*.glb);;glTF als Text (*.gltf);;VTK (*.vtu);;Tabellen (*.csv);;SOFA-Szene (*.scn);;Massen und Federn, Xsp 3.0 (*.xsp)</translation>
+    </message>
+    <message>
+        <source>Exported %1. It does not hold: %2</source>
+        <translation>%1 exportiert. Darin fehlt: %2</translation>
     </message>
 </context>
 <context>
