@@ -3,17 +3,16 @@
 #include "app/import_dialog.h"
 
 #include "app/error_text.h"
+#include "app/import/defect_list.h"
+#include "app/import/format_memory.h"
+#include "app/import/recipe_form.h"
 #include "app/theme.h"
-#include "core/net/net_builder.h"
+#include "app/viewport/scene_view.h"
 
-#include <QCheckBox>
-#include <QComboBox>
+#include <QCoreApplication>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
+#include <QEvent>
 #include <QFileInfo>
-#include <QFormLayout>
-#include <QGroupBox>
-#include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
 #include <QListWidget>
@@ -21,19 +20,80 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QStyle>
 #include <QTableWidget>
 #include <QVBoxLayout>
 
-#include <cmath>
+#include <algorithm>
 
 namespace esm {
 
 namespace {
 
-void name(QWidget* widget, const char* object, const QString& text)
+/// A finding as it is said in the window's language.
+QString textOf(const QualityFinding& finding, const QualityReport& report)
 {
-  widget->setObjectName(QLatin1String(object));
-  widget->setAccessibleName(text);
+  const QLocale locale;
+  const QString dent = locale.toString(finding.value * 1000.0, 'g', 2);
+  const QString poke = locale.toString(report.poke, 'g', 2);
+  const auto count = static_cast<int>(std::min<std::int64_t>(finding.count, 1'000'000'000));
+  const auto places = static_cast<int>(finding.nodes.size());
+  const auto tr = [](const char* text, int n = -1) {
+    return QCoreApplication::translate("esm::ImportDialog", text, nullptr, n);
+  };
+  switch (finding.kind) {
+  case QualityFinding::Kind::Carries:
+    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog",
+                                "The net carries load: a poke of %1 N dents it by %2 mm."))
+      .arg(poke, dent);
+  case QualityFinding::Kind::Soft:
+    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog", "The net is soft: a poke of %1 N dents it by %2 mm."))
+      .arg(poke, dent);
+  case QualityFinding::Kind::Collapses:
+    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog",
+                                "The net collapses: a poke of %1 N moves it by more than its size."))
+      .arg(poke);
+  case QualityFinding::Kind::NothingInside:
+    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog",
+                                "Nothing is inside the surface: it gives way like a bag. Choose a support."));
+  case QualityFinding::Kind::Mechanisms:
+    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n motion(s) of the net that no spring resists"),
+              count);
+  case QualityFinding::Kind::FlatNodes:
+    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog",
+                                  "%n node(s) that nothing holds across the plane of their springs"),
+              places);
+  case QualityFinding::Kind::HingeNode:
+    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n node(s) at which parts hang together alone"),
+              places);
+  case QualityFinding::Kind::HingeLine:
+    return tr(
+      QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n node(s) of lines along which parts hang together alone"),
+      places);
+  case QualityFinding::Kind::Unheld:
+    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n part(s) that neither bands nor held nodes hold"),
+              count);
+  case QualityFinding::Kind::TooLarge:
+    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog", "The net is too large to be judged before it runs."));
+  }
+  return {};
+}
+
+template <class Widget>
+Widget* named(Widget* widget, const char* name)
+{
+  widget->setObjectName(QLatin1String(name));
+  return widget;
+}
+
+QLabel* wrappedLabel(QWidget* parent, const char* name)
+{
+  auto* label = named(new QLabel(parent), name);
+  label->setWordWrap(true);
+  label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+  return label;
 }
 
 } // namespace
@@ -43,14 +103,40 @@ LengthUnit guessedUnit(double largestExtent)
   return largestExtent > 2.0 ? LengthUnit::Millimetre : LengthUnit::Metre;
 }
 
-ImportDialog::ImportDialog(const QString& path, JobRunner* jobs, bool modelIsEmpty, QWidget* parent)
-  : QDialog(parent), m_path(path), m_jobs(jobs)
+ImportDialog::ImportDialog(const QStringList& paths, JobRunner* jobs, bool modelIsEmpty, TissueModel tissue,
+                           QWidget* parent)
+  : QDialog(parent), m_paths(paths), m_jobs(jobs), m_tissue(std::move(tissue))
 {
   setObjectName(QStringLiteral("dlgImport"));
-  setWindowTitle(tr("Import %1").arg(QFileInfo(path).fileName()));
-  resize(720, 620);
+  resize(1280, 800);
   buildWidgets(modelIsEmpty);
-  readFile();
+  m_settle.setSingleShot(true);
+  m_settle.setInterval(150); // [ms]
+  connect(&m_settle, &QTimer::timeout, this, &ImportDialog::makeNet);
+  m_progressTimer.setInterval(50); // [ms]
+  connect(&m_progressTimer, &QTimer::timeout, this, [this] {
+    const double done = m_jobs->done();
+    m_progress->setRange(0, done > 0.0 ? 100 : 0); // a worker process does not tell how far it is
+    m_progress->setValue(static_cast<int>(100.0 * done));
+  });
+  connect(m_form, &RecipeForm::readingChanged, this, &ImportDialog::readFiles);
+  connect(m_form, &RecipeForm::changed, this, [this] {
+    setBusy(true);
+    showSize();
+    m_settle.start();
+  });
+  connect(m_defects, &DefectList::chosen, this, [this](const Eigen::Matrix3Xd& places) {
+    m_view->setMarks(places);
+    if (places.cols() == 0 || !m_preview) return;
+    const MeshReport& report = m_preview->made.before;
+    m_view->flyTo(places, 0.15 * (report.boxMax - report.boxMin).norm());
+  });
+  if (const auto remembered = rememberedRecipe(format())) {
+    m_remembered = true;
+    m_form->setRecipe(*remembered);
+  }
+  retranslate();
+  readFiles();
 }
 
 ImportDialog::~ImportDialog()
@@ -58,197 +144,262 @@ ImportDialog::~ImportDialog()
   m_jobs->cancel();
 }
 
-void ImportDialog::buildWidgets(bool modelIsEmpty)
+// === Widgets
+
+QWidget* ImportDialog::buildLeft(bool modelIsEmpty)
 {
-  m_report = new QTableWidget(0, 2, this);
-  name(m_report, "importReport", tr("Report on the mesh"));
-  m_report->setHorizontalHeaderLabels({tr("In the file"), tr("Count")});
+  auto* inner = new QWidget(this);
+  auto* layout = new QVBoxLayout(inner);
+  m_form = named(new RecipeForm(inner), "importForm");
+  layout->addWidget(m_form);
+  m_replace = named(new QRadioButton(inner), "importReplace");
+  m_add = named(new QRadioButton(inner), "importAdd");
+  m_replace->setChecked(true);
+  m_add->setEnabled(!modelIsEmpty);
+  layout->addWidget(m_replace);
+  layout->addWidget(m_add);
+  layout->addStretch();
+  m_left = named(new QScrollArea(this), "importScroll");
+  m_left->setWidget(inner);
+  m_left->setWidgetResizable(true);
+  m_left->setFrameShape(QFrame::NoFrame);
+  m_left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  return m_left;
+}
+
+QWidget* ImportDialog::buildRight()
+{
+  auto* right = new QWidget(this);
+  auto* layout = new QVBoxLayout(right);
+  layout->setContentsMargins(0, 0, 0, 0);
+  m_report = named(new QTableWidget(0, 3, right), "importReport");
+  m_report->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
   m_report->horizontalHeader()->setSectionResizeMode(0, QHeaderView::Stretch);
   m_report->verticalHeader()->hide();
   m_report->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
   m_report->setEditTriggers(QAbstractItemView::NoEditTriggers);
   m_report->setSelectionMode(QAbstractItemView::NoSelection);
-  m_notes = new QListWidget(this);
-  name(m_notes, "importNotes", tr("Notes of the importer"));
+  m_report->setFocusPolicy(Qt::NoFocus);
+  m_defects = new DefectList(right);
+  m_notes = named(new QListWidget(right), "importNotes");
   m_notes->setWordWrap(true);
-  m_notes->setMaximumHeight(110);
-
-  m_unit = new QComboBox(this);
-  name(m_unit, "importUnit", tr("Unit of the file"));
-  for (const LengthUnit unit :
-       {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre, LengthUnit::Inch})
-    m_unit->addItem(QString::fromStdString(lengthUnitName(unit)), static_cast<int>(unit));
-  m_up = new QComboBox(this);
-  name(m_up, "importUp", tr("Axis of the file that points up"));
-  m_up->addItem(QStringLiteral("z"), static_cast<int>(UpAxis::Z));
-  m_up->addItem(QStringLiteral("y"), static_cast<int>(UpAxis::Y));
-  m_weld = new QCheckBox(tr("Join vertices at the same place"), this);
-  name(m_weld, "importWeld", m_weld->text());
-  m_weld->setChecked(true);
-  m_tolerance = new QDoubleSpinBox(this);
-  name(m_tolerance, "importTolerance", tr("Weld tolerance in the unit of the file"));
-  m_tolerance->setDecimals(6);
-  m_tolerance->setRange(0.0, 1e6);
-  m_tolerance->setSingleStep(0.001);
-  m_tolerance->setKeyboardTracking(false);
-  m_tolerance->setSpecialValueText(tr("equal positions only"));
-  m_size = new QLabel(this);
-  name(m_size, "importSize", tr("Size of the model"));
-  m_prediction = new QLabel(this);
-  name(m_prediction, "importPrediction", tr("Net that will come of it"));
-  m_replace = new QRadioButton(tr("Replace the model"), this);
-  name(m_replace, "importReplace", m_replace->text());
-  m_replace->setToolTip(tr("Rules, inputs and regions stay; loads on single nodes go with the old model"));
-  m_add = new QRadioButton(tr("Add to the model"), this);
-  name(m_add, "importAdd", m_add->text());
-  m_replace->setChecked(true);
-  m_add->setEnabled(!modelIsEmpty);
-  m_message = new QLabel(this);
-  name(m_message, "importMessage", tr("Message"));
-  m_message->setWordWrap(true);
-  m_message->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  m_message->hide();
-  m_progress = new QProgressBar(this);
-  name(m_progress, "importProgress", tr("Reading the file"));
-  m_progress->setRange(0, 0);
-  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
-  m_ok = buttons->button(QDialogButtonBox::Ok);
-  m_ok->setText(tr("Import"));
-  name(m_ok, "importOk", m_ok->text());
-  name(buttons->button(QDialogButtonBox::Cancel), "importCancel", tr("Cancel"));
-
-  auto* form = new QFormLayout;
-  form->addRow(tr("Unit"), m_unit);
-  form->addRow(tr("Up axis"), m_up);
-  form->addRow(m_weld);
-  form->addRow(tr("Weld tolerance"), m_tolerance);
-  form->addRow(tr("Size"), m_size);
-  form->addRow(tr("Net"), m_prediction);
-  auto* use = new QGroupBox(tr("Use"), this);
-  auto* useLayout = new QVBoxLayout(use);
-  useLayout->addWidget(m_replace);
-  useLayout->addWidget(m_add);
-  auto* right = new QVBoxLayout;
-  right->addLayout(form);
-  right->addWidget(use);
-  right->addStretch();
-  auto* columns = new QHBoxLayout;
-  columns->addWidget(m_report, 1);
-  columns->addLayout(right, 1);
-  auto* layout = new QVBoxLayout(this);
-  layout->addLayout(columns, 1);
-  layout->addWidget(m_notes);
-  layout->addWidget(m_message);
-  layout->addWidget(m_progress);
-  layout->addWidget(buttons);
-
-  connect(buttons, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
-  connect(buttons, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
-  connect(m_unit, &QComboBox::currentIndexChanged, this, &ImportDialog::refreshSize);
-  connect(m_up, &QComboBox::currentIndexChanged, this, &ImportDialog::refreshSize);
-  connect(m_weld, &QCheckBox::toggled, this, [this](bool on) {
-    m_tolerance->setEnabled(on);
-    readFile();
-  });
-  connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, &ImportDialog::readFile);
+  m_notes->setMaximumHeight(120);
+  layout->addWidget(m_report, 3);
+  layout->addWidget(m_defects, 3);
+  layout->addWidget(m_notes, 1);
+  return right;
 }
 
-void ImportDialog::readFile()
+void ImportDialog::buildWidgets(bool modelIsEmpty)
 {
-  setReady(false);
+  m_view = new SceneView(this);
+  named(m_view, "importView")->setColouring(Colouring::None);
+  auto* columns = new QSplitter(Qt::Horizontal, this);
+  columns->addWidget(buildLeft(modelIsEmpty));
+  columns->addWidget(m_view);
+  columns->addWidget(buildRight());
+  columns->setChildrenCollapsible(false);
+  columns->setStretchFactor(1, 1);
+  columns->setSizes({350, 560, 340});
+
+  m_size = wrappedLabel(this, "importSize");
+  m_prediction = wrappedLabel(this, "importPrediction");
+  m_message = wrappedLabel(this, "importMessage");
   m_message->hide();
-  ImportOptions options;
-  options.weld = m_weld->isChecked();
-  options.weldTolerance = m_tolerance->value();
-  m_jobs->start([path = std::filesystem::path(m_path.toStdString()),
-                 options](WorkControl* control) { return importMesh(path, options, control); },
-                [this](Result<ImportedMesh> mesh) {
-                  if (!mesh) return showFailure(mesh.error());
-                  const bool first = !m_mesh.has_value();
-                  m_mesh = std::move(mesh).value();
-                  const Eigen::Vector3d extent = m_mesh->report.boxMax - m_mesh->report.boxMin;
-                  if (first)
-                    m_unit->setCurrentIndex(
-                      m_unit->findData(static_cast<int>(guessedUnit(extent.maxCoeff()))));
-                  showReport();
-                  setReady(true);
+  m_rememberedNote = wrappedLabel(this, "importRemembered");
+  m_reset = named(new QPushButton(this), "importReset");
+  m_progress = named(new QProgressBar(this), "importProgress");
+  m_progress->setMaximumWidth(180);
+  auto* buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+  m_ok = named(buttons->button(QDialogButtonBox::Ok), "importOk");
+  m_cancel = named(buttons->button(QDialogButtonBox::Cancel), "importCancel");
+  connect(buttons, &QDialogButtonBox::accepted, this, &ImportDialog::accept);
+  connect(buttons, &QDialogButtonBox::rejected, this, &ImportDialog::reject);
+  connect(m_reset, &QPushButton::clicked, this, &ImportDialog::resetRemembered);
+
+  auto* memory = new QHBoxLayout;
+  memory->addWidget(m_rememberedNote, 1);
+  memory->addWidget(m_reset);
+  auto* bottom = new QHBoxLayout;
+  bottom->addLayout(memory, 1);
+  bottom->addWidget(m_progress);
+  bottom->addWidget(buttons);
+  auto* layout = new QVBoxLayout(this);
+  layout->addWidget(columns, 1);
+  layout->addWidget(m_size);
+  layout->addWidget(m_prediction);
+  layout->addWidget(m_message);
+  layout->addLayout(bottom);
+}
+
+// === Work
+
+ImportRecipe ImportDialog::recipe() const
+{
+  ImportRecipe recipe = m_form->recipe();
+  recipe.files.clear();
+  for (const QString& path : m_paths)
+    recipe.files.push_back({QFileInfo(path).absoluteFilePath().toStdString()});
+  return recipe;
+}
+
+QString ImportDialog::format() const
+{
+  return formatOf(m_paths.front());
+}
+
+void ImportDialog::readFiles()
+{
+  m_settle.stop();
+  setBusy(true);
+  m_jobs->start([recipe = recipe()](WorkControl* control) { return readMeshes(recipe, {}, control); },
+                [this](Result<MeshSource> source) {
+                  if (!source) return showFailure(source.error());
+                  takeSource(std::move(source).value());
                 });
 }
 
-void ImportDialog::addLine(const QString& what, const QString& value, bool bad)
+void ImportDialog::takeSource(MeshSource source)
 {
-  const int row = m_report->rowCount();
-  m_report->insertRow(row);
-  auto* label = new QTableWidgetItem(bad ? QStringLiteral("⚠ ") + what : what);
-  auto* number = new QTableWidgetItem(value);
-  number->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  if (bad)
-    for (QTableWidgetItem* item : {label, number}) item->setForeground(signalColours(palette()).warning);
-  m_report->setItem(row, 0, label);
-  m_report->setItem(row, 1, number);
+  if (!m_source && !m_remembered) {
+    ImportRecipe guessed = m_form->recipe();
+    guessed.unit = guessedUnit((source.report.boxMax - source.report.boxMin).maxCoeff());
+    m_form->setRecipe(guessed);
+  }
+  m_source = std::make_shared<const MeshSource>(std::move(source));
+  showSize();
+  makeNet();
 }
 
-void ImportDialog::showReport()
+void ImportDialog::makeNet()
 {
-  const MeshReport& report = m_mesh->report;
-  m_report->setRowCount(0);
-  const auto defect = [this](const QString& what, Index count) {
-    addLine(what, QString::number(count), count > 0);
-  };
-  addLine(tr("Format"), QString::fromStdString(m_mesh->format));
-  addLine(tr("Vertices"), QString::number(report.nodes));
-  addLine(tr("Triangles"), QString::number(report.triangles));
-  addLine(tr("Line segments"), QString::number(report.segments));
-  addLine(tr("Connected parts"), QString::number(report.components), report.components > 1);
-  addLine(tr("Boundary edges"), QString::number(report.boundaryEdges));
-  defect(tr("Non-manifold edges"), report.nonManifoldEdges);
-  defect(tr("Degenerate triangles"), report.degenerateFaces);
-  defect(tr("Duplicate triangles"), report.duplicateFaces);
-  defect(tr("Isolated vertices"), report.isolatedVertices);
-  defect(tr("Vertices without a place (NaN)"), report.nonFiniteVertices);
-  m_notes->clear();
-  for (const std::string& note : m_mesh->notes) m_notes->addItem(QString::fromStdString(note));
-  m_notes->setVisible(m_notes->count() > 0);
-  m_prediction->setText(
-    tr("%1 nodes, %2 springs").arg(report.nodes - report.isolatedVertices).arg(report.springs));
-  refreshSize();
+  if (!m_source) return; // it comes when the files are read
+  setBusy(true);
+  m_jobs->start([source = m_source, recipe = recipe(), tissue = m_tissue](
+                  WorkControl* control) { return makePreview(*source, recipe, tissue, control); },
+                [this](Result<ImportPreview> preview) {
+                  if (!preview) return showFailure(preview.error());
+                  showPreview(std::move(preview).value());
+                });
+}
+
+/// Without a net of the present choices there is nothing to take.
+void ImportDialog::setBusy(bool busy)
+{
+  if (busy) {
+    m_preview.reset();
+    m_message->hide();
+    m_progressTimer.start();
+  } else {
+    m_progressTimer.stop();
+  }
+  m_progress->setVisible(busy);
+  m_ok->setEnabled(m_preview.has_value());
 }
 
 void ImportDialog::showFailure(const Error& error)
 {
-  setReady(false);
-  m_progress->hide();
+  setBusy(false);
+  m_prediction->clear();
   m_message->setText(errorText(error));
   m_message->show();
 }
 
-void ImportDialog::refreshSize()
+// === What is shown
+
+void ImportDialog::showPreview(ImportPreview preview)
 {
-  if (!m_mesh) return;
-  Eigen::Vector3d extent = (m_mesh->report.boxMax - m_mesh->report.boxMin) * metresPer(unit()) * 1000.0;
-  if (upAxis() == UpAxis::Y) std::swap(extent.y(), extent.z());
+  m_view->setMarks(Eigen::Matrix3Xd(3, 0));
+  m_view->setNet(std::make_shared<const SpringNet>(preview.made.net), ++m_generation);
+  m_preview = std::move(preview);
+  setBusy(false);
+  m_defects->setDefects(m_preview->defects);
+  showReport();
+  showSize();
+}
+
+void ImportDialog::addRow(const QString& what, const QString& before, const QString& after, bool bad)
+{
+  const int row = m_report->rowCount();
+  m_report->insertRow(row);
+  const QString texts[] = {bad ? QStringLiteral("⚠ ") + what : what, before, after};
+  for (int column = 0; column < 3; ++column) {
+    auto* item = new QTableWidgetItem(texts[column]);
+    if (column > 0) item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    if (bad) item->setForeground(signalColours(palette()).warning);
+    m_report->setItem(row, column, item);
+  }
+}
+
+void ImportDialog::showReport()
+{
+  if (!m_preview) return;
+  const MeshReport &before = m_preview->made.before, &after = m_preview->made.after;
+  m_report->setRowCount(0);
+  const auto count = [this](const QString& what, Index was, Index is, bool isDefect) {
+    addRow(what, QString::number(was), QString::number(is), isDefect && is > 0);
+  };
+  addRow(tr("Format"), QString::fromStdString(m_preview->made.files.front().format), QString(), false);
+  count(tr("Vertices"), before.nodes, after.nodes, false);
+  count(tr("Triangles"), before.triangles, after.triangles, false);
+  count(tr("Line segments"), before.segments, after.segments, false);
+  count(tr("Connected parts"), before.components, after.components, false);
+  count(tr("Boundary edges"), before.boundaryEdges, after.boundaryEdges, false);
+  count(tr("Non-manifold edges"), before.nonManifoldEdges, after.nonManifoldEdges, true);
+  count(tr("Degenerate triangles"), before.degenerateFaces, after.degenerateFaces, true);
+  count(tr("Duplicate triangles"), before.duplicateFaces, after.duplicateFaces, true);
+  count(tr("Isolated vertices"), before.isolatedVertices, after.isolatedVertices, true);
+  count(tr("Vertices without a place (NaN)"), before.nonFiniteVertices, after.nonFiniteVertices, true);
+  m_notes->clear();
+  for (const QualityFinding& finding : m_preview->quality.findings) {
+    const bool bad = finding.severity == QualityFinding::Severity::Warning;
+    const QString text = textOf(finding, m_preview->quality);
+    auto* item = new QListWidgetItem(bad ? QStringLiteral("⚠ ") + text : text, m_notes);
+    if (bad) item->setForeground(signalColours(palette()).warning);
+  }
+  for (const std::string& note : m_preview->made.notes) m_notes->addItem(QString::fromStdString(note));
+  m_notes->setVisible(m_notes->count() > 0);
+
+  const QLocale locale;
+  const NetPrediction& prediction = m_preview->prediction;
+  QString text =
+    tr("%1 nodes, %2 springs").arg(m_preview->made.net.nodeCount()).arg(m_preview->made.net.springCount());
+  text +=
+    tr("; about %1 MB of memory").arg(locale.toString(static_cast<double>(prediction.bytes) / 1e6, 'f', 1));
+  if (prediction.step > 0.0)
+    text +=
+      tr("; time step %1 ms, explicit steps then reach about %2 times real time on one core")
+        .arg(locale.toString(prediction.step * 1000.0, 'g', 2), locale.toString(prediction.realTime, 'g', 2));
+  m_prediction->setText(text);
+}
+
+void ImportDialog::showSize()
+{
+  if (!m_source) return;
+  const ImportRecipe recipe = m_form->recipe();
+  Eigen::Vector3d extent =
+    (m_source->report.boxMax - m_source->report.boxMin) * metresPer(recipe.unit) * 1000.0;
+  if (recipe.up == UpAxis::Y) std::swap(extent.y(), extent.z());
   const QLocale locale;
   const auto text = [&](double length) { return locale.toString(length, 'g', 4); };
   QString size = tr("%1 × %2 × %3 mm").arg(text(extent.x()), text(extent.y()), text(extent.z()));
   if (extent.maxCoeff() < 3.0 || extent.maxCoeff() > 2000.0)
-    size += QStringLiteral("\n⚠ ") + tr("Not the size of an organ: is the unit right?");
+    size += QStringLiteral("   ⚠ ") + tr("Not the size of an organ: is the unit right?");
   m_size->setText(size);
 }
 
-void ImportDialog::setReady(bool ready)
+// === Memory of the choices
+
+void ImportDialog::resetRemembered()
 {
-  m_ok->setEnabled(ready);
-  m_progress->setVisible(!ready);
+  forgetRecipe(format());
+  m_remembered = false;
+  m_source = nullptr; // so that the unit is guessed anew
+  m_form->setRecipe({});
+  retranslate();
+  readFiles();
 }
 
-LengthUnit ImportDialog::unit() const
-{
-  return static_cast<LengthUnit>(m_unit->currentData().toInt());
-}
-UpAxis ImportDialog::upAxis() const
-{
-  return static_cast<UpAxis>(m_up->currentData().toInt());
-}
 bool ImportDialog::replaces() const
 {
   return m_replace->isChecked();
@@ -256,32 +407,59 @@ bool ImportDialog::replaces() const
 
 void ImportDialog::accept()
 {
-  if (!m_mesh || m_jobs->busy()) return;
-  setReady(false);
-  m_jobs->start(
-    [mesh = m_mesh->mesh, unit = unit(), up = upAxis()](WorkControl* control) mutable {
-      toScene(mesh, unit, up);
-      return buildNet(mesh, nullptr, control);
-    },
-    [this](Result<SpringNet> net) {
-      if (!net) return showFailure(net.error());
-      m_net = std::move(net).value();
-      QDialog::accept();
-    });
+  if (!m_preview) return;
+  rememberRecipe(format(), m_form->recipe());
+  QDialog::accept();
 }
 
 IncomingModel ImportDialog::takeModel()
 {
   IncomingModel model;
-  const QFileInfo file(m_path);
-  model.name = file.completeBaseName();
-  model.source.files = {{file.absoluteFilePath().toStdString(), m_mesh->fingerprint}};
-  model.source.unit = unit();
-  model.source.up = upAxis();
-  model.source.weldTolerance = m_weld->isChecked() ? m_tolerance->value() : -1.0;
-  model.net = std::move(m_net).value();
-  m_net.reset();
+  model.name = QFileInfo(m_paths.front()).completeBaseName();
+  model.source = std::move(m_preview->made.recipe);
+  model.net = std::move(m_preview->made.net);
+  m_preview.reset();
   return model;
+}
+
+// === Texts
+
+void ImportDialog::changeEvent(QEvent* event)
+{
+  QDialog::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) retranslate();
+}
+
+void ImportDialog::retranslate()
+{
+  setWindowTitle(m_paths.size() == 1
+                   ? tr("Import %1").arg(QFileInfo(m_paths.front()).fileName())
+                   : tr("Import %1 and %n more file(s)", nullptr, static_cast<int>(m_paths.size()) - 1)
+                       .arg(QFileInfo(m_paths.front()).fileName()));
+  m_report->setHorizontalHeaderLabels({tr("Count"), tr("File"), tr("Repaired")});
+  m_report->setAccessibleName(tr("Report on the mesh"));
+  m_notes->setAccessibleName(tr("Notes of the importer"));
+  m_size->setAccessibleName(tr("Size of the model"));
+  m_prediction->setAccessibleName(tr("Net that will come of it"));
+  m_message->setAccessibleName(tr("Message"));
+  m_progress->setAccessibleName(tr("Progress"));
+  m_replace->setText(tr("Replace the model"));
+  m_replace->setToolTip(tr("Rules, inputs and regions stay; loads on single nodes go with the old model"));
+  m_add->setText(tr("Add to the model"));
+  m_ok->setText(tr("Import"));
+  m_cancel->setText(tr("Cancel"));
+  m_reset->setText(tr("Reset"));
+  m_rememberedNote->setText(m_remembered ? tr("Choices as for the last %1 file").arg(format()) : QString());
+  m_reset->setToolTip(tr("Forget the choices for files of this kind"));
+  m_reset->setVisible(m_remembered);
+  for (QWidget* widget : std::initializer_list<QAbstractButton*>{m_replace, m_add, m_ok, m_cancel, m_reset})
+    widget->setAccessibleName(static_cast<QAbstractButton*>(widget)->text());
+  m_rememberedNote->setAccessibleName(tr("Remembered choices"));
+  showReport();
+  showSize();
+  // As wide as its texts in this language.
+  m_left->setMinimumWidth(m_left->widget()->sizeHint().width() +
+                          style()->pixelMetric(QStyle::PM_ScrollBarExtent));
 }
 
 } // namespace esm

@@ -3,65 +3,89 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/import/import_preview.h"
 #include "app/jobs/job.h"
-#include "meshimport/mesh_importer.h"
 
 #include <QDialog>
+#include <QTimer>
 
+#include <memory>
 #include <optional>
 
-class QCheckBox;
-class QComboBox;
-class QDialogButtonBox;
-class QDoubleSpinBox;
 class QLabel;
 class QListWidget;
 class QProgressBar;
 class QPushButton;
 class QRadioButton;
+class QScrollArea;
 class QTableWidget;
 
 namespace esm {
 
-/// Shows what is in a mesh file before it becomes the model: counts, defects, size in mm, the net that will
-/// come of it. Reading and net building run off the GUI thread; leaving the dialog drops their result.
+class DefectList;
+class RecipeForm;
+class SceneView;
+
+/// Shows what mesh files would become before they become the model: the net as it would be, its size, what is
+/// wrong with the mesh and where, what it will cost. Every choice makes the net anew off the GUI thread, so
+/// what is taken is what was seen. Leaving the dialog stops all work at once and changes nothing.
 class ImportDialog : public QDialog {
   Q_OBJECT
 public:
-  /// @param jobs outlives the dialog. @param modelIsEmpty then there is nothing to add to.
-  ImportDialog(const QString& path, JobRunner* jobs, bool modelIsEmpty, QWidget* parent = nullptr);
+  /// @param paths one or more, joined to one model. @param jobs outlives the dialog.
+  /// @param modelIsEmpty then there is nothing to add to. @param tissue that the net will get.
+  ImportDialog(const QStringList& paths, JobRunner* jobs, bool modelIsEmpty, TissueModel tissue,
+               QWidget* parent = nullptr);
   ~ImportDialog() override;
 
   bool replaces() const;
   IncomingModel takeModel(); ///< after accept(), once
 
-  void accept() override; ///< builds the net first
+  const SceneView* view() const noexcept { return m_view; }
+
+  void accept() override;
+
+protected:
+  void changeEvent(QEvent* event) override;
 
 private:
   void buildWidgets(bool modelIsEmpty);
-  void readFile();
-  void showReport();
+  QWidget* buildLeft(bool modelIsEmpty);
+  QWidget* buildRight();
+  void readFiles();
+  void makeNet();
+  void takeSource(MeshSource source);
+  void showPreview(ImportPreview preview);
   void showFailure(const Error& error);
-  void refreshSize();
-  void setReady(bool ready);
-  LengthUnit unit() const;
-  UpAxis upAxis() const;
-  void addLine(const QString& what, const QString& value, bool bad = false);
+  void showReport();
+  void showSize();
+  void addRow(const QString& what, const QString& before, const QString& after, bool bad);
+  void setBusy(bool busy);
+  void resetRemembered();
+  void retranslate();
+  ImportRecipe recipe() const;
+  QString format() const;
 
-  QString m_path;
+  QStringList m_paths;
   JobRunner* m_jobs;
-  std::optional<ImportedMesh> m_mesh;
-  std::optional<SpringNet> m_net;
+  TissueModel m_tissue;
+  std::shared_ptr<const MeshSource> m_source; ///< null: not read yet
+  std::optional<ImportPreview> m_preview;     ///< of the present choices, or empty
+  std::uint64_t m_generation = 0;             ///< of nets in the view
+  bool m_remembered = false;
+  QTimer m_settle; ///< a value that is being typed or dragged waits for the next
+  QTimer m_progressTimer;
 
-  QComboBox *m_unit = nullptr, *m_up = nullptr;
-  QCheckBox* m_weld = nullptr;
-  QDoubleSpinBox* m_tolerance = nullptr;
+  QScrollArea* m_left = nullptr;
+  RecipeForm* m_form = nullptr;
+  SceneView* m_view = nullptr;
   QTableWidget* m_report = nullptr;
+  DefectList* m_defects = nullptr;
   QListWidget* m_notes = nullptr;
-  QLabel *m_size = nullptr, *m_prediction = nullptr, *m_message = nullptr;
+  QLabel *m_size = nullptr, *m_prediction = nullptr, *m_message = nullptr, *m_rememberedNote = nullptr;
   QRadioButton *m_replace = nullptr, *m_add = nullptr;
   QProgressBar* m_progress = nullptr;
-  QPushButton* m_ok = nullptr;
+  QPushButton *m_ok = nullptr, *m_cancel = nullptr, *m_reset = nullptr;
 };
 
 /// The unit in which the box would have the size of an organ: extents up to 2 count as metres.

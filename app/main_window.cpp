@@ -27,6 +27,7 @@
 #include <QComboBox>
 #include <QDockWidget>
 #include <QKeyEvent>
+#include <QLabel>
 #include <QMenu>
 #include <QScreen>
 #include <QSettings>
@@ -44,11 +45,18 @@ MainWindow::MainWindow(LanguageSwitch* language, QWidget* parent)
     m_language(language),
     m_evaluation(new FuzzyEvaluation(m_document, this)),
     m_actions(new WindowActions(this)),
-    m_status(new StatusStrip(statusBar()))
+    m_status(new StatusStrip(statusBar())),
+    m_dropHint(new QLabel(this))
 {
   setObjectName(QStringLiteral("mainWindow"));
   setWindowIcon(icon(Symbol::Program));
   setAcceptDrops(true);
+  m_dropHint->setObjectName(QStringLiteral("dropHint"));
+  m_dropHint->setAlignment(Qt::AlignCenter);
+  m_dropHint->setAttribute(Qt::WA_TransparentForMouseEvents);
+  m_dropHint->setStyleSheet(QStringLiteral("background: palette(window); border: 3px dashed "
+                                           "palette(highlight); border-radius: 12px; font-size: 22pt;"));
+  m_dropHint->hide();
   setDockNestingEnabled(true);
   m_document->setRuleLanguage(language->language());
   setCentralWidget(m_view);

@@ -13,6 +13,7 @@
 #include <QMainWindow>
 
 class QDockWidget;
+class QLabel;
 
 namespace esm {
 
@@ -42,7 +43,7 @@ public:
   bool openSample(); ///< the first sample, playing; false: there is none
   bool saveProject();
   bool saveProjectAs();
-  void importPath(const QString& path);
+  void importPaths(const QStringList& paths); ///< meshes, joined to one model
 
   void setTheme(Theme theme);
   void setLanguage(Language language);
@@ -57,6 +58,7 @@ protected:
   void closeEvent(QCloseEvent* event) override;
   void changeEvent(QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
+  void dragLeaveEvent(QDragLeaveEvent* event) override;
   void dropEvent(QDropEvent* event) override;
   bool eventFilter(QObject* watched, QEvent* event) override;
 
@@ -110,6 +112,7 @@ private:
   QDockWidget *m_dockRegions = nullptr, *m_dockTissue = nullptr, *m_dockInputs = nullptr, *m_dockMf = nullptr,
               *m_dockSurface = nullptr, *m_dockWhy = nullptr, *m_dockRules = nullptr,
               *m_dockHaptics = nullptr;
+  QLabel* m_dropHint;
   Index m_selectedNode = kNoIndex;
   Stability m_lastStability = Stability::Idle;
   QElapsedTimer m_lastStatus;

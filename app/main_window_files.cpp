@@ -14,11 +14,14 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QLabel>
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
+
+#include <algorithm>
 
 namespace esm {
 
@@ -65,7 +68,7 @@ void MainWindow::newProject()
 bool MainWindow::openPath(const QString& path)
 {
   if (!isProjectFile(path)) {
-    importPath(path);
+    importPaths({path});
     return true;
   }
   if (!mayDropChanges()) return false;
@@ -109,38 +112,77 @@ void MainWindow::chooseAndOpen()
 void MainWindow::chooseAndImport()
 {
   const QString folder = QSettings().value(QStringLiteral("importFolder")).toString();
-  const QString path =
-    QFileDialog::getOpenFileName(this, tr("Import mesh"), folder,
-                                 tr("Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae *.3ds *.fbx)") +
-                                   QStringLiteral(";;") + tr("All files (*)"));
-  if (path.isEmpty()) return;
-  QSettings().setValue(QStringLiteral("importFolder"), QFileInfo(path).absolutePath());
-  importPath(path);
+  const QStringList paths = QFileDialog::getOpenFileNames(
+    this, tr("Import meshes"), folder,
+    tr("Meshes (*.obj *.stl *.ply *.off *.dxf *.glb *.gltf *.dae *.3ds *.fbx *.iv *.wrl *.vtk *.vtu *.msh)") +
+      QStringLiteral(";;") + tr("All files (*)"));
+  if (paths.isEmpty()) return;
+  QSettings().setValue(QStringLiteral("importFolder"), QFileInfo(paths.front()).absolutePath());
+  importPaths(paths);
 }
 
-void MainWindow::importPath(const QString& path)
+void MainWindow::importPaths(const QStringList& paths)
 {
   const bool empty = m_document->project().net.nodeCount() == 0;
-  ImportDialog dialog(path, m_jobs, empty, this);
+  ImportDialog dialog(paths, m_jobs, empty, m_document->project().tissue, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const bool replace = dialog.replaces();
   if (auto imported = m_document->importModel(dialog.takeModel(), replace); !imported)
-    showError(tr("Import mesh"), imported.error());
+    showError(tr("Import meshes"), imported.error());
 }
+
+// === Dropping files
+
+namespace {
+
+/// The files that a drag carries; none if one of them is no file, or a project comes with others.
+QStringList draggedFiles(const QMimeData* data)
+{
+  QStringList paths;
+  for (const QUrl& url : data->urls()) {
+    if (!url.isLocalFile()) return {};
+    paths.append(url.toLocalFile());
+  }
+  const auto isProject = [](const QString& path) { return isProjectFile(path); };
+  return paths.size() > 1 && std::any_of(paths.begin(), paths.end(), isProject) ? QStringList() : paths;
+}
+
+} // namespace
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event)
 {
-  const QList<QUrl> urls = event->mimeData()->urls();
-  if (urls.size() == 1 && urls.front().isLocalFile()) event->acceptProposedAction();
+  const QStringList paths = draggedFiles(event->mimeData());
+  if (paths.isEmpty()) return;
+  event->acceptProposedAction();
+  m_dropHint->setText(isProjectFile(paths.front())
+                        ? tr("Drop to open the project")
+                        : tr("Drop to import %n file(s)", nullptr, static_cast<int>(paths.size())));
+  m_dropHint->setGeometry(rect().adjusted(60, 60, -60, -60));
+  m_dropHint->show();
+  m_dropHint->raise();
+}
+
+void MainWindow::dragLeaveEvent(QDragLeaveEvent*)
+{
+  m_dropHint->hide();
 }
 
 void MainWindow::dropEvent(QDropEvent* event)
 {
-  const QString path = event->mimeData()->urls().value(0).toLocalFile();
+  m_dropHint->hide();
+  const QStringList paths = draggedFiles(event->mimeData());
+  if (paths.isEmpty()) return;
   event->acceptProposedAction();
   // The drag's source waits for this event: dialogs come after it.
   QMetaObject::invokeMethod(
-    this, [this, path] { openPath(path); }, Qt::QueuedConnection);
+    this,
+    [this, paths] {
+      if (paths.size() == 1)
+        openPath(paths.front());
+      else
+        importPaths(paths);
+    },
+    Qt::QueuedConnection);
 }
 
 // === Saving

@@ -4,6 +4,7 @@
 
 #include "fuzzyeditor/plot_access.h"
 
+#include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QClipboard>
@@ -180,12 +181,20 @@ QJsonArray rowsOf(const QAbstractItemModel* model)
 
 void addVisibleWidgets(QJsonObject& json)
 {
-  QJsonObject places, texts, items;
+  QJsonObject places, texts, items, views;
+  QJsonArray enabled;
   for (QWidget* widget : QApplication::allWidgets()) {
     const QString name = widget->objectName();
     if (name.isEmpty() || name.startsWith(QLatin1String("qt_")) || widget->visibleRegion().isEmpty())
       continue;
     places[name] = placeOf(widget, widget->rect());
+    if (qobject_cast<QAbstractButton*>(widget) && widget->isEnabled()) enabled.append(name);
+    if (const auto* view = qobject_cast<SceneView*>(widget)) {
+      const ViewSettings camera = view->viewSettings();
+      views[name] = QJsonObject{{"target", vectorJson(camera.target)},
+                                {"distance", camera.distance},
+                                {"marks", static_cast<int>(view->marks().cols())}};
+    }
     if (const auto* tabs = qobject_cast<QTabWidget*>(widget))
       for (int i = 0; i < tabs->count(); ++i)
         places[name + QString::number(i)] = placeOf(tabs->tabBar(), tabs->tabBar()->tabRect(i));
@@ -197,6 +206,8 @@ void addVisibleWidgets(QJsonObject& json)
   json["widgets"] = places;
   json["texts"] = texts;
   json["items"] = items;
+  json["enabled"] = enabled;
+  json["views"] = views;
 }
 
 /// Movable points of the plots that can be seen: [name, x, y on the screen, value].

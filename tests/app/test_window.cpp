@@ -196,7 +196,7 @@ TEST_F(WindowTest, ImportDialogReportsAndBuildsTheNet)
   ASSERT_TRUE(writeFileAtomically(path.toStdString(),
                                   "v 0 0 0\nv 40 0 0\nv 0 40 0\nv 40 40 0\nv 9 9 9\nf 1 2 3\nf 2 4 3\n"));
   JobRunner jobs;
-  ImportDialog dialog(path, &jobs, true);
+  ImportDialog dialog({path}, &jobs, true, defaultTissue());
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
   EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("40 × 40 × 9 mm"));
   EXPECT_TRUE(dialog.findChild<QLabel*>("importPrediction")->text().contains("4 nodes, 5 springs"));
@@ -217,7 +217,7 @@ TEST_F(WindowTest, ImportDialogSaysWhyItCannot)
   const QString path = folder.filePath("empty.stl");
   ASSERT_TRUE(writeFileAtomically(path.toStdString(), ""));
   JobRunner jobs;
-  ImportDialog dialog(path, &jobs, true);
+  ImportDialog dialog({path}, &jobs, true, defaultTissue());
   auto* message = dialog.findChild<QLabel*>("importMessage");
   ASSERT_TRUE(QTest::qWaitFor([&] { return !message->text().isEmpty(); }));
   EXPECT_TRUE(message->text().contains("empty.stl"));

@@ -24,8 +24,7 @@ def journey():
         time.sleep(1.0)
         if state().get("dialog") == "QFileDialog":
             keys("Return")
-    until("the report is there", lambda s: s["dialog"] == "dlgImport" and "importOk" in s["widgets"])
-    time.sleep(2.0)
+    until("the report is there", lambda s: s["dialog"] == "dlgImport" and "importOk" in s["enabled"])
     picture("import")
     click("importOk")
     counts = json.loads((SAMPLES / "counts.json").read_text())

@@ -1,0 +1,272 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/import/recipe_form.h"
+
+#include <QCheckBox>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QEvent>
+#include <QFormLayout>
+#include <QGroupBox>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+namespace esm {
+
+namespace {
+
+constexpr LengthUnit kUnits[] = {LengthUnit::Millimetre, LengthUnit::Centimetre, LengthUnit::Metre,
+                                 LengthUnit::Inch};
+/// What the box of axes offers, in its order.
+struct Axes {
+  UpAxis up;
+  PatientAxes patient;
+};
+constexpr Axes kAxes[] = {{UpAxis::Z, PatientAxes::None},
+                          {UpAxis::Y, PatientAxes::None},
+                          {UpAxis::Z, PatientAxes::Lps},
+                          {UpAxis::Z, PatientAxes::Ras}};
+
+int placeOf(LengthUnit unit)
+{
+  return static_cast<int>(std::find(std::begin(kUnits), std::end(kUnits), unit) - std::begin(kUnits));
+}
+
+int placeOf(UpAxis up, PatientAxes patient)
+{
+  const auto* found = std::find_if(std::begin(kAxes), std::end(kAxes), [&](const Axes& axes) {
+    return axes.patient == patient && (patient != PatientAxes::None || axes.up == up);
+  });
+  return static_cast<int>(found - std::begin(kAxes));
+}
+
+} // namespace
+
+RecipeForm::RecipeForm(QWidget* parent) : QWidget(parent)
+{
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  addFileGroup();
+  addRepairGroup();
+  addNetGroup();
+  addSupportGroup();
+  layout->addStretch();
+  retranslate();
+  setRecipe({});
+}
+
+// === Building
+
+QFormLayout* RecipeForm::addGroup(const char* title, const char* name)
+{
+  auto* group = new QGroupBox(this);
+  group->setObjectName(QLatin1String(name));
+  layout()->addWidget(group);
+  m_lines.push_back({group, title});
+  return new QFormLayout(group);
+}
+
+template <class Widget>
+Widget* RecipeForm::add(QFormLayout* form, Widget* widget, const char* name, const char* text)
+{
+  widget->setObjectName(QLatin1String(name));
+  if (qobject_cast<QCheckBox*>(widget))
+    form->addRow(widget);
+  else
+    form->addRow(tr(text), widget);
+  m_lines.push_back({widget, text});
+  return widget;
+}
+
+QCheckBox* RecipeForm::addCheck(QFormLayout* form, const char* name, const char* text)
+{
+  auto* box = add(form, new QCheckBox(this), name, text);
+  connect(box, &QCheckBox::toggled, this, &RecipeForm::told);
+  return box;
+}
+
+QComboBox* RecipeForm::addCombo(QFormLayout* form, const char* name, const char* text,
+                                std::vector<const char*> items)
+{
+  auto* box = add(form, new QComboBox(this), name, text);
+  for (const char* item : items) box->addItem(QLatin1String(item));
+  connect(box, &QComboBox::currentIndexChanged, this, &RecipeForm::told);
+  m_combos.emplace_back(box, std::move(items));
+  return box;
+}
+
+QSpinBox* RecipeForm::addCount(QFormLayout* form, const char* name, const char* text, int most,
+                               const char* none)
+{
+  auto* box = add(form, new QSpinBox(this), name, text);
+  box->setRange(0, most);
+  box->setKeyboardTracking(false);
+  box->setGroupSeparatorShown(false);
+  connect(box, &QSpinBox::valueChanged, this, &RecipeForm::told);
+  m_counts.emplace_back(box, none);
+  return box;
+}
+
+void RecipeForm::addFileGroup()
+{
+  QFormLayout* form = addGroup(QT_TR_NOOP("File"), "importFileGroup");
+  m_unit = addCombo(form, "importUnit", QT_TR_NOOP("Unit"), {"mm", "cm", "m", "inch"});
+  m_axes = addCombo(form, "importUp", QT_TR_NOOP("Axes"),
+                    {QT_TR_NOOP("z up"), QT_TR_NOOP("y up"), QT_TR_NOOP("patient, LPS (DICOM)"),
+                     QT_TR_NOOP("patient, RAS (NIfTI)")});
+  m_weld = add(form, new QCheckBox(this), "importWeld", QT_TR_NOOP("Join vertices at the same place"));
+  m_tolerance =
+    add(form, new QDoubleSpinBox(this), "importTolerance", QT_TR_NOOP("Weld tolerance (unit of the file)"));
+  m_tolerance->setDecimals(6);
+  m_tolerance->setRange(0.0, 1e6);
+  m_tolerance->setSingleStep(0.001);
+  m_tolerance->setKeyboardTracking(false);
+  const auto reread = [this] {
+    refreshEnabled();
+    if (!m_silent) emit readingChanged();
+  };
+  connect(m_weld, &QCheckBox::toggled, this, reread);
+  connect(m_tolerance, &QDoubleSpinBox::valueChanged, this, reread);
+}
+
+void RecipeForm::addRepairGroup()
+{
+  QFormLayout* form = addGroup(QT_TR_NOOP("Repair"), "importRepairGroup");
+  m_useless = addCheck(form, "importUseless", QT_TR_NOOP("Take away degenerate and duplicate triangles"));
+  m_orientation = addCheck(form, "importOrientation", QT_TR_NOOP("Turn all triangles to the same side"));
+  m_junctions = addCheck(form, "importJunctions", QT_TR_NOOP("Tie vertices to edges that they lie on"));
+  m_smallParts = add(form, new QDoubleSpinBox(this), "importSmallParts", QT_TR_NOOP("Drop parts below"));
+  m_smallParts->setRange(0.0, 99.0);
+  m_smallParts->setDecimals(1);
+  m_smallParts->setKeyboardTracking(false);
+  connect(m_smallParts, &QDoubleSpinBox::valueChanged, this, &RecipeForm::told);
+  m_holes = addCount(form, "importHoles", QT_TR_NOOP("Fill holes up to"), 100'000, QT_TR_NOOP("no hole"));
+}
+
+void RecipeForm::addNetGroup()
+{
+  QFormLayout* form = addGroup(QT_TR_NOOP("Net"), "importNetGroup");
+  m_triangles =
+    addCount(form, "importTriangles", QT_TR_NOOP("Remesh to"), 10'000'000, QT_TR_NOOP("as it is"));
+  m_triangles->setSingleStep(1000);
+  m_polygons = addCombo(form, "importPolygons", QT_TR_NOOP("Polygons"),
+                        {QT_TR_NOOP("edges and diagonals"), QT_TR_NOOP("edges only")});
+}
+
+void RecipeForm::addSupportGroup()
+{
+  QFormLayout* form = addGroup(QT_TR_NOOP("Support"), "importSupportGroup");
+  m_interior = addCombo(form, "importInterior", QT_TR_NOOP("Inside"),
+                        {QT_TR_NOOP("nothing"), QT_TR_NOOP("struts to the opposite wall"),
+                         QT_TR_NOOP("hubs with spokes"), QT_TR_NOOP("lattice"),
+                         QT_TR_NOOP("tetrahedra (tetgen or gmsh)")});
+  m_struts = add(form, new QSpinBox(this), "importStruts", QT_TR_NOOP("Struts per node"));
+  m_struts->setRange(1, 16);
+  m_struts->setKeyboardTracking(false);
+  connect(m_struts, &QSpinBox::valueChanged, this, &RecipeForm::told);
+  m_anchors = addCombo(form, "importAnchors", QT_TR_NOOP("Bands to the cavity"),
+                       {QT_TR_NOOP("none"), QT_TR_NOOP("from every node")});
+  m_band = add(form, new QDoubleSpinBox(this), "importBand", QT_TR_NOOP("Length of the bands"));
+  m_band->setRange(0.1, 1000.0);
+  m_band->setDecimals(1);
+  m_band->setKeyboardTracking(false);
+  connect(m_band, &QDoubleSpinBox::valueChanged, this, &RecipeForm::told);
+}
+
+// === Values
+
+ImportRecipe RecipeForm::recipe() const
+{
+  ImportRecipe recipe = m_recipe;
+  recipe.unit = kUnits[m_unit->currentIndex()];
+  recipe.up = kAxes[m_axes->currentIndex()].up;
+  recipe.patientAxes = kAxes[m_axes->currentIndex()].patient;
+  recipe.weldTolerance = m_weld->isChecked() ? m_tolerance->value() : -1.0;
+  recipe.polygons = static_cast<PolygonSprings>(m_polygons->currentIndex());
+  recipe.repair.removeUseless = m_useless->isChecked();
+  recipe.repair.unifyOrientation = m_orientation->isChecked();
+  recipe.repair.closeTJunctions = m_junctions->isChecked();
+  recipe.repair.dropPartsShare = m_smallParts->value() / 100.0;
+  recipe.repair.fillHolesUpTo = m_holes->value();
+  recipe.repair.triangles = m_triangles->value();
+  recipe.support.interior = static_cast<SupportOptions::Interior>(m_interior->currentIndex());
+  recipe.support.strutsPerNode = m_struts->value();
+  recipe.support.anchors = static_cast<SupportOptions::Anchors>(m_anchors->currentIndex());
+  recipe.support.anchorLength = m_band->value() / 1000.0;
+  return recipe;
+}
+
+void RecipeForm::setRecipe(const ImportRecipe& recipe)
+{
+  m_silent = true;
+  m_recipe = recipe;
+  m_unit->setCurrentIndex(placeOf(recipe.unit));
+  m_axes->setCurrentIndex(placeOf(recipe.up, recipe.patientAxes));
+  m_weld->setChecked(recipe.weldTolerance >= 0.0);
+  m_tolerance->setValue(std::max(recipe.weldTolerance, 0.0));
+  m_polygons->setCurrentIndex(static_cast<int>(recipe.polygons));
+  m_useless->setChecked(recipe.repair.removeUseless);
+  m_orientation->setChecked(recipe.repair.unifyOrientation);
+  m_junctions->setChecked(recipe.repair.closeTJunctions);
+  m_smallParts->setValue(recipe.repair.dropPartsShare * 100.0);
+  m_holes->setValue(recipe.repair.fillHolesUpTo);
+  m_triangles->setValue(recipe.repair.triangles);
+  m_interior->setCurrentIndex(static_cast<int>(recipe.support.interior));
+  m_struts->setValue(recipe.support.strutsPerNode);
+  m_anchors->setCurrentIndex(recipe.support.anchors == SupportOptions::Anchors::None ? 0 : 1);
+  m_band->setValue(recipe.support.anchorLength * 1000.0);
+  m_silent = false;
+  refreshEnabled();
+}
+
+void RecipeForm::told()
+{
+  refreshEnabled();
+  if (!m_silent) emit changed();
+}
+
+void RecipeForm::refreshEnabled()
+{
+  m_tolerance->setEnabled(m_weld->isChecked());
+  m_struts->setEnabled(m_interior->currentIndex() == static_cast<int>(SupportOptions::Interior::Struts));
+  m_band->setEnabled(m_anchors->currentIndex() > 0);
+}
+
+// === Texts
+
+void RecipeForm::changeEvent(QEvent* event)
+{
+  QWidget::changeEvent(event);
+  if (event->type() == QEvent::LanguageChange) retranslate();
+}
+
+void RecipeForm::retranslate()
+{
+  for (const Line& line : m_lines) {
+    const QString text = tr(line.text);
+    line.field->setAccessibleName(text);
+    if (auto* group = qobject_cast<QGroupBox*>(line.field)) {
+      group->setTitle(text);
+    } else if (auto* box = qobject_cast<QCheckBox*>(line.field)) {
+      box->setText(text);
+    } else if (auto* form = qobject_cast<QFormLayout*>(line.field->parentWidget()->layout())) {
+      static_cast<QLabel*>(form->labelForField(line.field))->setText(text);
+    }
+  }
+  for (const auto& [box, items] : m_combos)
+    for (std::size_t i = 0; i < items.size(); ++i) box->setItemText(static_cast<int>(i), tr(items[i]));
+  for (const auto& [box, none] : m_counts) box->setSpecialValueText(tr(none));
+  m_tolerance->setSpecialValueText(tr("equal positions only"));
+  m_smallParts->setSpecialValueText(tr("none"));
+  m_smallParts->setSuffix(tr(" % of the largest"));
+  m_holes->setSuffix(tr(" edges"));
+  m_triangles->setSuffix(tr(" triangles"));
+  m_band->setSuffix(QStringLiteral(" mm"));
+  m_triangles->setToolTip(tr("Springs of nearly equal length allow a larger time step"));
+  m_interior->setToolTip(
+    tr("A surface alone gives way like a bag; what is inside carries the load. It can be taken away again."));
+}
+
+} // namespace esm
