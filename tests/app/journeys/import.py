@@ -106,6 +106,7 @@ def journey():
     # The hole is in the top of the cube, at 5.5 of 12 quads: there the camera looks.
     middle = 5.5 * 2 / SIDE * 0.0254
     until("the camera has flown there", lambda s: math.dist(s["views"]["importView"]["target"], [middle, middle, 2 * 0.0254]) < 1e-4)
+    time.sleep(2.0)  # the picture follows on a slow screen
     picture("defect")
     click("importOk")
     until("the net is there", lambda s: s["nodes"] == nodes and s["dialog"] == "")
