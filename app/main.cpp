@@ -5,9 +5,11 @@
 #include "app/sample_files.h"
 #include "app/scripted_run.h"
 #include "app/state_dump.h"
+#include "haptics/exit_guard.h"
 
 #include <QApplication>
 #include <QSettings>
+#include <QSocketNotifier>
 #include <QSurfaceFormat>
 #include <QTimer>
 
@@ -62,8 +64,12 @@ int main(int argc, char** argv)
   esm::CommandLine options;
   if (const int code = esm::parseCommandLine(argc, argv, options); code >= 0) return code;
 
+  const esm::ExitGuard guard; // no hand is left with a force, however the program ends
   askForOpenGl();
   QApplication application(argc, argv);
+  QSocketNotifier asked(esm::ExitGuard::descriptor(), QSocketNotifier::Read);
+  QObject::connect(&asked, &QSocketNotifier::activated, &application,
+                   [] { QApplication::exit(128 + esm::ExitGuard::signal()); });
   std::setlocale(LC_NUMERIC, "C"); // Qt took the system's: libraries must go on reading 1.5 as 1.5
   QApplication::setOrganizationName(QStringLiteral("esm"));
   QApplication::setApplicationName(QStringLiteral("esm-modeler"));
