@@ -104,6 +104,79 @@
     </message>
 </context>
 <context>
+    <name>esm::DefectList</name>
+    <message>
+        <source>Defects of the mesh</source>
+        <translation>Fehler der Datei</translation>
+    </message>
+    <message>
+        <source>No defect found</source>
+        <translation>Kein Fehler gefunden</translation>
+    </message>
+    <message>
+        <source>... and %1 more</source>
+        <translation>... und %1 weitere</translation>
+    </message>
+    <message>
+        <source>Open borders: %1</source>
+        <translation>Offene Ränder: %1</translation>
+    </message>
+    <message>
+        <source>Edges of more than two triangles: %1</source>
+        <translation>Kanten mit mehr als zwei Dreiecken: %1</translation>
+    </message>
+    <message>
+        <source>Vertices where surfaces touch: %1</source>
+        <translation>Eckpunkte, an denen sich Flächen berühren: %1</translation>
+    </message>
+    <message>
+        <source>Vertices on the edge of another triangle: %1</source>
+        <translation>Eckpunkte auf der Kante eines anderen Dreiecks: %1</translation>
+    </message>
+    <message>
+        <source>Degenerate triangles: %1</source>
+        <translation>Entartete Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>Duplicate triangles: %1</source>
+        <translation>Doppelte Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>Triangles turned inside out: %1</source>
+        <translation>Umgedrehte Dreiecke: %1</translation>
+    </message>
+    <message>
+        <source>Edges over which sides cannot agree: %1</source>
+        <translation>Kanten, über die keine einheitliche Seite geht: %1</translation>
+    </message>
+    <message>
+        <source>Vertices that nothing uses: %1</source>
+        <translation>Unbenutzte Eckpunkte: %1</translation>
+    </message>
+    <message>
+        <source>Separate parts beside the largest: %1</source>
+        <translation>Einzelne Teile neben dem größten: %1</translation>
+    </message>
+    <message numerus="yes">
+        <source>Border of %n edge(s), %1 mm long</source>
+        <translation>
+            <numerusform>Rand aus %n Kante(n), %1 mm lang</numerusform>
+            <numerusform>Rand aus %n Kante(n), %1 mm lang</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Part of %n element(s)</source>
+        <translation>
+            <numerusform>Teil aus %n Element(en)</numerusform>
+            <numerusform>Teil aus %n Element(en)</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>No. %1 at %2, %3, %4 mm</source>
+        <translation>Nr. %1 bei %2, %3, %4 mm</translation>
+    </message>
+</context>
+<context>
     <name>esm::Document</name>
     <message>
         <source>Untitled</source>
@@ -380,36 +453,12 @@
         <translation>Bericht über das Netz</translation>
     </message>
     <message>
-        <source>In the file</source>
-        <translation>In der Datei</translation>
-    </message>
-    <message>
         <source>Count</source>
         <translation>Anzahl</translation>
     </message>
     <message>
         <source>Notes of the importer</source>
         <translation>Hinweise zum Import</translation>
-    </message>
-    <message>
-        <source>Unit of the file</source>
-        <translation>Einheit der Datei</translation>
-    </message>
-    <message>
-        <source>Axis of the file that points up</source>
-        <translation>Achse der Datei, die nach oben zeigt</translation>
-    </message>
-    <message>
-        <source>Join vertices at the same place</source>
-        <translation>Punkte am selben Ort verbinden</translation>
-    </message>
-    <message>
-        <source>Weld tolerance in the unit of the file</source>
-        <translation>Toleranz des Verbindens in der Einheit der Datei</translation>
-    </message>
-    <message>
-        <source>equal positions only</source>
-        <translation>nur gleiche Orte</translation>
     </message>
     <message>
         <source>Size of the model</source>
@@ -436,40 +485,12 @@
         <translation>Meldung</translation>
     </message>
     <message>
-        <source>Reading the file</source>
-        <translation>Die Datei wird gelesen</translation>
-    </message>
-    <message>
         <source>Import</source>
         <translation>Importieren</translation>
     </message>
     <message>
         <source>Cancel</source>
         <translation>Abbrechen</translation>
-    </message>
-    <message>
-        <source>Unit</source>
-        <translation>Einheit</translation>
-    </message>
-    <message>
-        <source>Up axis</source>
-        <translation>Achse nach oben</translation>
-    </message>
-    <message>
-        <source>Weld tolerance</source>
-        <translation>Toleranz</translation>
-    </message>
-    <message>
-        <source>Size</source>
-        <translation>Größe</translation>
-    </message>
-    <message>
-        <source>Net</source>
-        <translation>Netz</translation>
-    </message>
-    <message>
-        <source>Use</source>
-        <translation>Verwendung</translation>
     </message>
     <message>
         <source>Format</source>
@@ -526,6 +547,49 @@
     <message>
         <source>Not the size of an organ: is the unit right?</source>
         <translation>Nicht die Größe eines Organs: Stimmt die Einheit?</translation>
+    </message>
+    <message>
+        <source>; about %1 MB of memory</source>
+        <translation>; etwa %1 MB Speicher</translation>
+    </message>
+    <message>
+        <source>; time step %1 ms, explicit steps then reach about %2 times real time on one core</source>
+        <translation>; Zeitschritt %1 ms, explizite Schritte erreichen damit etwa das %2-Fache der Echtzeit auf einem Kern</translation>
+    </message>
+    <message numerus="yes">
+        <source>Import %1 and %n more file(s)</source>
+        <translation>
+            <numerusform>%1 und %n weitere Datei(en) importieren</numerusform>
+            <numerusform>%1 und %n weitere Datei(en) importieren</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Repaired</source>
+        <translation>Repariert</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Choices as for the last %1 file</source>
+        <translation>Einstellungen wie bei der letzten %1-Datei</translation>
+    </message>
+    <message>
+        <source>Forget the choices for files of this kind</source>
+        <translation>Die Einstellungen für Dateien dieser Art vergessen</translation>
+    </message>
+    <message>
+        <source>Remembered choices</source>
+        <translation>Gemerkte Einstellungen</translation>
     </message>
 </context>
 <context>
@@ -681,14 +745,6 @@
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Import mesh</source>
-        <translation>Netz importieren</translation>
-    </message>
-    <message>
-        <source>Meshes (*.obj *.stl *.ply *.off *.glb *.gltf *.dae *.3ds *.fbx)</source>
-        <translation>Netze (*.obj *.stl *.ply *.off *.glb *.gltf *.dae *.3ds *.fbx)</translation>
-    </message>
-    <message>
         <source>Save project</source>
         <translation>Projekt sichern</translation>
     </message>
@@ -771,6 +827,25 @@
     <message>
         <source>Exported %1. It does not hold: %2</source>
         <translation>%1 exportiert. Darin fehlt: %2</translation>
+    </message>
+    <message>
+        <source>Import meshes</source>
+        <translation>Netze importieren</translation>
+    </message>
+    <message>
+        <source>Meshes (*.obj *.stl *.ply *.off *.dxf *.glb *.gltf *.dae *.3ds *.fbx *.iv *.wrl *.vtk *.vtu *.msh)</source>
+        <translation>Netze (*.obj *.stl *.ply *.off *.dxf *.glb *.gltf *.dae *.3ds *.fbx *.iv *.wrl *.vtk *.vtu *.msh)</translation>
+    </message>
+    <message>
+        <source>Drop to open the project</source>
+        <translation>Loslassen öffnet das Projekt</translation>
+    </message>
+    <message numerus="yes">
+        <source>Drop to import %n file(s)</source>
+        <translation>
+            <numerusform>Loslassen importiert %n Datei(en)</numerusform>
+            <numerusform>Loslassen importiert %n Datei(en)</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -1224,6 +1299,169 @@
     <message>
         <source>they take them alone, and the rest its own</source>
         <translation>sie tun sie allein, und der Rest die seinen</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RecipeForm</name>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Unit</source>
+        <translation>Einheit</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>z up</source>
+        <translation>z oben</translation>
+    </message>
+    <message>
+        <source>y up</source>
+        <translation>y oben</translation>
+    </message>
+    <message>
+        <source>patient, LPS (DICOM)</source>
+        <translation>Patient, LPS (DICOM)</translation>
+    </message>
+    <message>
+        <source>patient, RAS (NIfTI)</source>
+        <translation>Patient, RAS (NIfTI)</translation>
+    </message>
+    <message>
+        <source>Join vertices at the same place</source>
+        <translation>Eckpunkte am selben Ort verbinden</translation>
+    </message>
+    <message>
+        <source>Weld tolerance (unit of the file)</source>
+        <translation>Toleranz (Einheit der Datei)</translation>
+    </message>
+    <message>
+        <source>Repair</source>
+        <translation>Reparatur</translation>
+    </message>
+    <message>
+        <source>Take away degenerate and duplicate triangles</source>
+        <translation>Entartete und doppelte Dreiecke entfernen</translation>
+    </message>
+    <message>
+        <source>Turn all triangles to the same side</source>
+        <translation>Alle Dreiecke nach derselben Seite drehen</translation>
+    </message>
+    <message>
+        <source>Tie vertices to edges that they lie on</source>
+        <translation>Eckpunkte an Kanten binden, auf denen sie liegen</translation>
+    </message>
+    <message>
+        <source>Drop parts below</source>
+        <translation>Teile weglassen unter</translation>
+    </message>
+    <message>
+        <source>Fill holes up to</source>
+        <translation>Löcher füllen bis</translation>
+    </message>
+    <message>
+        <source>no hole</source>
+        <translation>keine Löcher</translation>
+    </message>
+    <message>
+        <source>Net</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Remesh to</source>
+        <translation>Neu vernetzen auf</translation>
+    </message>
+    <message>
+        <source>as it is</source>
+        <translation>wie es ist</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>Vielecke</translation>
+    </message>
+    <message>
+        <source>edges and diagonals</source>
+        <translation>Kanten und Diagonalen</translation>
+    </message>
+    <message>
+        <source>edges only</source>
+        <translation>nur Kanten</translation>
+    </message>
+    <message>
+        <source>Support</source>
+        <translation>Stütze</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Im Inneren</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>struts to the opposite wall</source>
+        <translation>Streben zur Gegenwand</translation>
+    </message>
+    <message>
+        <source>hubs with spokes</source>
+        <translation>Naben mit Speichen</translation>
+    </message>
+    <message>
+        <source>lattice</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>tetrahedra (tetgen or gmsh)</source>
+        <translation>Tetraeder (tetgen oder gmsh)</translation>
+    </message>
+    <message>
+        <source>Struts per node</source>
+        <translation>Streben je Knoten</translation>
+    </message>
+    <message>
+        <source>Bands to the cavity</source>
+        <translation>Bänder zur Höhle</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>from every node</source>
+        <translation>von jedem Knoten</translation>
+    </message>
+    <message>
+        <source>Length of the bands</source>
+        <translation>Länge der Bänder</translation>
+    </message>
+    <message>
+        <source>equal positions only</source>
+        <translation>nur gleiche Orte</translation>
+    </message>
+    <message>
+        <source> % of the largest</source>
+        <translation> % des größten</translation>
+    </message>
+    <message>
+        <source> edges</source>
+        <translation> Kanten</translation>
+    </message>
+    <message>
+        <source> triangles</source>
+        <translation> Dreiecke</translation>
+    </message>
+    <message>
+        <source>Springs of nearly equal length allow a larger time step</source>
+        <translation>Fast gleich lange Federn erlauben einen größeren Zeitschritt</translation>
+    </message>
+    <message>
+        <source>A surface alone gives way like a bag; what is inside carries the load. It can be taken away again.</source>
+        <translation>Eine Oberfläche allein gibt nach wie ein Beutel; was im Inneren ist, trägt. Es lässt sich wieder entfernen.</translation>
     </message>
 </context>
 <context>

@@ -2,6 +2,43 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>esm::DefectList</name>
+    <message numerus="yes">
+        <source>Border of %n edge(s), %1 mm long</source>
+        <translation>
+            <numerusform>Border of %n edge, %1 mm long</numerusform>
+            <numerusform>Border of %n edges, %1 mm long</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Part of %n element(s)</source>
+        <translation>
+            <numerusform>Part of %n element</numerusform>
+            <numerusform>Part of %n elements</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>esm::ImportDialog</name>
+    <message numerus="yes">
+        <source>Import %1 and %n more file(s)</source>
+        <translation>
+            <numerusform>Import %1 and %n more file</numerusform>
+            <numerusform>Import %1 and %n more files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>esm::MainWindow</name>
+    <message numerus="yes">
+        <source>Drop to import %n file(s)</source>
+        <translation>
+            <numerusform>Drop to import %n file</numerusform>
+            <numerusform>Drop to import %n files</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>esm::Overlay</name>
     <message numerus="yes">
         <source>Select: %n node(s); Shift adds, Ctrl takes away, Esc clears</source>
