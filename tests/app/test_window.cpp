@@ -16,6 +16,7 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAction>
+#include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QFile>
@@ -27,6 +28,7 @@
 #include <QPlainTextEdit>
 #include <QTemporaryDir>
 #include <QTest>
+#include <QTreeWidget>
 
 #include <gtest/gtest.h>
 
@@ -203,13 +205,47 @@ TEST_F(WindowTest, ImportDialogReportsAndBuildsTheNet)
   EXPECT_FALSE(dialog.findChild<QAbstractButton*>("importAdd")->isEnabled());
   dialog.findChild<QComboBox*>("importUnit")->setCurrentText("cm");
   EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("400 × 400 × 90 mm"));
+  dialog.accept(); // the net of these choices is still being made: there is nothing to take
+  EXPECT_NE(dialog.result(), QDialog::Accepted);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
   dialog.accept();
-  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.result() == QDialog::Accepted; }));
+  EXPECT_EQ(dialog.result(), QDialog::Accepted);
   const IncomingModel model = dialog.takeModel();
   EXPECT_EQ(model.net.nodeCount(), 4);
   EXPECT_EQ(model.source.unit, LengthUnit::Centimetre);
   ASSERT_TRUE(window->document()->importModel(model, true));
   EXPECT_EQ(window->document()->undoStack()->count(), 1);
+}
+
+// The lone vertex is a defect with a place; chosen in the list it is ringed in the preview.
+TEST_F(WindowTest, ImportDialogListsDefectsAndRemembersChoices)
+{
+  const QString path = folder.filePath("two.remembered");
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(),
+                                  "v 0 0 0\nv 40 0 0\nv 0 40 0\nv 40 40 0\nv 9 9 9\nf 1 2 3\nf 2 4 3\n"));
+  JobRunner jobs;
+  const auto ready = [](ImportDialog& dialog) {
+    return QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); });
+  };
+  {
+    ImportDialog dialog({path}, &jobs, true, defaultTissue());
+    ASSERT_TRUE(ready(dialog));
+    EXPECT_TRUE(dialog.findChild<QLabel*>("importRemembered")->text().isEmpty());
+    auto* list = dialog.findChild<QTreeWidget*>("importDefects");
+    ASSERT_EQ(list->topLevelItemCount(), 2); // the open border, the vertex that nothing uses
+    list->setCurrentItem(list->topLevelItem(1)->child(0));
+    ASSERT_EQ(dialog.view()->marks().cols(), 1);
+    EXPECT_LT((dialog.view()->marks() - Eigen::Vector3d(0.009, 0.009, 0.009)).norm(), 1e-12);
+    dialog.findChild<QCheckBox*>("importUseless")->setChecked(true);
+    ASSERT_TRUE(ready(dialog));
+    dialog.accept();
+  }
+  ImportDialog again({path}, &jobs, true, defaultTissue());
+  EXPECT_TRUE(again.findChild<QCheckBox*>("importUseless")->isChecked());
+  EXPECT_TRUE(again.findChild<QLabel*>("importRemembered")->text().contains("REMEMBERED"));
+  again.findChild<QAbstractButton*>("importReset")->click();
+  EXPECT_FALSE(again.findChild<QCheckBox*>("importUseless")->isChecked());
+  ASSERT_TRUE(ready(again));
 }
 
 TEST_F(WindowTest, ImportDialogSaysWhyItCannot)
