@@ -9,7 +9,6 @@
 #include "app/theme.h"
 #include "app/viewport/scene_view.h"
 
-#include <QCoreApplication>
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QFileInfo>
@@ -31,55 +30,6 @@
 namespace esm {
 
 namespace {
-
-/// A finding as it is said in the window's language.
-QString textOf(const QualityFinding& finding, const QualityReport& report)
-{
-  const QLocale locale;
-  const QString dent = locale.toString(finding.value * 1000.0, 'g', 2);
-  const QString poke = locale.toString(report.poke, 'g', 2);
-  const auto count = static_cast<int>(std::min<std::int64_t>(finding.count, 1'000'000'000));
-  const auto places = static_cast<int>(finding.nodes.size());
-  const auto tr = [](const char* text, int n = -1) {
-    return QCoreApplication::translate("esm::ImportDialog", text, nullptr, n);
-  };
-  switch (finding.kind) {
-  case QualityFinding::Kind::Carries:
-    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog",
-                                "The net carries load: a poke of %1 N dents it by %2 mm."))
-      .arg(poke, dent);
-  case QualityFinding::Kind::Soft:
-    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog", "The net is soft: a poke of %1 N dents it by %2 mm."))
-      .arg(poke, dent);
-  case QualityFinding::Kind::Collapses:
-    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog",
-                                "The net collapses: a poke of %1 N moves it by more than its size."))
-      .arg(poke);
-  case QualityFinding::Kind::NothingInside:
-    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog",
-                                "Nothing is inside the surface: it gives way like a bag. Choose a support."));
-  case QualityFinding::Kind::Mechanisms:
-    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n motion(s) of the net that no spring resists"),
-              count);
-  case QualityFinding::Kind::FlatNodes:
-    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog",
-                                  "%n node(s) that nothing holds across the plane of their springs"),
-              places);
-  case QualityFinding::Kind::HingeNode:
-    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n node(s) at which parts hang together alone"),
-              places);
-  case QualityFinding::Kind::HingeLine:
-    return tr(
-      QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n node(s) of lines along which parts hang together alone"),
-      places);
-  case QualityFinding::Kind::Unheld:
-    return tr(QT_TRANSLATE_N_NOOP("esm::ImportDialog", "%n part(s) that neither bands nor held nodes hold"),
-              count);
-  case QualityFinding::Kind::TooLarge:
-    return tr(QT_TRANSLATE_NOOP("esm::ImportDialog", "The net is too large to be judged before it runs."));
-  }
-  return {};
-}
 
 template <class Widget>
 Widget* named(Widget* widget, const char* name)
@@ -329,6 +279,39 @@ void ImportDialog::addRow(const QString& what, const QString& before, const QStr
     if (bad) item->setForeground(signalColours(palette()).warning);
     m_report->setItem(row, column, item);
   }
+}
+
+/// A finding as it is said in the window's language.
+QString ImportDialog::textOf(const QualityFinding& finding, const QualityReport& report)
+{
+  const QLocale locale;
+  const QString dent = locale.toString(finding.value * 1000.0, 'g', 2);
+  const QString poke = locale.toString(report.poke, 'g', 2);
+  const auto count = static_cast<int>(std::min<std::int64_t>(finding.count, 1'000'000'000));
+  const auto places = static_cast<int>(finding.nodes.size());
+  switch (finding.kind) {
+  case QualityFinding::Kind::Carries:
+    return tr("The net carries load: a poke of %1 N dents it by %2 mm.").arg(poke, dent);
+  case QualityFinding::Kind::Soft:
+    return tr("The net is soft: a poke of %1 N dents it by %2 mm.").arg(poke, dent);
+  case QualityFinding::Kind::Collapses:
+    return tr("The net collapses: a poke of %1 N moves it by more than its size.").arg(poke);
+  case QualityFinding::Kind::NothingInside:
+    return tr("Nothing is inside the surface: it gives way like a bag. Choose a support.");
+  case QualityFinding::Kind::Mechanisms:
+    return tr("%n motion(s) of the net that no spring resists", nullptr, count);
+  case QualityFinding::Kind::FlatNodes:
+    return tr("%n node(s) that nothing holds across the plane of their springs", nullptr, places);
+  case QualityFinding::Kind::HingeNode:
+    return tr("%n node(s) at which parts hang together alone", nullptr, places);
+  case QualityFinding::Kind::HingeLine:
+    return tr("%n node(s) of lines along which parts hang together alone", nullptr, places);
+  case QualityFinding::Kind::Unheld:
+    return tr("%n part(s) that neither bands nor held nodes hold", nullptr, count);
+  case QualityFinding::Kind::TooLarge:
+    return tr("The net is too large to be judged before it runs.");
+  }
+  return {};
 }
 
 void ImportDialog::showReport()

@@ -58,6 +58,7 @@ private:
   void showPreview(ImportPreview preview);
   void showFailure(const Error& error);
   void showReport();
+  static QString textOf(const QualityFinding& finding, const QualityReport& report);
   void showSize();
   void addRow(const QString& what, const QString& before, const QString& after, bool bad);
   void setBusy(bool busy);
