@@ -160,15 +160,15 @@
     <message numerus="yes">
         <source>Border of %n edge(s), %1 mm long</source>
         <translation>
-            <numerusform>Rand aus %n Kante(n), %1 mm lang</numerusform>
-            <numerusform>Rand aus %n Kante(n), %1 mm lang</numerusform>
+            <numerusform>Rand aus %n Kante, %1 mm lang</numerusform>
+            <numerusform>Rand aus %n Kanten, %1 mm lang</numerusform>
         </translation>
     </message>
     <message numerus="yes">
         <source>Part of %n element(s)</source>
         <translation>
-            <numerusform>Teil aus %n Element(en)</numerusform>
-            <numerusform>Teil aus %n Element(en)</numerusform>
+            <numerusform>Teil aus %n Element</numerusform>
+            <numerusform>Teil aus %n Elementen</numerusform>
         </translation>
     </message>
     <message>
@@ -559,8 +559,8 @@
     <message numerus="yes">
         <source>Import %1 and %n more file(s)</source>
         <translation>
-            <numerusform>%1 und %n weitere Datei(en) importieren</numerusform>
-            <numerusform>%1 und %n weitere Datei(en) importieren</numerusform>
+            <numerusform>%1 und %n weitere Datei importieren</numerusform>
+            <numerusform>%1 und %n weitere Dateien importieren</numerusform>
         </translation>
     </message>
     <message>
@@ -590,6 +590,61 @@
     <message>
         <source>Remembered choices</source>
         <translation>Gemerkte Einstellungen</translation>
+    </message>
+    <message>
+        <source>The net carries load: a poke of %1 N dents it by %2 mm.</source>
+        <translation>Das Netz trägt: Ein Druck von %1 N dellt es um %2 mm ein.</translation>
+    </message>
+    <message>
+        <source>The net is soft: a poke of %1 N dents it by %2 mm.</source>
+        <translation>Das Netz ist weich: Ein Druck von %1 N dellt es um %2 mm ein.</translation>
+    </message>
+    <message>
+        <source>The net collapses: a poke of %1 N moves it by more than its size.</source>
+        <translation>Das Netz fällt zusammen: Ein Druck von %1 N verschiebt es um mehr als seine Größe.</translation>
+    </message>
+    <message>
+        <source>Nothing is inside the surface: it gives way like a bag. Choose a support.</source>
+        <translation>Unter der Oberfläche ist nichts: Sie gibt nach wie ein Beutel. Wähle eine Stütze.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n motion(s) of the net that no spring resists</source>
+        <translation>
+            <numerusform>%n Bewegung des Netzes, der keine Feder widersteht</numerusform>
+            <numerusform>%n Bewegungen des Netzes, denen keine Feder widersteht</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) that nothing holds across the plane of their springs</source>
+        <translation>
+            <numerusform>%n Knoten, den quer zur Ebene seiner Federn nichts hält</numerusform>
+            <numerusform>%n Knoten, die quer zur Ebene ihrer Federn nichts hält</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) at which parts hang together alone</source>
+        <translation>
+            <numerusform>%n Knoten, an dem allein Teile zusammenhängen</numerusform>
+            <numerusform>%n Knoten, an denen allein Teile zusammenhängen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) of lines along which parts hang together alone</source>
+        <translation>
+            <numerusform>%n Knoten von Linien, an denen allein Teile zusammenhängen</numerusform>
+            <numerusform>%n Knoten von Linien, an denen allein Teile zusammenhängen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) that neither bands nor held nodes hold</source>
+        <translation>
+            <numerusform>%n Teil, den weder Bänder noch gehaltene Knoten halten</numerusform>
+            <numerusform>%n Teile, die weder Bänder noch gehaltene Knoten halten</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The net is too large to be judged before it runs.</source>
+        <translation>Das Netz ist zu groß, um es vor dem Lauf zu beurteilen.</translation>
     </message>
 </context>
 <context>
@@ -843,8 +898,8 @@
     <message numerus="yes">
         <source>Drop to import %n file(s)</source>
         <translation>
-            <numerusform>Loslassen importiert %n Datei(en)</numerusform>
-            <numerusform>Loslassen importiert %n Datei(en)</numerusform>
+            <numerusform>Loslassen importiert %n Datei</numerusform>
+            <numerusform>Loslassen importiert %n Dateien</numerusform>
         </translation>
     </message>
 </context>

@@ -27,6 +27,41 @@
             <numerusform>Import %1 and %n more files</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n motion(s) of the net that no spring resists</source>
+        <translation>
+            <numerusform>%n motion of the net that no spring resists</numerusform>
+            <numerusform>%n motions of the net that no spring resists</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) that nothing holds across the plane of their springs</source>
+        <translation>
+            <numerusform>%n node that nothing holds across the plane of its springs</numerusform>
+            <numerusform>%n nodes that nothing holds across the plane of their springs</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) at which parts hang together alone</source>
+        <translation>
+            <numerusform>%n node at which alone parts hang together</numerusform>
+            <numerusform>%n nodes at which alone parts hang together</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n node(s) of lines along which parts hang together alone</source>
+        <translation>
+            <numerusform>%n node of lines along which alone parts hang together</numerusform>
+            <numerusform>%n nodes of lines along which alone parts hang together</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n part(s) that neither bands nor held nodes hold</source>
+        <translation>
+            <numerusform>%n part that neither bands nor held nodes hold</numerusform>
+            <numerusform>%n parts that neither bands nor held nodes hold</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>esm::MainWindow</name>

@@ -181,7 +181,12 @@ TEST_F(WindowTest, ArmedDeviceFeelsThePullUpToTheLimit)
   run->movePull(place + Eigen::Vector3d(0, 0, 0.02));
   QTest::qWait(300);
   EXPECT_EQ(run->hapticStatus().force.norm(), 0.0);
+  run->endPull(); // force begins with nothing in the hand only
   run->arm();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return run->hapticStatus().state != DeviceState::Idle; }, 15000));
+  QTest::qWait(300);
+  run->startPull(27, place);
+  run->movePull(place + Eigen::Vector3d(0, 0, 0.02));
   EXPECT_TRUE(QTest::qWaitFor([&] { return run->hapticStatus().force.norm() > 0.01; }, 15000));
   for (int i = 0; i < 20; ++i) {
     QTest::qWait(20);
