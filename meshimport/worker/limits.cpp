@@ -12,8 +12,9 @@ namespace esm {
 
 namespace {
 
-constexpr rlim_t kMemoryToStart = rlim_t{256} << 20; // libraries and their tables take 100 MB of addresses
-constexpr rlim_t kMemoryPerByte = 64;                // assimp was seen to take forty
+[[maybe_unused]] constexpr rlim_t kMemoryToStart =
+  rlim_t{256} << 20;                                   // libraries and their tables take 100 MB of addresses
+[[maybe_unused]] constexpr rlim_t kMemoryPerByte = 64; // assimp was seen to take forty
 constexpr rlim_t kSecondsToStart = 1;
 constexpr rlim_t kBytesPerSecond = 200'000; // its slowest readers do ten times as many
 #ifdef ESM_SANITIZED
@@ -30,7 +31,7 @@ void limit(int what, rlim_t soft)
   setrlimit(static_cast<__rlimit_resource>(what), &bounds);
 }
 
-rlim_t mostMemory()
+[[maybe_unused]] rlim_t mostMemory()
 {
   return static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
 }
