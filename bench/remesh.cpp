@@ -183,7 +183,7 @@ int runRemesh(const std::vector<std::string>& words)
 {
   const bool quick = isQuick(words);
   Mesh mesh = bumpySphere(quick ? 91 : 289); // 99,372 or 1,002,252 triangles
-  weldVertices(mesh, 1e-6); // where sides of the cube meet, directions differ by rounding
+  weldVertices(mesh, 1e-6);                  // where sides of the cube meet, directions differ by rounding
   std::printf("method,from,wished,to,seconds,times_meshoptimizer,rms_error,max_error,aspect_p99,length_ratio,"
               "nonmanifold\n");
   for (const Index wished : {10'000, 100'000, 1'000}) {

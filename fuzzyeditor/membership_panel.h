@@ -25,7 +25,7 @@ public:
   /// @param evaluation not owned, outlives this.
   explicit MembershipPanel(FuzzyEvaluation* evaluation, QWidget* parent = nullptr);
 
-  void showInput(int input); ///< connect to InputsPanel::inputFocused
+  void showInput(int input);                      ///< connect to InputsPanel::inputFocused
   void showVariable(bool isOutput, int variable); ///< connect to RulesPanel::variableRequested
   TermPlot* plot() const { return m_plot; }
   TermEdits* edits() const { return m_edits; }
