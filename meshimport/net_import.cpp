@@ -56,7 +56,6 @@ Status addFile(MeshSource& source, SourceFile& file, const std::filesystem::path
   if (source.files.empty()) {
     source.mesh = std::move(imported->mesh);
     source.report = imported->report;
-    source.edges = std::move(imported->edges);
   } else {
     const Index offset = source.mesh.vertexCount();
     for (Index& vertex : read.vertexOfFile) vertex += offset;
@@ -74,9 +73,7 @@ Status weldFiles(MeshSource& source, WorkControl* control)
     if (stopWanted(control)) return cancelledError();
     for (ReadFile& file : source.files) follow(file.vertexOfFile, newOf);
   }
-  source.edges = findEdges(source.mesh, control);
-  if (stopWanted(control)) return cancelledError();
-  source.report = examine(source.mesh, source.edges, control);
+  source.report = examine(source.mesh, control);
   if (stopWanted(control)) return cancelledError();
   return {};
 }
@@ -141,8 +138,7 @@ Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe
     made.after = examine(mesh, control);
     followDiagonals(mesh, source.mesh, made.repair.vertexOf);
   }
-  Result<SpringNet> net =
-    buildNet(mesh, &nodeOfVertex, control, recipe.repair.doesNothing() ? &source.edges : nullptr);
+  Result<SpringNet> net = buildNet(mesh, &nodeOfVertex, control);
   if (!net) return inFile(net.error());
   made.net = std::move(*net);
   if (recipe.polygons == PolygonSprings::EdgesOnly) {

@@ -5,7 +5,6 @@
 #include "core/base/file_io.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/assimp_scene.h"
-#include "meshimport/worker/coin_scene.h"
 #include "meshimport/worker/limits.h"
 
 #include <cerrno>
@@ -27,12 +26,7 @@ struct Library {
   WorkerReply (*read)(std::string_view bytes, const std::string& origin, const std::string& ending);
 };
 
-constexpr Library kLibraries[] = {
-  {"assimp", readWithAssimp},
-#if defined(ESM_HAS_COIN)
-  {"coin", readWithCoin},
-#endif
-};
+constexpr Library kLibraries[] = {{"assimp", readWithAssimp}};
 
 WorkerReply refused(ErrorCode code, const std::string& origin, const std::string& text)
 {
