@@ -77,16 +77,19 @@ TEST(WorkerMoments, twoHundredKillsLeaveTheParentIntact)
 /// Stops the import at twenty random moments; returns the longest time from the wish to the answer [ms].
 double longestWayBack(const std::filesystem::path& file)
 {
-  const auto start = Clock::now();
+  // The first import also reads the file from the disk: a later one may be over before the wish. Then the moments
+  // move nearer to the start.
+  const auto first = Clock::now();
   const auto whole = importMesh(file);
   EXPECT_TRUE(whole) << whole.error().detail;
-  const double usual = msSince(start);
+  double usual = msSince(first);
   std::mt19937 random(5);
   double longest = 0.0;
   int stopped = 0;
-  for (int i = 0; i < 20; ++i) {
+  for (int attempts = 0; stopped < 20 && attempts < 400; ++attempts) {
     WorkControl control;
     Clock::time_point wish;
+    const auto start = Clock::now();
     std::jthread user([&, moment = std::uniform_real_distribution(0.0, usual)(random)] {
       std::this_thread::sleep_for(std::chrono::duration<double, std::milli>(moment));
       wish = Clock::now();
@@ -95,13 +98,16 @@ double longestWayBack(const std::filesystem::path& file)
     const auto imported = importMesh(file, {}, &control);
     const auto back = Clock::now();
     user.join();
-    if (imported) continue; // it was done before the wish
+    if (imported) { // it was done before the wish
+      usual = std::min(usual, std::chrono::duration<double, std::milli>(back - start).count());
+      continue;
+    }
     ++stopped;
     EXPECT_EQ(imported.error().code, ErrorCode::Cancelled) << imported.error().detail;
     longest = std::max(longest, std::chrono::duration<double, std::milli>(back - wish).count());
     EXPECT_TRUE(childrenOfThisProcess().empty());
   }
-  EXPECT_GE(stopped, 10);
+  EXPECT_EQ(stopped, 20);
   std::cout << "import " << usual << " ms, longest way back " << longest << " ms of " << stopped
             << " stops\n";
   return longest;
