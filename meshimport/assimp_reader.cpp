@@ -19,11 +19,11 @@ constexpr std::size_t kLargestFile = std::size_t{1} << 30; ///< assimp takes up 
 /// What assimp reads beside the formats of our own, sorted. Left out: mere textures, motions and cameras, and
 /// "raw", "xml" and "prj", which mean too many things.
 constexpr std::string_view kEndings[] = {
-  "3d",     "3ds",  "3mf",  "ac",      "ac3d", "acc",  "amf",  "ase", "ask",  "assbin",  "b3d", "blend",
-  "bsp",    "bvh",  "cob",  "csm",     "dae",  "dxf",  "enff", "fbx", "glb",  "gltf",    "hmp", "ifc",
-  "ifczip", "iqm",  "irr",  "irrmesh", "lwo",  "lws",  "lxo",  "md2", "md3",  "md5mesh", "mdc", "mdl",
-  "mesh",   "mot",  "ms3d", "ndo",     "nff",  "ogex", "pk3",  "pmx", "q3o",  "q3s",     "scn", "sib",
-  "smd",    "step", "stp",  "ter",     "uc",   "vta",  "x",    "x3d", "x3db", "xgl",     "zae", "zgl"};
+  "3d",   "3ds",  "3mf",     "ac",  "ac3d", "acc",  "amf", "ase",  "ask",     "assbin", "b3d", "blend",
+  "bsp",  "bvh",  "cob",     "csm", "dae",  "enff", "fbx", "glb",  "gltf",    "hmp",    "ifc", "ifczip",
+  "iqm",  "irr",  "irrmesh", "lwo", "lws",  "lxo",  "md2", "md3",  "md5mesh", "mdc",    "mdl", "mesh",
+  "mot",  "ms3d", "ndo",     "nff", "ogex", "pk3",  "pmx", "q3o",  "q3s",     "scn",    "sib", "smd",
+  "step", "stp",  "ter",     "uc",  "vta",  "x",    "x3d", "x3db", "xgl",     "zae",    "zgl"};
 static_assert(std::is_sorted(std::begin(kEndings), std::end(kEndings)));
 
 std::string endingOf(const std::string& origin)
@@ -40,6 +40,10 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
     return fault(ErrorCode::Unsupported, origin, 0,
                  "it is larger than 1 GB, which only OBJ, STL, PLY and OFF may be; convert it");
   const std::string_view betrayed = betrayedEnding(bytes);
+  if (betrayed == "x3d" && bytes.find("<IndexedLineSet") != bytes.npos)
+    return fault(
+      ErrorCode::Unsupported, origin, 0,
+      "X3D line sets are not read (the library would make polygons of them); save it as VRML, OBJ or PLY");
   WorkerTask task;
   task.library = "assimp";
   task.ending = betrayed.empty() ? endingOf(origin) : std::string(betrayed);

@@ -9,6 +9,7 @@
 #include "meshimport/content.h"
 #include "meshimport/dxf_reader.h"
 #include "meshimport/file_bytes.h"
+#include "meshimport/inventor_reader.h"
 #include "meshimport/msh_reader.h"
 #include "meshimport/obj_reader.h"
 #include "meshimport/off_reader.h"
@@ -55,9 +56,10 @@ Result<FileBytes> readMeshFile(const std::filesystem::path& path, WorkControl* c
 
 Error unrecognised(std::string_view bytes, const std::string& origin)
 {
-  return fault(ErrorCode::Unsupported, origin, 0,
-               "this is " + describeContent(bytes) +
-                 ", not a mesh that can be read; choose an OBJ, STL, PLY, OFF, glTF or other mesh file");
+  return fault(
+    ErrorCode::Unsupported, origin, 0,
+    "this is " + describeContent(bytes) +
+      ", not a mesh that can be read; choose an OBJ, STL, PLY, OFF, DXF, VTK, Gmsh, glTF or other mesh file");
 }
 
 /// "scan.stl" with an OBJ inside is read as what it is, and that is said.
@@ -110,7 +112,9 @@ Result<ImportedMesh> importChecked(const std::filesystem::path& path, const Impo
     imported.vertexOfFile.resize(static_cast<std::size_t>(before));
     std::iota(imported.vertexOfFile.begin(), imported.vertexOfFile.end(), 0);
   }
-  imported.report = examine(imported.mesh, control);
+  imported.edges = findEdges(imported.mesh, control);
+  if (stopWanted(control)) return cancelledError();
+  imported.report = examine(imported.mesh, imported.edges, control);
   if (stopWanted(control)) return cancelledError();
   if (imported.report.springs == 0)
     return fault(ErrorCode::EmptyResult, path.string(), 0,
@@ -138,9 +142,9 @@ Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportO
 const std::vector<MeshReader>& readerTable()
 {
   // The surest signs first; assimp takes what is left.
-  static const std::vector<MeshReader> table{plyReader(), offReader(), vtkReader(),
-                                             vtuReader(), mshReader(), dxfReader(),
-                                             stlReader(), objReader(), assimpReader()};
+  static const std::vector<MeshReader> table{plyReader(), offReader(),   vtkReader(),      vtuReader(),
+                                             mshReader(), dxfReader(),   inventorReader(), stlReader(),
+                                             objReader(), assimpReader()};
   return table;
 }
 

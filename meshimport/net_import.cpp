@@ -56,6 +56,7 @@ Status addFile(MeshSource& source, SourceFile& file, const std::filesystem::path
   if (source.files.empty()) {
     source.mesh = std::move(imported->mesh);
     source.report = imported->report;
+    source.edges = std::move(imported->edges);
   } else {
     const Index offset = source.mesh.vertexCount();
     for (Index& vertex : read.vertexOfFile) vertex += offset;
@@ -73,7 +74,9 @@ Status weldFiles(MeshSource& source, WorkControl* control)
     if (stopWanted(control)) return cancelledError();
     for (ReadFile& file : source.files) follow(file.vertexOfFile, newOf);
   }
-  source.report = examine(source.mesh, control);
+  source.edges = findEdges(source.mesh, control);
+  if (stopWanted(control)) return cancelledError();
+  source.report = examine(source.mesh, source.edges, control);
   if (stopWanted(control)) return cancelledError();
   return {};
 }
@@ -138,7 +141,8 @@ Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe
     made.after = examine(mesh, control);
     followDiagonals(mesh, source.mesh, made.repair.vertexOf);
   }
-  Result<SpringNet> net = buildNet(mesh, &nodeOfVertex, control);
+  Result<SpringNet> net =
+    buildNet(mesh, &nodeOfVertex, control, recipe.repair.doesNothing() ? &source.edges : nullptr);
   if (!net) return inFile(net.error());
   made.net = std::move(*net);
   if (recipe.polygons == PolygonSprings::EdgesOnly) {

@@ -27,6 +27,7 @@ struct MeshSource {
   ImportRecipe recipe; ///< with the fingerprints of what was read
   Mesh mesh;           ///< welded if the recipe says so
   MeshReport report;   ///< of `mesh`
+  EdgeTable edges;     ///< of `mesh`
   std::vector<ReadFile> files;
   std::vector<std::string> notes; ///< one sentence each; with several files each names its own
 };

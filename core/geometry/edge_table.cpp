@@ -44,7 +44,9 @@ public:
   void foreseePlace(Index a, Index b) const { __builtin_prefetch(m_start.data() + std::min(a, b)); }
   void foreseeBucket(Index a, Index b) const
   {
-    __builtin_prefetch(m_entries.data() + m_start[static_cast<std::size_t>(std::min(a, b))]);
+    const Entry* const bucket = m_entries.data() + m_start[static_cast<std::size_t>(std::min(a, b))];
+    __builtin_prefetch(bucket);
+    __builtin_prefetch(bucket + 5); // as a rule it begins somewhere in a line of eight
   }
 
   /// The number of the edge between a and b; `next` if it was none yet and now is.
@@ -106,6 +108,23 @@ void visitSides(const Mesh& mesh, const Visit& visit)
     }
 }
 
+/// Each triangle once per edge, even if two of its sides are the same edge (corners a a b).
+void countTriangles(EdgeTable& table)
+{
+  constexpr std::size_t kAhead = 48;
+  table.triangleCount = largeVector(static_cast<std::size_t>(table.ends.cols()), Index{0});
+  const std::vector<Index>& edge = table.edgeOfSide;
+  for (std::size_t t = 0; t + 2 < edge.size(); t += 3) {
+    for (std::size_t c = 0; c < 3; ++c) {
+      if (t + c + kAhead < edge.size() && edge[t + c + kAhead] != kNoIndex)
+        __builtin_prefetch(table.triangleCount.data() + edge[t + c + kAhead], 1);
+      const Index e = edge[t + c];
+      const bool counted = (c > 0 && e == edge[t]) || (c > 1 && e == edge[t + 1]);
+      if (e != kNoIndex && !counted) ++table.triangleCount[static_cast<std::size_t>(e)];
+    }
+  }
+}
+
 /// The smallest corner of a triangle and the two others, whatever their order.
 std::pair<Index, std::uint64_t> triangleKey(const Index* corner)
 {
@@ -129,48 +148,35 @@ EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
 
   EdgeTable table;
   table.edgeOfSide = largeVector(static_cast<std::size_t>(triangleSides), kNoIndex);
-  std::vector<Index> ends;
-  const std::size_t usual =
-    static_cast<std::size_t>(triangleSides) / 2 + static_cast<std::size_t>(mesh.segmentCount());
-  reserveLarge(ends, 2 * usual + usual / 8);
-  reserveLarge(table.triangleCount, usual + usual / 16);
+  table.ends.resize(2, sides); // most of it is never touched
+  useLargePages(table.ends);
+  Index edges = 0;
   bool surfaceDone = false;
   // Triangles without order miss the caches with every side; their buckets are fetched some triangles ahead.
-  constexpr Index kAhead = 12;
+  constexpr Index kAhead = 3 * 12;
   const auto foresee = [&](Index side) {
-    const Index soon = side + 3 * kAhead, later = soon + 3 * kAhead;
-    if (later + 2 >= triangleSides) return;
-    const Index* c = mesh.triangles.data() + later;
-    buckets.foreseePlace(c[0], c[1]);
-    buckets.foreseePlace(c[1], c[2]);
-    c = mesh.triangles.data() + soon;
-    buckets.foreseeBucket(c[0], c[1]);
-    buckets.foreseeBucket(c[1], c[2]);
-    buckets.foreseeBucket(c[2], c[0]);
+    if (side + 2 * kAhead + 2 >= triangleSides) return;
+    const Index* c = mesh.triangles.data() + side + 2 * kAhead;
+    for (int k = 0; k < 3; ++k) buckets.foreseePlace(c[k], c[(k + 1) % 3]);
+    c = mesh.triangles.data() + side + kAhead;
+    for (int k = 0; k < 3; ++k) buckets.foreseeBucket(c[k], c[(k + 1) % 3]);
   };
   visitSides(mesh, [&](Index a, Index b, Index side) {
     if (stopWantedAt(static_cast<std::size_t>(side), static_cast<std::size_t>(sides), control)) return false;
     if (side % 3 == 0) foresee(side);
-    const auto next = static_cast<Index>(table.triangleCount.size());
-    const Index edge = buckets.findOrAdd(a, b, next);
-    if (side >= triangleSides && !std::exchange(surfaceDone, true)) table.surfaceEdges = next;
-    if (edge == next) {
-      ends.insert(ends.end(), {std::min(a, b), std::max(a, b)});
-      table.triangleCount.push_back(0);
+    const Index edge = buckets.findOrAdd(a, b, edges);
+    if (side >= triangleSides && !std::exchange(surfaceDone, true)) table.surfaceEdges = edges;
+    if (edge == edges) {
+      table.ends(0, edges) = std::min(a, b);
+      table.ends(1, edges++) = std::max(a, b);
     }
-    if (side >= triangleSides) return true;
-    Index* const ofTriangle = table.edgeOfSide.data() + (side - side % 3);
-    // A triangle counts once per edge, even if two of its sides are the same edge (corners a a b).
-    const bool counted = ofTriangle[0] == edge || ofTriangle[1] == edge;
-    if (!counted) ++table.triangleCount[static_cast<std::size_t>(edge)];
-    table.edgeOfSide[static_cast<std::size_t>(side)] = edge;
+    if (side < triangleSides) table.edgeOfSide[static_cast<std::size_t>(side)] = edge;
     return true;
   });
   if (stopWanted(control)) return {};
-  if (!surfaceDone) table.surfaceEdges = static_cast<Index>(table.triangleCount.size());
-  table.ends.resize(2, static_cast<Eigen::Index>(ends.size() / 2));
-  useLargePages(table.ends);
-  std::copy(ends.begin(), ends.end(), table.ends.data());
+  if (!surfaceDone) table.surfaceEdges = edges;
+  table.ends.conservativeResize(Eigen::NoChange, edges);
+  countTriangles(table);
   return table;
 }
 

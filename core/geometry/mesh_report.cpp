@@ -73,11 +73,15 @@ void examineFaces(const Mesh& mesh, const EdgeTable& edges, MeshReport& report, 
 
 MeshReport examine(const Mesh& mesh, WorkControl* control)
 {
+  const EdgeTable edges = findEdges(mesh, control);
+  return stopWanted(control) ? MeshReport{} : examine(mesh, edges, control);
+}
+
+MeshReport examine(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
+{
   MeshReport report;
   std::vector<std::uint8_t> isFinite;
   examineVertices(mesh, isFinite, report);
-  const EdgeTable edges = findEdges(mesh, control);
-  if (stopWanted(control)) return report;
   examineSprings(mesh, edges, isFinite, report);
   examineFaces(mesh, edges, report, control);
   return report;

@@ -179,15 +179,18 @@ void resizeNet(SpringNet& net, Index nodes, Index springs)
   for (Index s = 0; s < springs; ++s) net.springId.push_back(SpringId{s});
 }
 
-Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, WorkControl* control)
+Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, WorkControl* control,
+                           const EdgeTable* known)
 {
   if (Status good = checkIndices(mesh.triangles, mesh.vertexCount(), "triangle"); !good) return good.error();
   if (Status good = checkIndices(mesh.segments, mesh.vertexCount(), "line"); !good) return good.error();
 
   if (mesh.tetrahedronCount() > 0) return buildSolidNet(mesh, nodeOfVertex, control);
 
-  const EdgeTable edges = findEdges(mesh, control);
+  EdgeTable found;
+  if (!known) found = findEdges(mesh, control);
   if (stopWanted(control)) return cancelledError();
+  const EdgeTable& edges = known ? *known : found;
   SpringNet net;
   if (Status good = addSprings(mesh, edges, net, control); !good) return good.error();
   std::vector<Index> nodeOf = addNodes(mesh, net);

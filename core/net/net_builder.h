@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/base/work_control.h"
+#include "core/geometry/edge_table.h"
 #include "core/geometry/mesh.h"
 #include "core/net/spring_net.h"
 
@@ -23,9 +24,10 @@ void resizeNet(SpringNet& net, Index nodes, Index springs);
 /// and volumes make a solid of them, see solid_net.h. Isolated and non-finite vertices are left out of the
 /// net; `nodeOfVertex` says where each went.
 /// @param nodeOfVertex old-to-new map, kNoIndex for a vertex that is left out; may be null.
+/// @param edges findEdges(mesh), if the caller has them already; else null.
 /// Errors: EmptyResult if no spring comes out, InvalidValue for an index out of range, Cancelled.
 Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex = nullptr,
-                           WorkControl* control = nullptr);
+                           WorkControl* control = nullptr, const EdgeTable* edges = nullptr);
 
 /// Whether the arrays fit together and hold possible numbers: shapes, indices in range, a != b, finite,
 /// mass > 0, rest lengths > 0 where the law divides by them, tables strictly rising. The detail names the

@@ -92,15 +92,6 @@ private:
   std::size_t m_points = 0;
 };
 
-/// What the library is known to read otherwise than it is written.
-void tellWeaknesses(std::string_view ending, std::string_view bytes, std::vector<std::string>& notes)
-{
-  if (ending == "x3d" && bytes.find("IndexedLineSet") != bytes.npos)
-    notes.push_back("X3D line sets arrive as faces; compare the picture, or save the model as OBJ.");
-  if (ending == "dxf" && bytes.find("POLYLINE") != bytes.npos)
-    notes.push_back("DXF polylines may lose segments; compare the picture, or save the model as OBJ.");
-}
-
 } // namespace
 
 WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, const std::string& ending)
@@ -117,7 +108,6 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
     return reply;
   }
   reply.format = ending + " (assimp)";
-  tellWeaknesses(ending, bytes, reply.notes);
   Result<Mesh> mesh = SceneCollector(*scene, origin).run(reply.notes);
   if (mesh)
     reply.mesh = std::move(*mesh);

@@ -5,6 +5,7 @@
 #include "core/base/file_io.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/assimp_scene.h"
+#include "meshimport/worker/coin_scene.h"
 #include "meshimport/worker/limits.h"
 
 #include <cerrno>
@@ -26,7 +27,12 @@ struct Library {
   WorkerReply (*read)(std::string_view bytes, const std::string& origin, const std::string& ending);
 };
 
-constexpr Library kLibraries[] = {{"assimp", readWithAssimp}};
+constexpr Library kLibraries[] = {
+  {"assimp", readWithAssimp},
+#if defined(ESM_HAS_COIN)
+  {"coin", readWithCoin},
+#endif
+};
 
 WorkerReply refused(ErrorCode code, const std::string& origin, const std::string& text)
 {

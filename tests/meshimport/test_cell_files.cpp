@@ -246,6 +246,29 @@ TEST(Dxf, aBlockInsideItselfAndABombOfBlocksAreRefused)
               HasSubstr("explode them first"));
 }
 
+// === Open Inventor and VRML
+
+TEST(Inventor, facesAndLinesOfBothFormatsArriveWhereTheirTransformsPutThem)
+{
+  const std::string inventor =
+    "#Inventor V2.1 ascii\nSeparator { Transform { translation 5 0 0 }\nCoordinate3 { point [ 0 0 0, 1 0 0, "
+    "0 1 0, 0 0 1 ] }\n"
+    "IndexedFaceSet { coordIndex [ 0, 1, 2, -1 ] } IndexedLineSet { coordIndex [ 2, 3, 0, -1 ] } }\n";
+  const std::string vrml = "#VRML V2.0 utf8\nTransform { translation 5 0 0 children [ Shape { geometry "
+                           "IndexedFaceSet { coord Coordinate { point "
+                           "[ 0 0 0, 1 0 0, 0 1 0 ] } coordIndex [ 0, 1, 2, -1 ] } }\nShape { geometry "
+                           "IndexedLineSet { coord Coordinate { point "
+                           "[ 0 0 0, 0 1 0, 0 0 1 ] } coordIndex [ 1, 2, 0, -1 ] } } ] }\n";
+  for (const auto& [name, bytes] : {std::pair{"a.iv", inventor}, {"a.wrl", vrml}}) {
+    const auto imported = importBytes(name, bytes);
+    if (!imported && imported.error().detail.find("without the Coin library") != std::string::npos)
+      GTEST_SKIP() << imported.error().detail;
+    ASSERT_EQ(contents(imported), "4 vertices, 2 segments, 1 triangles, 0 tetrahedra");
+    EXPECT_EQ(imported->report.boxMin, Eigen::Vector3d(5, 0, 0));
+    EXPECT_EQ(imported->report.boxMax, Eigen::Vector3d(6, 1, 1));
+  }
+}
+
 // === What is refused, and why
 
 struct Refused {
@@ -285,6 +308,12 @@ const Refused kRefused[] = {
   {"vtuLz4", "x.vtu",
    without(appendedVtu(), " header_type", " compressor=\"vtkLZ4DataCompressor\" header_type"),
    "vtkLZ4DataCompressor is not read"},
+  {"x3dLines", "x.x3d",
+   "<X3D><Scene><Shape><IndexedLineSet coordIndex='0 1 2 -1'><Coordinate point='0 0 0 1 0 0 1 1 "
+   "0'/></IndexedLineSet>"
+   "</Shape></Scene></X3D>",
+   "X3D line sets are not read"},
+  {"inventorCut", "x.iv", "#Inventor V2.1 ascii\nSeparator { Coordinate3 { point [ 0 0", ""},
   {"dxfBinary", "x.dxf", std::string("AutoCAD Binary DXF\r\n\x1a\0 and so on", 31), "binary DXF is not read"},
   {"dxfCut", "x.dxf", dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices).substr(0, 110), "cut short"},
   {"dxfComma", "x.dxf", dxf("0\nLINE\n10\n0,5\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n"), "written with a point"},
