@@ -77,8 +77,8 @@ TEST(WorkerMoments, twoHundredKillsLeaveTheParentIntact)
 /// Stops the import at twenty random moments; returns the longest time from the wish to the answer [ms].
 double longestWayBack(const std::filesystem::path& file)
 {
-  // The first import also reads the file from the disk: a later one may be over before the wish. Then the moments
-  // move nearer to the start.
+  // The first import also reads the file from the disk: a later one may be over before the wish. Then the
+  // moments move nearer to the start.
   const auto first = Clock::now();
   const auto whole = importMesh(file);
   EXPECT_TRUE(whole) << whole.error().detail;
