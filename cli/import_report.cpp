@@ -30,13 +30,18 @@ JsonLine meshReportJson(const MeshReport& report)
   return line;
 }
 
-JsonLine costJson(const NetCost& cost)
+void addCost(JsonLine& line, const NetCost& cost)
 {
-  JsonLine line;
   line.add("nodes", cost.nodes);
   line.add("springs", cost.springs);
   line.add("shortest_spring", cost.shortest);
   line.add("stable_step", cost.step);
+}
+
+JsonLine costJson(const NetCost& cost)
+{
+  JsonLine line;
+  addCost(line, cost);
   return line;
 }
 

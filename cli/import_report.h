@@ -6,14 +6,15 @@
 #include "core/geometry/mesh_report.h"
 #include "core/support/net_cost.h"
 
-/// What `esm import` tells of meshes and of what becomes of them.
+/// What `esm import` and `esm inspect` tell of meshes and of what becomes of them.
 namespace esm::cli {
 
 /// The counts of a mesh under the keys of `esm inspect --json`.
 void addMeshReport(JsonLine& line, const MeshReport& report);
 JsonLine meshReportJson(const MeshReport& report);
 
-/// {"nodes", "springs", "shortest_spring", "stable_step"}
+/// "nodes", "springs", "shortest_spring" [m], "stable_step" [s]
+void addCost(JsonLine& line, const NetCost& cost);
 JsonLine costJson(const NetCost& cost);
 
 } // namespace esm::cli

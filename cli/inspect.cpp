@@ -3,6 +3,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/defects.h"
+#include "cli/import_report.h"
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/geometry/mesh_defects.h"
@@ -28,23 +29,7 @@ struct InspectOptions {
 
 JsonLine jsonOf(const ImportedMesh& imported)
 {
-  const MeshReport& report = imported.report;
-  JsonLine line;
-  line.add("nodes", report.nodes);
-  line.add("springs", report.springs);
-  line.add("triangles", report.triangles);
-  line.add("segments", report.segments);
-  line.add("components", report.components);
-  line.add("isolated_vertices", report.isolatedVertices);
-  line.add("boundary_edges", report.boundaryEdges);
-  line.add("nonmanifold_edges", report.nonManifoldEdges);
-  line.add("degenerate_faces", report.degenerateFaces);
-  line.add("duplicate_faces", report.duplicateFaces);
-  line.add("nonfinite_vertices", report.nonFiniteVertices);
-  line.add("bbox_min", report.boxMin);
-  line.add("bbox_max", report.boxMax);
-  line.add("finite", report.finite);
-  line.add("sum_rest_length", report.sumRestLength);
+  JsonLine line = meshReportJson(imported.report);
   line.add("format", imported.format);
   line.add("notes", imported.notes);
   return line;
@@ -99,10 +84,7 @@ JsonLine jsonOf(const QualityReport& report, const NetCost& cost)
   line.add("dent", report.dent);
   line.add("frequency", report.frequency);
   line.add("mechanisms", report.mechanisms);
-  line.add("nodes", cost.nodes);
-  line.add("springs", cost.springs);
-  line.add("shortest_spring", cost.shortest);
-  line.add("stable_step", cost.step);
+  addCost(line, cost);
   line.add("findings", findings);
   return line;
 }

@@ -103,6 +103,17 @@ void CellCollector::add(const CellKind& kind, std::span<const Index> nodes)
   }
 }
 
+Result<Mesh> CellCollector::finish(const std::string& origin, std::vector<std::string>& notes,
+                                   WorkControl* control)
+{
+  if (m_raw.isEmpty())
+    return fault(ErrorCode::EmptyResult, origin, 0,
+                 "it holds " + std::to_string(m_raw.vertexCount()) +
+                   " points but no line, face or tetrahedron");
+  tellNotes(notes);
+  return finishMesh(std::move(m_raw), origin, notes, control);
+}
+
 void CellCollector::tellNotes(std::vector<std::string>& notes) const
 {
   const auto tell = [&notes](std::size_t count, const char* text) {

@@ -36,16 +36,20 @@ std::optional<CellKind> vtkCell(int type) noexcept;
 /// Of a Gmsh element (Gmsh manual, MSH file format); empty for types beyond the fifth order.
 std::optional<CellKind> gmshElement(int type) noexcept;
 
-/// Puts cells into a RawMesh. Tetrahedra stay tetrahedra; hexahedra, wedges and pyramids become their edges;
-/// what is of higher order is reduced to its corners, points are passed over, and all that is said.
+/// Puts cells into a RawMesh and makes a mesh of it. Tetrahedra stay tetrahedra; hexahedra, wedges and
+/// pyramids become their edges; what is of higher order is reduced to its corners, points are passed over,
+/// and all that is said.
 class CellCollector {
 public:
   explicit CellCollector(RawMesh& raw) : m_raw(raw) {}
   /// @param nodes of the cell, in range; as many as `kind` wants
   void add(const CellKind& kind, std::span<const Index> nodes);
-  void tellNotes(std::vector<std::string>& notes) const;
+  /// The end of a reader: what was left out goes to `notes`, the RawMesh becomes the mesh.
+  /// Errors: EmptyResult without a line, face or tetrahedron, and those of finishMesh().
+  Result<Mesh> finish(const std::string& origin, std::vector<std::string>& notes, WorkControl* control);
 
 private:
+  void tellNotes(std::vector<std::string>& notes) const;
   void addEdges(std::span<const Index> nodes, std::span<const int> pairs);
   RawMesh& m_raw;
   std::vector<Index> m_corners;

@@ -64,12 +64,7 @@ public:
       m_source.nextLine();
     }
     format = std::string("Gmsh ") + (m_isNew ? "4.1" : "2.2") + (m_source.binary ? " (binary)" : " (ASCII)");
-    if (m_raw.isEmpty())
-      return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it holds " + std::to_string(m_raw.vertexCount()) +
-                     " nodes but no line, face or tetrahedron");
-    m_cells.tellNotes(notes);
-    return finishMesh(std::move(m_raw), m_origin, notes, m_control);
+    return m_cells.finish(m_origin, notes, m_control);
   }
 
 private:
@@ -77,10 +72,7 @@ private:
   {
     return fault(ErrorCode::BadFormat, m_origin, m_source.binary ? 0 : m_source.line(), text);
   }
-  Error cutShort() const
-  {
-    return wrong("it ends early or holds something that is no number; is it cut short?");
-  }
+  Error cutShort() const { return wrong(kCutShort); }
 
   /// Sections end with "$End" and their name; those that are not read may hold anything.
   void skipToEnd(const std::string& name)

@@ -15,6 +15,10 @@
 
 namespace esm {
 
+/// What to say where the numbers of a file end too early.
+inline constexpr const char* kCutShort =
+  "it ends early or holds something that is no number; is it cut short?";
+
 enum class Scalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64 };
 
 constexpr std::size_t scalarSize(Scalar type) noexcept

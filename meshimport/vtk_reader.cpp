@@ -58,12 +58,7 @@ public:
       if (!status) return status.error();
     }
     if (!m_list.end.empty() && !m_hasTypes) return wrong("its cells have no CELL_TYPES; is it cut short?");
-    if (m_raw.isEmpty())
-      return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it holds " + std::to_string(m_raw.vertexCount()) +
-                     " points but no line, face or tetrahedron");
-    m_cells.tellNotes(notes);
-    return finishMesh(std::move(m_raw), m_origin, notes, m_control);
+    return m_cells.finish(m_origin, notes, m_control);
   }
 
 private:
@@ -71,10 +66,7 @@ private:
   {
     return fault(ErrorCode::BadFormat, m_origin, m_source.binary ? 0 : m_source.line(), text);
   }
-  Error cutShort() const
-  {
-    return wrong("it ends early or holds something that is no number; is it cut short?");
-  }
+  Error cutShort() const { return wrong(kCutShort); }
 
   Status header(std::string& format)
   {

@@ -40,12 +40,7 @@ public:
       tellDone(m_control, static_cast<double>(i) / static_cast<double>(m_pieces.size()));
       if (Status status = piece(m_pieces[i]); !status) return status.error();
     }
-    if (m_raw.isEmpty())
-      return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it holds " + std::to_string(m_raw.vertexCount()) +
-                     " points but no line, face or tetrahedron");
-    m_cells.tellNotes(notes);
-    return finishMesh(std::move(m_raw), m_origin, notes, m_control);
+    return m_cells.finish(m_origin, notes, m_control);
   }
 
 private:

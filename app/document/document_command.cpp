@@ -2,7 +2,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document_command.h"
 
+#include <QCoreApplication>
+
 namespace esm {
+
+QString translatedCommand(const char* text)
+{
+  return QCoreApplication::translate("esm::Commands", text);
+}
 
 void DocumentCommand::netReplaced(bool derived)
 {

@@ -8,6 +8,9 @@
 
 namespace esm {
 
+/// The names of undo steps, of the translation context "esm::Commands"; `text` through QT_TRANSLATE_NOOP.
+QString translatedCommand(const char* text);
+
 /// The base of all edits, and the only way to write to the project. Owned by the undo stack, which the
 /// document outlives.
 class DocumentCommand : public QUndoCommand {

@@ -4,18 +4,7 @@
 
 #include "app/document/command_ids.h"
 
-#include <QCoreApplication>
-
 namespace esm {
-
-namespace {
-
-QString translated(const char* text)
-{
-  return QCoreApplication::translate("esm::Commands", text);
-}
-
-} // namespace
 
 SetModelCommand::SetModelCommand(Document& document, ModelPart model, const QString& text)
   : DocumentCommand(document, text), m_new(std::move(model))
@@ -39,7 +28,7 @@ void SetModelCommand::put(const ModelPart& part)
 }
 
 RenameCommand::RenameCommand(Document& document, std::string name)
-  : DocumentCommand(document, translated(QT_TRANSLATE_NOOP("esm::Commands", "rename"))),
+  : DocumentCommand(document, translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "rename"))),
     m_old(document.project().name),
     m_new(std::move(name))
 {}
@@ -51,8 +40,8 @@ void RenameCommand::put(const std::string& name)
 }
 
 SetFixedCommand::SetFixedCommand(Document& document, const std::vector<Index>& nodes, bool fixed)
-  : DocumentCommand(document, fixed ? translated(QT_TRANSLATE_NOOP("esm::Commands", "hold nodes"))
-                                    : translated(QT_TRANSLATE_NOOP("esm::Commands", "free nodes"))),
+  : DocumentCommand(document, fixed ? translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "hold nodes"))
+                                    : translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "free nodes"))),
     m_old(document.project().net.fixed),
     m_new(m_old)
 {
@@ -68,7 +57,7 @@ void SetFixedCommand::put(const std::vector<std::uint8_t>& flags)
 }
 
 SetGravityCommand::SetGravityCommand(Document& document, const Eigen::Vector3d& gravity, int gesture)
-  : DocumentCommand(document, translated(QT_TRANSLATE_NOOP("esm::Commands", "change gravity"))),
+  : DocumentCommand(document, translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "change gravity"))),
     m_old(document.project().loads.gravity),
     m_new(gravity),
     m_gesture(gesture)
@@ -94,7 +83,7 @@ bool SetGravityCommand::mergeWith(const QUndoCommand* next)
 }
 
 SetSolverCommand::SetSolverCommand(Document& document, std::string name)
-  : DocumentCommand(document, translated(QT_TRANSLATE_NOOP("esm::Commands", "choose solver"))),
+  : DocumentCommand(document, translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "choose solver"))),
     m_old(document.project().simulation.solver.solver),
     m_new(std::move(name))
 {}
@@ -107,9 +96,9 @@ void SetSolverCommand::put(const std::string& name)
 
 SetParametersFromTissueCommand::SetParametersFromTissueCommand(Document& document, bool on,
                                                                std::shared_ptr<const SpringNet> net)
-  : DocumentCommand(document,
-                    on ? translated(QT_TRANSLATE_NOOP("esm::Commands", "take parameters from tissue"))
-                       : translated(QT_TRANSLATE_NOOP("esm::Commands", "keep parameters as they are"))),
+  : DocumentCommand(
+      document, on ? translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "take parameters from tissue"))
+                   : translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "keep parameters as they are"))),
     m_on(on),
     m_oldDerived(netIsDerived()),
     m_old(document.net()),

@@ -4,8 +4,6 @@
 
 #include "app/document/command_ids.h"
 
-#include <QCoreApplication>
-
 #include <algorithm>
 
 namespace esm {
@@ -29,11 +27,6 @@ std::vector<fuzzy::InputValue> carriedOver(const std::vector<fuzzy::InputValue>&
       if (from.inputs[i].id == variable.id && fits(values[i], variable)) result.back() = values[i];
   }
   return result;
-}
-
-QString translated(const char* text)
-{
-  return QCoreApplication::translate("esm::Commands", text);
 }
 
 } // namespace
@@ -69,7 +62,7 @@ void SetRuleBaseCommand::announce(bool)
 
 SetInputCommand::SetInputCommand(Document& document, int target, int input, fuzzy::InputValue value,
                                  int gesture)
-  : TissueCommand(document, translated(QT_TRANSLATE_NOOP("esm::Commands", "change input"))),
+  : TissueCommand(document, translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "change input"))),
     m_target(target),
     m_input(input),
     m_gesture(gesture),
@@ -138,7 +131,7 @@ void SetInputsCommand::announce(bool)
 
 SetTissueSettingsCommand::SetTissueSettingsCommand(Document& document, const TissueSettings& settings,
                                                    int gesture)
-  : TissueCommand(document, translated(QT_TRANSLATE_NOOP("esm::Commands", "change tissue"))),
+  : TissueCommand(document, translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "change tissue"))),
     m_old(settingsOf(document.project().tissue)),
     m_new(settings),
     m_gesture(gesture)

@@ -10,30 +10,14 @@ namespace esm {
 namespace {
 
 constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solvers leave
-/// Of the step after one check: an error has its zeros, one of them must not decide for long.
-constexpr double kMostGrowth = 3.0, kMostErrorGrowth = 30.0;
-constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
-/// The look at the two runs of a check comes after about a quarter of the steps, if there are so many, and so
-/// many nodes: the errors of a few modes add up, whatever one look may say.
-constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
-constexpr std::size_t kLeastNodesForLook = 100;
-/// A step whose error is this share of the budget stays as it is.
-constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
-/// Of the budget: an error that, grown with the power of the dampers since the last check, asks for the next.
-constexpr double kSuspicious = 1.5;
-constexpr double kMostTransfer = 1.5; ///< of what one method learned to others of lower order
-constexpr int kMostAttempts = 24;     ///< of one stretch
+constexpr int kMostAttempts = 24;   ///< of one stretch
 /// Of a stretch that is done twice, if that is many steps [s].
 constexpr double kCheckLength = kFrame / 2.0;
-constexpr double kSettlingTime = 0.15;     ///< after the start or an event, in which motion unfolds [s]
-constexpr int kLongestCheckGap = 24;       ///< stretches
 constexpr double kMostEffort = 3.0;        ///< for one frame, before descent takes over
 constexpr double kLeastShare = 1.0 / 8.0;  ///< of it for a stretch, however short
 constexpr double kMostDescentSteps = 16.0; ///< of one stretch
 constexpr int kLongestDescent = 64;        ///< stretches before something else is tried again
-/// Energy may grow by this much in a stretch without cause, in steps whose error nobody measures, or in
-/// explicit ones, which stir up the fastest modes a little at their limit.
-constexpr double kGrowth = 0.02, kCoarseGrowth = 0.05;
+constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 } // namespace
@@ -94,39 +78,6 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
   report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
   m_stepsSinceBound += steps;
   return Run::Done;
-}
-
-/// The first run of a check: on its way it keeps where it was after an even number of steps, so that the
-/// second run comes by at the same time.
-StepDriver::Run StepDriver::runWithLook(System& system, MotionState& state, double end, std::int64_t steps,
-                                        StepReport& report)
-{
-  m_look.steps = 0;
-  if (steps < kLeastStepsForLook || state.x.size() < kLeastNodesForLook)
-    return run(system, state, end, steps, report);
-  const double begin = state.time;
-  const std::int64_t early = steps / (2 * kLookShare) * 2;
-  m_look.share = static_cast<double>(early) / static_cast<double>(steps);
-  m_look.time = begin + (end - begin) * m_look.share;
-  const Run result = run(system, state, m_look.time, early, report);
-  if (result != Run::Done) return result;
-  m_look.steps = early;
-  m_look.x = state.x;
-  m_look.v = state.v;
-  return run(system, state, end, steps - early, report);
-}
-
-/// The second run of a check, with kFiner times the steps.
-StepDriver::Run StepDriver::runAgain(System& system, MotionState& state, double end, std::int64_t steps,
-                                     StepReport& report)
-{
-  if (m_look.steps == 0) return run(system, state, end, steps, report);
-  const auto early = static_cast<std::int64_t>(std::llround(kFiner * static_cast<double>(m_look.steps)));
-  const double begin = state.time;
-  const Run result = run(system, state, m_look.time, early, report);
-  if (result != Run::Done) return result;
-  m_look.error = m_gauge.distance(m_look.x, m_look.v, state, m_look.time - begin);
-  return run(system, state, end, steps - early, report);
 }
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
@@ -245,34 +196,6 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   return stretchByDescent(system, state, end, report);
 }
 
-/// After a stretch has been done in `steps` and again in `finer` steps: whether the second run may be kept;
-/// if so it is. Both ways the error is learned from.
-bool StepDriver::accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
-                        StepReport& report)
-{
-  const double length = state.time - m_start.time, count = static_cast<double>(steps);
-  const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
-  const double apart = m_gauge.distance(m_coarse, m_coarseV, state, length);
-  const double coarseError = apart * ratio / (ratio - 1.0);
-  m_errorPower = m_look.steps > 0 ? ErrorGauge::errorPower(m_look.error, apart, m_look.share) : 1.0;
-  const double allowed = m_gauge.budget(m_settings.tolerance, state, length, m_errorPower);
-  const bool isFine = coarseError / ratio <= allowed;
-  // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
-  const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
-  const bool atFloor = length / count <= floorStep() && coarseError <= rough;
-  const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
-  // Where another attempt could not be paid for, this one must do.
-  const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system));
-  learn(state, coarseError, allowed, length / count);
-  if (!sane || !(isFine || atFloor || isLast)) return false;
-  m_roughAtCheck = !isFine;
-  report.rough = report.rough || m_roughAtCheck;
-  if (m_roughAtCheck) sayToleranceGivenUp(system);
-  keep(system, state);
-  reconsider(system);
-  return true;
-}
-
 /// Whether this much work more is beyond what `auto` may spend on the stretch.
 bool StepDriver::isTooDear(const System& system, double work) const noexcept
 {
@@ -365,56 +288,6 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, StepRe
     explain(system);
   }
   current().restart();
-}
-
-/// In due time; or where the motion is twice as fast as ever, or has waves that err more than may be: errors
-/// come from the fast waves that feed the dampers.
-bool StepDriver::checkDue(const MotionState& state) const noexcept
-{
-  if (m_untilCheck <= 0 || !(m_gauge.speedOf(state.v) <= 2.0 * m_gauge.scale().topSpeed)) return true;
-  const double length = state.time - m_start.time, power = (state.heat - m_start.heat) / length;
-  const double grown = m_checkedPower > 0.0 ? std::sqrt(std::max(power, 0.0) / m_checkedPower) : 1.0;
-  return m_checkedError * length * grown >
-         kSuspicious * m_gauge.budget(m_settings.tolerance, state, length, m_errorPower);
-}
-
-/// From the error of steps of size `step` to the step that would just spend the budget. A step whose error is
-/// near the budget stays: to follow every wave of the error would mean to check for ever.
-void StepDriver::learn(const MotionState& state, double error, double budget, double step)
-{
-  const double order = current().order(), share = error / budget;
-  const double mostGrowth = std::min(kMostGrowth, std::pow(kMostErrorGrowth, 1.0 / order));
-  const bool isImplicit = !isExplicit(m_candidates[m_method]);
-  const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
-  double& accurate = m_candidates[m_method].accurateStep;
-  accurate = step;
-  if (!(share <= kMostShareKept) || share < kLeastShareKept)
-    accurate *= std::clamp(0.9 * gain, isImplicit ? 0.1 : 1e-4, mostGrowth);
-  const double length = state.time - m_start.time;
-  m_checkedError = std::min(error, budget) / length; // the next step will not err more
-  m_checkedPower = (state.heat - m_start.heat) / length;
-  if (!(share <= kMostShareKept)) {
-    m_checkGap = std::max(1, m_checkGap / 4);
-  } else { // a step that has grown is looked at soon; so is motion that unfolds, where no damper tells of it
-    const bool grows = 0.8 * std::min(accurate, 0.95 * current().stableStep(m_mode)) > step;
-    const bool unfolds = m_gauge.scale().calm < kSettlingTime && !(m_checkedPower > 0.0);
-    m_checkGap = std::min(2 * m_checkGap, grows || unfolds ? 2 : kLongestCheckGap);
-  }
-  m_untilCheck = m_checkGap;
-  if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
-  if (isImplicit) return;
-  // Motion that is easier or harder for this method is so for the others. Methods of low order err in slower
-  // motion, which changes less: they gain little more than this one, although their order promises it.
-  Candidate& here = m_candidates[m_method];
-  const double estimate = step * std::min(0.9 * gain, 1e3);
-  const double change = here.estimate > 0.0 ? estimate / here.estimate : 1.0;
-  here.estimate = estimate;
-  for (Candidate& other : m_candidates)
-    if (&other != &here && isExplicit(other) && (here.isMeasured || !other.isMeasured))
-      other.accurateStep *= std::clamp(
-        std::pow(change, std::min(change > 1.0 ? kMostTransfer : 1.0, order / other.integrator->order())),
-        0.2, mostGrowth);
-  here.isMeasured = true;
 }
 
 /// The stretch is done.

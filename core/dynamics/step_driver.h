@@ -64,7 +64,11 @@ public:
   const std::string& why() const noexcept { return m_limitText.empty() ? m_why : m_limitText; }
 
 private:
-  using Method = std::size_t;                                  ///< place in integratorTable()
+  using Method = std::size_t; ///< place in integratorTable()
+  /// Energy may grow by this much in a stretch without cause: explicit steps stir up the fastest modes a
+  /// little at their limit.
+  static constexpr double kCoarseGrowth = 0.05;
+  static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   static constexpr int kFirstTrial = 1, kLongestTrialGap = 32; ///< checks
   struct Candidate {
     std::unique_ptr<Integrator> integrator;

@@ -12,16 +12,8 @@ namespace esm {
 
 namespace {
 
-[[maybe_unused]] constexpr rlim_t kMemoryToStart =
-  rlim_t{256} << 20;                                   // libraries and their tables take 100 MB of addresses
-[[maybe_unused]] constexpr rlim_t kMemoryPerByte = 64; // assimp was seen to take forty
 constexpr rlim_t kSecondsToStart = 1;
 constexpr rlim_t kBytesPerSecond = 200'000; // its slowest readers do ten times as many
-#ifdef ESM_SANITIZED
-constexpr rlim_t kSlowness = 30; // of code that a sanitizer watches
-#else
-constexpr rlim_t kSlowness = 1;
-#endif
 
 void limit(int what, rlim_t soft)
 {
@@ -31,10 +23,22 @@ void limit(int what, rlim_t soft)
   setrlimit(static_cast<__rlimit_resource>(what), &bounds);
 }
 
-[[maybe_unused]] rlim_t mostMemory()
+#ifdef ESM_SANITIZED
+constexpr rlim_t kSlowness = 30; // of code that a sanitizer watches
+
+void limitMemory(std::uint64_t) {} // the sanitizers reserve terabytes of addresses
+#else
+constexpr rlim_t kSlowness = 1;
+constexpr rlim_t kMemoryToStart = rlim_t{256} << 20; // libraries and their tables take 100 MB of addresses
+constexpr rlim_t kMemoryPerByte = 64;                // assimp was seen to take forty
+
+void limitMemory(std::uint64_t opened)
 {
-  return static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE)) / 4 * 3;
+  const auto installed =
+    static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
+  limit(RLIMIT_AS, std::min(installed / 4 * 3, kMemoryToStart + kMemoryPerByte * opened));
 }
+#endif
 
 } // namespace
 
@@ -52,9 +56,7 @@ void allowFor(std::uint64_t bytes)
 {
   static rlim_t opened = 0;
   opened += bytes;
-#ifndef ESM_SANITIZED // the sanitizers reserve terabytes of addresses
-  limit(RLIMIT_AS, std::min(mostMemory(), kMemoryToStart + kMemoryPerByte * opened));
-#endif
+  limitMemory(opened);
   limit(RLIMIT_CPU, kSlowness * (kSecondsToStart + opened / kBytesPerSecond));
 }
 
