@@ -14,6 +14,7 @@ namespace {
 /// bring P near -1, where leapfrog bears no stiffness at all.
 constexpr double kPeak = 1.85;
 constexpr double kShift = 2.0 / 13.0; ///< s^2 (w0 - 1) for order 2 (Verwer et al.)
+constexpr int kSamples = 32;          ///< of the damping rates, to look at stability
 
 /// T_n(w) and its first two derivatives.
 struct ChebyshevValue {
@@ -81,31 +82,51 @@ double ChebyshevDamping::value(double z) const noexcept
 
 bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcept
 {
-  constexpr int kSamples = 32;
-  const double top = h * mode.damping;
-  if (top > m_reach) return false;
+  const double top = h * mode.damping, all = h * h * mode.stiffness;
+  const bool isOwed = mode.leastDamping > 0.0;
+  const double undamped = h * h * mode.undamped, perDamping = isOwed ? h / mode.leastDamping : 0.0;
+  double least = 0.0, most = isOwed ? 1.0 : 0.0; // the weights that serve
   for (int i = 0; i <= kSamples; ++i) {
     const double z = top * i / kSamples;
-    // A mode that is damped so little cannot be stiffer than its springs' dampers allow.
-    double stiffness = mode.stiffness;
-    if (mode.leastDamping > 0.0) stiffness = std::min(stiffness, mode.undamped + z / (h * mode.leastDamping));
     const double p = value(z), share = z > 1e-9 ? (1.0 - p) / z : 1.0;
-    if (!(h * h * stiffness * share < 2.0 * (1.0 + p))) return false;
+    const double room = share > 0.0 ? 2.0 * (1.0 + p) / share : std::numeric_limits<double>::infinity();
+    const double more = undamped + perDamping * z - all, left = room - all; // weight * more < left
+    if (more > 0.0)
+      most = std::min(most, left / more);
+    else if (more < 0.0)
+      least = std::max(least, left / more);
+    else if (!(left > 0.0))
+      return false;
   }
-  return true;
+  return least <= most;
 }
 
 double ChebyshevDamping::stableStep(const FastestMode& mode) const noexcept
 {
-  const double root = std::sqrt(mode.stiffness);
-  double high =
-    std::min(root > 0.0 ? 2.0 / root : std::numeric_limits<double>::infinity(),
-             mode.damping > 0.0 ? m_reach / mode.damping : std::numeric_limits<double>::infinity());
-  if (!std::isfinite(high) || isStable(high * (1.0 - 1e-6), mode)) return high;
-  double low = 0.0;
-  for (int i = 0; i < 12; ++i) {
-    const double middle = 0.5 * (low + high);
-    (isStable(middle, mode) ? low : high) = middle;
+  constexpr int kRungs = 24, kHalvings = 6;
+  const auto elastic = [](double stiffness) {
+    return stiffness > 0.0 ? 2.0 / std::sqrt(stiffness) : std::numeric_limits<double>::infinity();
+  };
+  const double viscous =
+    mode.damping > 0.0 ? m_reach / mode.damping : std::numeric_limits<double>::infinity();
+  // Where dampers go with the stiffness, only what has none is held to 2/w.
+  const double bare = mode.leastDamping > 0.0 ? std::min(mode.undamped, mode.stiffness) : mode.stiffness;
+  const double high = std::min(elastic(bare), viscous);
+  if (!std::isfinite(high)) return high;
+  // Beyond a step that is not stable there may be others that are: no step up to the limit may fail.
+  double low = 0.0, failed = high;
+  for (int i = 1; i <= kRungs; ++i) {
+    const double h = high * (1.0 - 1e-6) * i / kRungs;
+    if (!isStable(h, mode)) {
+      failed = h;
+      break;
+    }
+    low = h;
+    if (i == kRungs) return high;
+  }
+  for (int i = 0; i < kHalvings; ++i) {
+    const double middle = 0.5 * (low + failed);
+    (isStable(middle, mode) ? low : failed) = middle;
   }
   return low;
 }

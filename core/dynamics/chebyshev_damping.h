@@ -38,9 +38,18 @@ public:
   const Stage& stage(int j) const noexcept { return m_stage[static_cast<std::size_t>(j)]; } ///< 2 <= j <= s
   double value(double z) const noexcept;                                                    ///< P(z)
 
-  /// Largest step [s] at which a leapfrog step with this damping is stable for all modes within the bounds:
-  /// v <- P v - (1 - P)/z h w2 x, x <- x + h v, which asks for h^2 w2 (1 - P)/z < 2 (1 + P).
+  /// The largest step [s] such that this one and all smaller ones are stable, for every net within the
+  /// bounds.
+  ///
+  /// With Z = h M^-1 D a leapfrog step is x' = x + h v', v' = P(Z) v - (1 - P(Z))/Z h M^-1 K x. In f(Z) =
+  /// Z/(1 - P), all symmetric, it reads f (x'' - x') - f P (x' - x) + h^2 M^-1 K x' = 0, which is stable if
+  /// h^2 M^-1 K < 2 (1 + P) f; the matrices need not commute. M^-1 K is at most `stiffness`, and at most
+  /// `undamped` + M^-1 D/leastDamping, so at most any mean of both: one mean that is below for all
+  /// eigenvalues of Z is enough. So steps may exceed 2/w where the fastest modes are the best damped, as they
+  /// are in tissue.
   double stableStep(const FastestMode& mode) const noexcept;
+  /// What viscosity alone would allow [s].
+  double viscousLimit(double damping) const noexcept { return m_reach / damping; }
 
 private:
   bool isStable(double h, const FastestMode& mode) const noexcept;

@@ -46,7 +46,7 @@ public:
   {
     return std::numeric_limits<double>::infinity();
   }
-  double stepCost(const System& system) override
+  double stepCost(const System& system, double /*h*/) override
   {
     const auto springs = static_cast<double>(system.forces().activeSprings());
     return 0.5 * kIterations * (m_matrix.factorCost() + m_matrix.solveCost() + 6.0 * springs);

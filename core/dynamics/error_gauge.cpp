@@ -102,7 +102,7 @@ double ErrorGauge::budget(double tolerance, const MotionState& state, double len
 /// fast ones: with 1/2 the error of a run was seen up to four times above the tolerance, with 0.7 at it.
 double ErrorGauge::errorPower(double early, double late, double share) noexcept
 {
-  constexpr double kLeastPower = 0.75;
+  constexpr double kLeastPower = 0.85;
   if (!(early > 0.0) || !(late > 0.0)) return 1.0;
   return std::clamp(std::log(late / early) / -std::log(share), kLeastPower, 1.0);
 }

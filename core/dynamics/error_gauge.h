@@ -49,7 +49,7 @@ public:
   /// @param power with which errors grow over time, see errorPower()
   double budget(double tolerance, const MotionState& state, double length, double power) const noexcept;
   /// The power of time with which an error has grown that was `early` [m] after a `share` of the stretch and
-  /// `late` [m] at its end: 1 adds up without end, 3/4 is the least that is believed.
+  /// `late` [m] at its end: 1 adds up without end, 0.85 is the least that is believed.
   static double errorPower(double early, double late, double share) noexcept;
   /// How far apart two ends of a stretch are [m].
   double distance(const NodeArray& x, const NodeArray& v, const MotionState& state,

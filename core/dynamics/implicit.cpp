@@ -42,7 +42,7 @@ public:
   {
     m_stage.setTolerance(tolerance, rough);
   }
-  double stepCost(const System& system) override { return 2.0 * m_stage.cost(system); }
+  double stepCost(const System& system, double /*h*/) override { return 2.0 * m_stage.cost(system); }
 
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {

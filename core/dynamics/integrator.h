@@ -48,8 +48,8 @@ public:
   /// How exactly an implicit method must solve for positions [m]; `rough`: a few iterations that gain are
   /// enough, the state only has to stay bounded.
   virtual void setSolveTolerance(double /*tolerance*/, bool /*rough*/) noexcept {}
-  /// Cost of a step in spring evaluations.
-  virtual double stepCost(const System& system) = 0;
+  /// Cost of a step of length `h` [s] in spring evaluations.
+  virtual double stepCost(const System& system, double h) = 0;
 };
 
 /// What a method is to the planner (StepDriver): one of the explicit ones that compete by cost; the implicit

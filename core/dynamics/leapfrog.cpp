@@ -153,7 +153,7 @@ public:
     Limits limit{};
     return limit[limitsAt(mode, limit)];
   }
-  double stepCost(const System&) override { return costOf(m_best) * m_plainCost; }
+  double stepCost(const System&, double h) override { return costOf(placeFor(h)) * m_plainCost; }
 
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {
@@ -165,7 +165,7 @@ public:
                  StepReport& report) override
   {
     const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
-    const ChebyshevDamping& damping = choose(h);
+    const ChebyshevDamping& damping = m_damping[placeFor(h)];
     m_x = state.x; // same size: no allocation
     m_v = state.v;
     double work = 0.0, heat = 0.0;
@@ -195,25 +195,27 @@ private:
 
   using Limits = std::array<double, ChebyshevDamping::kMostStages>;
 
-  /// The largest step of each choice [s]. @return the choice that moves fastest.
+  /// The largest step of each choice [s]. @return the choice that moves fastest; later ones are not set.
   std::size_t limitsAt(const FastestMode& mode, Limits& limit) const noexcept
   {
     std::size_t best = 0;
-    const double elastic = 2.0 / std::sqrt(mode.stiffness);
     for (std::size_t i = 0; i < m_damping.size(); ++i) {
-      const bool isReached = i > 0 && limit[i - 1] > 0.98 * elastic; // more stages gain no more
-      limit[i] = isReached ? limit[i - 1] : m_damping[i].stableStep(mode);
+      // Stages that cannot gain need no closer look.
+      if (i > 0 && costOf(i) / m_damping[i].viscousLimit(mode.damping) >= costOf(best) / limit[best])
+        continue;
+      limit[i] = m_damping[i].stableStep(mode);
+      if (i > 0 && limit[i] <= limit[i - 1]) break; // it is the undamped that limit
       if (costOf(i) / limit[i] < costOf(best) / limit[best]) best = i;
     }
     return best;
   }
 
   /// The fewest stages that are stable at h.
-  const ChebyshevDamping& choose(double h) const noexcept
+  std::size_t placeFor(double h) const noexcept
   {
     for (std::size_t i = 0; i < m_best; ++i)
-      if (h <= 0.95 * m_limit[i]) return m_damping[i];
-    return m_damping[m_best];
+      if (h <= 0.95 * m_limit[i]) return i;
+    return m_best;
   }
 
   /// Velocities s further with the forces at t, then positions `drift` further.

@@ -45,7 +45,7 @@ public:
   {
     return std::numeric_limits<double>::infinity();
   }
-  double stepCost(const System& system) override
+  double stepCost(const System& system, double /*h*/) override
   {
     return static_cast<double>(2 * system.forces().activeSprings()) + m_meanFactors * m_matrix.factorCost() +
            m_matrix.solveCost();

@@ -99,9 +99,9 @@ public:
   {
     return m_plan.pays ? m_plan.step / 0.95 : m_verlet->stableStep(mode);
   }
-  double stepCost(const System& system) override
+  double stepCost(const System& system, double h) override
   {
-    return m_plan.pays ? kSpringCost * m_plan.cost : m_verlet->stepCost(system);
+    return m_plan.pays ? kSpringCost * m_plan.cost : m_verlet->stepCost(system, h);
   }
 
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override

@@ -48,7 +48,7 @@ public:
     return std::numeric_limits<double>::infinity();
   }
   void setSolveTolerance(double tolerance, bool) noexcept override { m_tolerance = tolerance; }
-  double stepCost(const System& system) override
+  double stepCost(const System& system, double /*h*/) override
   {
     const auto springs = static_cast<double>(system.forces().activeSprings());
     return 4.0 * (m_matrix.factorCost() + m_matrix.solveCost() + 10.0 * springs); // the energy is slow

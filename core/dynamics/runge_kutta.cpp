@@ -109,7 +109,7 @@ public:
   }
   void restart() noexcept override { m_started = false; }
   int order() const noexcept override { return m_tableau.order; }
-  double stepCost(const System& system) override
+  double stepCost(const System& system, double /*h*/) override
   {
     return static_cast<double>(rows()) * system.forces().passCost() +
            m_tableau.cost * static_cast<double>(system.nodeCount());

@@ -79,7 +79,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
   const double apart = m_gauge.distance(m_coarse, m_coarseV, state, length);
   const double coarseError = apart * ratio / (ratio - 1.0);
-  m_errorPower = m_look.steps > 0 ? ErrorGauge::errorPower(m_look.error, apart, m_look.share) : 1.0;
+  if (m_look.steps > 0) m_errorPower = ErrorGauge::errorPower(m_look.error, apart, m_look.share);
   const double allowed = m_gauge.budget(m_settings.tolerance, state, length, m_errorPower);
   const bool isFine = coarseError / ratio <= allowed;
   // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
@@ -87,7 +87,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   const bool atFloor = length / count <= floorStep() && coarseError <= rough;
   const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
   // Where another attempt could not be paid for, this one must do.
-  const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system));
+  const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system, length / count));
   learn(state, coarseError, allowed, length / count);
   if (!sane || !(isFine || atFloor || isLast)) return false;
   m_roughAtCheck = !isFine;

@@ -179,7 +179,7 @@ double StepDriver::cost(Method method, const System& system)
   Candidate& candidate = m_candidates[method];
   const double step =
     std::min({0.95 * candidate.integrator->stableStep(m_mode), candidate.accurateStep, kFrame});
-  return candidate.integrator->stepCost(system) * std::ceil(kFrame / step);
+  return candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step);
 }
 
 /// The largest step that one force pass can take [s].
@@ -189,7 +189,8 @@ double StepDriver::explicitLimit() const noexcept
 }
 
 /// Among those that compete.
-StepDriver::Method StepDriver::cheapestExplicit(const System& system)
+/// @param patience  the present one's cost counts as this share of it: a change must pay
+StepDriver::Method StepDriver::cheapestExplicit(const System& system, double patience)
 {
   Method best = m_leapfrog;
   double least = std::numeric_limits<double>::infinity();
@@ -201,7 +202,7 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system)
       layOut(method, system); // its classes tell its step
       if (!candidate.isMeasured) guessStep(candidate);
     }
-    const double needed = cost(method, system) * (method == m_method ? 0.8 : 1.0); // a change must pay
+    const double needed = cost(method, system) * (method == m_method ? patience : 1.0);
     if (needed >= least) continue;
     least = needed;
     best = method;
@@ -209,27 +210,29 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system)
   return best;
 }
 
-/// An explicit method that would cost far less than the present one if its step were as large as is stable
-/// and not too far from what is known: what one method tells of another is cautious, so that only a trial can
-/// show it. Trials that fail grow rare.
+/// An explicit method that would cost far less than the present one if its step were somewhat larger than is
+/// known to be accurate: what one method tells of another is cautious, so that only a trial can show it.
+/// Trials that fail grow rare.
 StepDriver::Method StepDriver::worthATrial(const System& system)
 {
-  constexpr double kGain = 0.6, kReach = 5.0;
+  constexpr double kGain = 0.6, kReach = 2.5;
   double least = kGain * cost(m_method, system);
   Method best = m_method;
+  double bestStep = 0.0;
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     if (candidate.role != MethodRole::Explicit || method == m_method || --candidate.untilTrial > 0) continue;
     const double stable = 0.95 * candidate.integrator->stableStep(m_mode);
-    if (candidate.accurateStep >= stable || kReach * candidate.accurateStep < stable) continue;
-    const double hoped = candidate.integrator->stepCost(system) * std::ceil(kFrame / stable);
+    const double step = std::min(stable, kReach * candidate.accurateStep);
+    const double hoped = candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step);
     if (hoped >= least) continue;
     least = hoped;
     best = method;
+    bestStep = step;
   }
   if (best == m_method) return best;
   Candidate& candidate = m_candidates[best];
-  candidate.accurateStep = candidate.integrator->stableStep(m_mode);
+  candidate.accurateStep = bestStep;
   candidate.untilTrial = candidate.trialGap;
   candidate.trialGap = std::min(2 * candidate.trialGap, kLongestTrialGap);
   return best;
@@ -240,10 +243,10 @@ StepDriver::Method StepDriver::worthATrial(const System& system)
 void StepDriver::weighLeastCost(const System& system)
 {
   const double steps = std::ceil(kFrame / explicitLimit());
-  m_leastCost = steps * m_candidates[m_leapfrog].integrator->stepCost(system);
+  m_leastCost = steps * m_candidates[m_leapfrog].integrator->stepCost(system, explicitLimit());
   if (!m_auto || !(steps > kManySteps)) return;
   layOut(m_implicit, system);
-  m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system));
+  m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system, kFrame));
 }
 
 bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
@@ -256,7 +259,7 @@ bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
 void StepDriver::choose(System& system, const MotionState&)
 {
   if (m_auto) {
-    m_method = cheapestExplicit(system);
+    m_method = cheapestExplicit(system, 1.0);
     m_toleranceGivenUp = false;
     // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
     const double steps = kFrame / explicitLimit();
@@ -273,14 +276,15 @@ void StepDriver::choose(System& system, const MotionState&)
 /// @param mayTry  one that is only hoped to, too
 void StepDriver::reconsider(System& system, bool mayTry)
 {
+  constexpr double kPatience = 0.8;
   if (!m_auto || --m_settled > 0) return;
   const Method before = m_method;
   const bool tooDear = toleranceIsTooDear(system);
   if (before == m_implicit) {
-    const Method other = cheapestExplicit(system);
+    const Method other = cheapestExplicit(system, kPatience);
     if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
   } else {
-    m_method = cheapestExplicit(system);
+    m_method = cheapestExplicit(system, kPatience);
     if (m_method == before && mayTry) m_method = worthATrial(system);
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
@@ -298,7 +302,8 @@ void StepDriver::reconsider(System& system, bool mayTry)
 void StepDriver::giveToleranceUp(const System& system, bool yes)
 {
   if (yes && !m_toleranceGivenUp) {
-    const double affordable = m_settings.effort / m_candidates[m_implicit].integrator->stepCost(system);
+    const double affordable =
+      m_settings.effort / m_candidates[m_implicit].integrator->stepCost(system, kFrame);
     m_floorStep = kFrame / std::clamp(affordable, 1.0, 64.0);
   }
   m_toleranceGivenUp = yes;

@@ -121,7 +121,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
     const double step = controlledStep(length);
     const double count = std::ceil(length / step * (1.0 - 1e-9));
-    if (isTooDear(system, count * current().stepCost(system))) {
+    if (isTooDear(system, count * current().stepCost(system, step))) {
       if (!fallBackToLeapfrog(system, length)) break;
       continue;
     }
@@ -157,7 +157,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (result == Run::Done) {
       const bool isDue = !unchecked && checkDue(state);
       // A step that nobody could afford to check is better than none.
-      if (!isDue || isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system))) {
+      if (!isDue || isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system, step))) {
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
         keep(system, state);
@@ -222,7 +222,7 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   const Method other = m_method;
   layOut(m_descent, system);
   m_method = m_descent;
-  const double affordable = 0.5 * m_settings.effort * length / kFrame / current().stepCost(system);
+  const double affordable = 0.5 * m_settings.effort * length / kFrame / current().stepCost(system, length);
   const auto steps = static_cast<std::int64_t>(std::clamp(affordable, 1.0, kMostDescentSteps));
   const Run result = run(system, state, end, steps, report);
   m_method = other;

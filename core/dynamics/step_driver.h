@@ -98,7 +98,7 @@ private:
   void refreshBound(const System& system, const MotionState& state);
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
-  Method cheapestExplicit(const System& system);
+  Method cheapestExplicit(const System& system, double patience);
   Method worthATrial(const System& system);
   bool toleranceIsTooDear(const System& system) const noexcept;
 

@@ -49,7 +49,7 @@ public:
   }
   void restart() noexcept override { m_started = false; }
   int order() const noexcept override { return 2; }
-  double stepCost(const System& system) override
+  double stepCost(const System& system, double /*h*/) override
   {
     return system.forces().passCost() + 1.6 * static_cast<double>(system.nodeCount()); // sweeps, measured
   }

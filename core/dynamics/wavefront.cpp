@@ -56,7 +56,7 @@ public:
   int order() const noexcept override { return 1; }
 
   /// Springs are computed one by one.
-  double stepCost(const System& system) override
+  double stepCost(const System& system, double /*h*/) override
   {
     return 4.0 * static_cast<double>(system.forces().activeSprings());
   }

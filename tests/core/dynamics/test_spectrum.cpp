@@ -69,12 +69,29 @@ double exactDecay(const SpringNet& net)
   return fastest;
 }
 
-SpringNet relaxed(std::uint32_t seed)
+SpringNet relaxed(std::uint32_t seed, Index nodes = 40)
 {
-  SpringNet net = randomNet(seed, 40);
+  SpringNet net = randomNet(seed, nodes);
   for (Index s = 0; s < net.springCount(); ++s)
     net.restLength[s] = (net.restPosition.col(net.ends(0, s)) - net.restPosition.col(net.ends(1, s))).norm();
   return net;
+}
+
+/// The spectral radius of one leapfrog step with this damping, by the eigenvectors of the damping matrix.
+double growthPerStep(const SpringNet& net, const ChebyshevDamping& damping, double h)
+{
+  const Eigen::Index n = 3 * net.nodeCount();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> rates(scaledMatrix(net, net.viscosity));
+  const Eigen::ArrayXd z = h * rates.eigenvalues().array().max(0.0);
+  const Eigen::ArrayXd p = z.unaryExpr([&](double at) { return damping.value(at); });
+  const Eigen::ArrayXd share = (z > 1e-9).select((1.0 - p) / z.max(1e-9), 1.0);
+  const Eigen::MatrixXd& q = rates.eigenvectors();
+  Eigen::MatrixXd step(2 * n, 2 * n); // of (x, h v)
+  const Eigen::MatrixXd kept = q * p.matrix().asDiagonal() * q.transpose();
+  const Eigen::MatrixXd pull =
+    h * h * q * share.matrix().asDiagonal() * q.transpose() * scaledMatrix(net, net.stiffness);
+  step << Eigen::MatrixXd::Identity(n, n) - pull, kept, -pull, kept;
+  return step.eigenvalues().cwiseAbs().maxCoeff();
 }
 
 } // namespace
@@ -167,6 +184,41 @@ TEST(Spectrum, LeapfrogLimitIsSharpForOneMode)
         EXPECT_TRUE(grows(1.01 * limit));
       }
     }
+}
+
+// No step up to the limit lets anything grow in nets whose dampers and springs have other directions of their
+// own, by the eigenvalues of the dense step matrix. (Rigid motion has a double eigenvalue 1, of which
+// rounding makes 1 + sqrt(1e-16) and more.)
+TEST(Spectrum, NoStepUpToTheLimitLetsANetGrow)
+{
+  for (std::uint32_t seed = 1; seed <= 6; ++seed)
+    for (const double damped : {0.1, 1.0, 5.0}) {
+      SpringNet net = relaxed(seed, 16);
+      net.viscosity = net.stiffness * (2.0 * damped / std::sqrt(exactStiffness(net)));
+      for (Index s = 0; s < net.springCount(); ++s) net.viscosity[s] *= 1.0 + s % 4;
+      if (seed % 2 == 0)
+        for (Index s = 0; s < net.springCount(); s += 10) net.viscosity[s] = 0.0;
+      const FastestMode mode = boundOf(net);
+      for (const int order : {1, 2})
+        for (int stages = order; stages <= 4; ++stages) {
+          const ChebyshevDamping damping(stages, order);
+          const double limit = damping.stableStep(mode);
+          for (const double part : {0.3, 0.6, 0.8, 1.0})
+            EXPECT_LT(growthPerStep(net, damping, part * limit), 1.0 + 1e-6)
+              << "seed " << seed << ", damped " << damped << ", order " << order << ", " << stages
+              << " stages, " << part;
+        }
+    }
+}
+
+// Where the stiffest modes are the best damped, staged steps may be longer than 2/w, the limit of all
+// explicit methods without damping.
+TEST(Spectrum, DampedNetsBearStepsBeyondTheElasticLimit)
+{
+  SpringNet net = relaxed(3);
+  const double fastest = std::sqrt(exactStiffness(net));
+  net.viscosity = net.stiffness * (4.0 / fastest);
+  EXPECT_GT(ChebyshevDamping(4, 2).stableStep(boundOf(net)), 1.2 * 2.0 / fastest);
 }
 
 } // namespace esm::testing
