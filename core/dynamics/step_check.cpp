@@ -134,6 +134,10 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
       other.accurateStep *= std::clamp(
         std::pow(change, std::min(change > 1.0 ? kMostTransfer : 1.0, order / other.integrator->order())),
         0.2, mostGrowth);
+  // Local steps only coarsen what velocity Verlet does: at their step no other explicit method errs more.
+  if (here.role == MethodRole::Local)
+    for (Candidate& other : m_candidates)
+      if (isExplicit(other)) other.accurateStep = std::max(other.accurateStep, accurate);
   here.isMeasured = true;
 }
 

@@ -95,6 +95,9 @@ def journey():
 
     # The surface is another one now; its cross sets two inputs as one step
     seen = show_dock(1)
+    deadline = time.monotonic() + 10
+    while surface_picture() == before_surface and time.monotonic() < deadline:
+        time.sleep(0.2)
     assert surface_picture() != before_surface, "the surface must follow the words"
     cross = next(p[1:] for p in seen["points"]["surfacePlot"])
     drag((cross[0], cross[1]), (cross[0] + 40, cross[1] - 30))
@@ -111,6 +114,9 @@ def journey():
     end = until("everything is undone", lambda s: s["undoIndex"] == 0 and not s["modified"])
     assert end["meanStiffness"] == stiffness and end["rules"] == rules
     assert place("surfacePlot")
+    deadline = time.monotonic() + 10  # it is computed beside the window
+    while surface_picture() != before_surface and time.monotonic() < deadline:
+        time.sleep(0.2)
     assert surface_picture() == before_surface, "the surface is what it was"
     print("ok   the surface is what it was")
 
