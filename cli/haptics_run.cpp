@@ -28,25 +28,6 @@ namespace {
 
 constexpr double kDefaultLimit = 5.0, kDefaultFrames = 60.0, kDefaultSeconds = 5.0;
 
-std::string csvOf(const std::vector<TraceSample>& samples)
-{
-  std::string text = "t,x,y,z,vx,vy,vz,fx,fy,fz,work,lateness\n";
-  for (const TraceSample& sample : samples) {
-    appendDouble(text, sample.time);
-    for (const Eigen::Vector3d* part : {&sample.position, &sample.velocity, &sample.force})
-      for (int i = 0; i < 3; ++i) {
-        text += ',';
-        appendDouble(text, (*part)[i]);
-      }
-    for (const double value : {sample.work, sample.lateness}) {
-      text += ',';
-      appendDouble(text, value);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 double largestForce(const std::vector<TraceSample>& samples)
 {
   double largest = 0.0;
@@ -103,7 +84,7 @@ Result<std::unique_ptr<HapticDevice>> deviceFor(const HapticRunOptions& options,
 Status writeCsv(const std::string& file, const std::vector<TraceSample>& samples)
 {
   if (file.empty()) return {};
-  return writeFileAtomically(file, csvOf(samples));
+  return writeFileAtomically(file, traceCsv(samples));
 }
 
 /// Until the time is over or somebody wants the program to end.
@@ -196,12 +177,7 @@ Exit recordPath(const HapticRunOptions& options)
   std::vector<TraceSample> samples;
   waitWhile(**session, options.seconds.value_or(kDefaultSeconds), samples);
   session->reset();
-  HandPath path;
-  path.position.resize(3, static_cast<Eigen::Index>(samples.size()));
-  for (std::size_t i = 0; i < samples.size(); ++i) {
-    path.time.push_back(samples[i].time - samples.front().time);
-    path.position.col(static_cast<Eigen::Index>(i)) = samples[i].position;
-  }
+  const HandPath path = handPathOf(samples);
   if (path.time.empty())
     return fail(
       {ErrorCode::EmptyResult, "the device '" + options.device + "' told no position; is it homed?"});

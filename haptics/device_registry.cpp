@@ -76,10 +76,10 @@ Result<std::unique_ptr<HapticDevice>> openDevice(std::string_view name, const De
                "There is no haptic device '" + std::string(name) + "'; known are: " + known};
 }
 
-std::vector<DeviceListing> listDevices()
+std::vector<DeviceListing> listDevices(const DeviceOptions& options)
 {
   auto& usb = systemUsb();
-  if (usb) return listDevices(**usb);
+  if (usb) return listDevices(**usb, options);
   std::vector<DeviceListing> all;
   for (const DeviceKind& kind : kKinds)
     all.push_back({std::string(kind.name), std::string(kind.description), !kind.usb,

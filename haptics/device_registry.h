@@ -44,7 +44,7 @@ struct DeviceListing {
 };
 
 /// Every kind, in the table's order. Takes a few milliseconds: for a list on demand, not for each frame.
-std::vector<DeviceListing> listDevices();
+std::vector<DeviceListing> listDevices(const DeviceOptions& options = {});
 
 /// Another number whenever a USB device has come or gone. Any thread.
 std::uint32_t usbChanges() noexcept;

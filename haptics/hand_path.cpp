@@ -101,6 +101,46 @@ Status writeHandPath(const std::filesystem::path& file, const HandPath& path)
   return writeFileAtomically(file, text);
 }
 
+HandPath handPathOf(std::span<const TraceSample> trace)
+{
+  HandPath path;
+  path.position.resize(3, static_cast<Eigen::Index>(trace.size()));
+  for (std::size_t i = 0; i < trace.size(); ++i) {
+    path.time.push_back(trace[i].time - trace.front().time);
+    path.position.col(static_cast<Eigen::Index>(i)) = trace[i].position;
+  }
+  return path;
+}
+
+std::string traceCsv(std::span<const TraceSample> trace)
+{
+  std::string text = "t,x,y,z,vx,vy,vz,fx,fy,fz,work,lateness\n";
+  for (const TraceSample& sample : trace) {
+    appendDouble(text, sample.time);
+    for (const Eigen::Vector3d* part : {&sample.position, &sample.velocity, &sample.force})
+      for (int i = 0; i < 3; ++i) {
+        text += ',';
+        appendDouble(text, (*part)[i]);
+      }
+    for (const double value : {sample.work, sample.lateness}) {
+      text += ',';
+      appendDouble(text, value);
+    }
+    text += '\n';
+  }
+  return text;
+}
+
+HandPose WaitingHand::pose(double time) noexcept
+{
+  const std::uint32_t starts = m_starts.load(std::memory_order_relaxed);
+  if (starts != m_seen) m_start = time;
+  m_seen = starts;
+  const Eigen::Vector3d first = m_path.position.col(0);
+  if (starts == 0) return {first, first, 1};
+  return {m_path.at(m_path.time.front() + time - m_start), first, 1 + starts};
+}
+
 HandPose RecordedHand::pose(double time) noexcept
 {
   if (!m_started) m_start = time;

@@ -4,10 +4,14 @@
 
 #include "core/base/result.h"
 #include "haptics/hand.h"
+#include "haptics/haptic_types.h"
 
 #include <Eigen/Core>
 
+#include <atomic>
 #include <filesystem>
+#include <span>
+#include <string>
 #include <vector>
 
 namespace esm {
@@ -28,6 +32,11 @@ struct HandPath {
 Result<HandPath> readHandPath(const std::filesystem::path& file);
 Status writeHandPath(const std::filesystem::path& file, const HandPath& path);
 
+/// The way of the hand in a trace; it begins at t = 0.
+HandPath handPathOf(std::span<const TraceSample> trace);
+/// A trace as CSV: "t,x,y,z,vx,vy,vz,fx,fy,fz,work,lateness", one tick a line, SI units.
+std::string traceCsv(std::span<const TraceSample> trace);
+
 /// Leads a simulated device along a path, from the first time that it is asked on.
 class RecordedHand final : public Hand {
 public:
@@ -38,6 +47,23 @@ private:
   HandPath m_path;
   double m_start = 0.0;
   bool m_started = false;
+};
+
+/// Rests where a path begins until it is told to go; each time it lets go and begins at the first point.
+class WaitingHand final : public Hand {
+public:
+  explicit WaitingHand(HandPath path) : m_path(std::move(path)) {}
+  void go() noexcept
+  {
+    m_starts.fetch_add(1, std::memory_order_relaxed);
+  } ///< from the first point; any thread
+  HandPose pose(double time) noexcept override;
+
+private:
+  HandPath m_path;
+  std::atomic<std::uint32_t> m_starts{0};
+  std::uint32_t m_seen = 0;
+  double m_start = 0.0;
 };
 
 } // namespace esm

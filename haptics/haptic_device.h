@@ -31,8 +31,9 @@ enum class DevicePhase : std::uint8_t { Opening, Upload, NeedsHome, Running, Fau
 /// The same for the user to read.
 struct DeviceReport {
   DevicePhase phase = DevicePhase::Running;
-  float progress = 0.0f;   ///< of the upload, 0 ... 1
-  const char* reason = ""; ///< one English sentence without full stop, static; empty if plain
+  float progress = 0.0f;    ///< of the upload, 0 ... 1
+  const char* reason = "";  ///< one English sentence without full stop, static; empty if plain
+  std::uint8_t unhomed = 0; ///< NeedsHome: axes that do not know their place yet, bit 0 is the first
 };
 
 enum class DeviceLink : std::uint8_t {

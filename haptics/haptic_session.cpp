@@ -137,6 +137,26 @@ void HapticSession::placeHand(const Eigen::Vector3d& position)
   if (MouseHand* hand = m_impl->loop.device().mouseHand()) hand->placeAt(position);
 }
 
+void HapticSession::requestHome()
+{
+  m_impl->loop.device().requestHome();
+}
+
+DeviceReport HapticSession::report() const
+{
+  return m_impl->loop.device().report();
+}
+
+const DeviceProfile& HapticSession::profile() const
+{
+  return m_impl->loop.device().profile();
+}
+
+bool HapticSession::ledByMouse() const
+{
+  return m_impl->loop.device().mouseHand() != nullptr;
+}
+
 HapticStatus HapticSession::status()
 {
   const ServoStatus& servo = m_impl->loop.core().status();

@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/runtime/hand_over.h"
+#include "haptics/haptic_device.h"
 #include "haptics/haptic_types.h"
 #include "haptics/jitter_histogram.h"
 
@@ -14,8 +15,6 @@
 #include <vector>
 
 namespace esm {
-
-class HapticDevice;
 
 /// A device with its servo thread, as the window sees it. Forces are zero until arm().
 /// @note Threads: all members on one thread (the GUI's). The destructor stops, sends zero force and joins.
@@ -42,7 +41,12 @@ public:
   void moveHand(const Eigen::Vector3d& target);
   void placeHand(const Eigen::Vector3d& position); ///< jumps there at rest: a new grab
 
+  void requestHome(); ///< see HapticDevice::requestHome()
+
   HapticStatus status();
+  DeviceReport report() const; ///< how far the device has come, and what it waits for
+  const DeviceProfile& profile() const;
+  bool ledByMouse() const;     ///< whether moveHand() moves anything
   JitterCounts jitter() const; ///< since the device was opened
   /// Appends the ticks since the last call, oldest first (the ring keeps the last 4 s).
   void takeTrace(std::vector<TraceSample>& samples);

@@ -44,6 +44,7 @@ void DrivenDevice::step(double now, const Eigen::Vector3d& force, bool fresh) no
   m_phase.store(report.phase, std::memory_order_relaxed);
   m_progress.store(report.progress, std::memory_order_relaxed);
   m_reason.store(report.reason, std::memory_order_relaxed);
+  m_unhomed.store(report.unhomed, std::memory_order_relaxed);
 }
 
 void DrivenDevice::run(const std::stop_token& stop) noexcept
@@ -96,7 +97,7 @@ bool DrivenDevice::write(const Eigen::Vector3d& force) noexcept
 DeviceReport DrivenDevice::report() const noexcept
 {
   return {m_phase.load(std::memory_order_relaxed), m_progress.load(std::memory_order_relaxed),
-          m_reason.load(std::memory_order_relaxed)};
+          m_reason.load(std::memory_order_relaxed), m_unhomed.load(std::memory_order_relaxed)};
 }
 
 } // namespace esm

@@ -54,9 +54,10 @@ private:
   bool m_lost = false; ///< servo's
   TripleBuffer<Force> m_force;
   TripleBuffer<DriverState> m_states;
-  std::atomic<DevicePhase> m_phase{DevicePhase::Opening}; ///< the three parts of the report
+  std::atomic<DevicePhase> m_phase{DevicePhase::Opening}; ///< the four parts of the report
   std::atomic<float> m_progress{0.0f};
   std::atomic<const char*> m_reason{""};
+  std::atomic<std::uint8_t> m_unhomed{0};
   std::atomic<bool> m_homeWanted{false};
   std::jthread m_thread; ///< last: joins before the rest goes
 };

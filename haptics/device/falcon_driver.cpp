@@ -49,6 +49,7 @@ void FalconDriver::enter(DevicePhase phase) noexcept
 {
   m_state.report.phase = phase;
   m_state.report.reason = "";
+  m_state.report.unhomed = phase == DevicePhase::NeedsHome ? falcon::kHomedAll : std::uint8_t{0};
   switch (phase) {
   case DevicePhase::Opening:
     m_state.report.reason = "Asking the device whether it runs already";
@@ -235,6 +236,8 @@ void FalconDriver::take(const falcon::Reply& reply, double now) noexcept
     ++m_state.sample.epoch;
   }
   if (m_state.report.phase == DevicePhase::Running && !homed) enter(DevicePhase::NeedsHome);
+  if (m_state.report.phase == DevicePhase::NeedsHome)
+    m_state.report.unhomed = static_cast<std::uint8_t>(falcon::kHomedAll & ~reply.homed);
   if (m_state.report.phase == DevicePhase::NeedsHome && homed && now - m_homedAt >= kSettleTime)
     enter(DevicePhase::Running);
 }

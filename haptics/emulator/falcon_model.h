@@ -41,6 +41,8 @@ public:
   void home() noexcept { m_out = m_in = true; } ///< as if the grip had been out and in
   void setButtons(std::uint8_t buttons) noexcept { m_buttons = buttons; }
   void setDead(bool dead) noexcept { m_settings.dead = dead; }
+  void powerOff() noexcept { m_running = m_out = m_in = false; } ///< forgets firmware and home
+  void setImageSize(std::size_t bytes) noexcept { m_settings.imageSize = bytes; } ///< what it will wait for
   const falcon::Command& lastCommand() const noexcept { return m_command; }
   std::uint64_t commands() const noexcept { return m_commands; }
   int zerosInRow() const noexcept { return m_zeros; } ///< commands without force since the last with one

@@ -59,4 +59,39 @@ TEST_F(HandPathTest, AFaultNamesItsLine)
   }
 }
 
+// A replay waits until force is on; each start lets go and begins anew.
+TEST(WaitingHand, RestsUntilItIsToldToGo)
+{
+  HandPath path;
+  path.time = {0.0, 1.0};
+  path.position.resize(3, 2);
+  path.position << 0.0, 1.0, 0.0, 0.0, 0.0, 0.0;
+  WaitingHand hand(path);
+  EXPECT_EQ(hand.pose(5.0).target.x(), 0.0);
+  EXPECT_EQ(hand.pose(50.0).target.x(), 0.0);
+  hand.go();
+  EXPECT_EQ(hand.pose(100.0).target.x(), 0.0);
+  EXPECT_EQ(hand.pose(100.5).target.x(), 0.5);
+  const std::uint32_t places = hand.pose(103.0).placeCount;
+  EXPECT_EQ(hand.pose(103.0).target.x(), 1.0);
+  hand.go();
+  EXPECT_EQ(hand.pose(104.0).target.x(), 0.0);
+  EXPECT_NE(hand.pose(104.0).placeCount, places);
+}
+
+TEST(HandPathOf, BeginsAtZeroAndTheTraceIsATable)
+{
+  std::vector<TraceSample> trace(2);
+  trace[0].time = 7.0;
+  trace[1].time = 7.001;
+  trace[1].position = {0.1, 0.2, 0.3};
+  trace[1].force = {0.0, 0.0, 1.5};
+  const HandPath path = handPathOf(trace);
+  EXPECT_EQ(path.time.front(), 0.0);
+  EXPECT_EQ(path.position.col(1), trace[1].position);
+  const std::string csv = traceCsv(trace);
+  EXPECT_EQ(csv.substr(0, csv.find('\n')), "t,x,y,z,vx,vy,vz,fx,fy,fz,work,lateness");
+  EXPECT_NE(csv.find("7.001,0.1,0.2,0.3,0,0,0,0,0,1.5,0,0\n"), std::string::npos) << csv;
+}
+
 } // namespace esm
