@@ -20,6 +20,10 @@ int parseCommandLine(int argc, char** argv, CommandLine& options)
   app.add_option("--after", options.after, "Seconds until the picture")->check(CLI::Range(0.1, 600.0));
   app.add_option("--dump-state", options.dumpState,
                  "Diagnostic: write the window's state as JSON to this file twice a second");
+  app
+    .add_option("--emulate-device", options.emulate,
+                "Show an emulated haptic device in place of those on USB, to try everything without one")
+    ->check(CLI::IsMember({"falcon"}));
   app.add_option("--width", options.width, "Width of the window in pixels")->check(CLI::Range(640, 10000));
   app.add_option("--height", options.height, "Height of the window in pixels")->check(CLI::Range(400, 10000));
   try {

@@ -14,6 +14,7 @@ struct CommandLine {
   std::string screenshot;    ///< picture file; the program then plays a scripted pull and ends
   double after = 3.0;        ///< [s] until the picture
   std::string dumpState;     ///< diagnostic file, see StateDump
+  std::string emulate;       ///< device in the computer in place of the USB ones: "falcon"; empty: none
   int width = 0, height = 0; ///< of the window [pixel]; 0: as last time
 };
 

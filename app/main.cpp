@@ -78,7 +78,7 @@ int main(int argc, char** argv)
   esm::LanguageSwitch language;
   language.set(chosenLanguage(options));
   esm::applyTheme(chosenTheme(options));
-  esm::MainWindow window(&language);
+  esm::MainWindow window(&language, esm::makeDeviceSource(QString::fromStdString(options.emulate)));
   window.setTheme(chosenTheme(options));
   const bool scripted = !options.screenshot.empty();
   if (!scripted) window.restoreLayout();

@@ -3,6 +3,7 @@
 #include "app/main_window.h"
 
 #include "app/error_text.h"
+#include "app/haptics/stop_filter.h"
 #include "app/icons.h"
 #include "app/panels/haptics_panel.h"
 #include "app/panels/regions_panel.h"
@@ -36,12 +37,13 @@
 
 namespace esm {
 
-MainWindow::MainWindow(LanguageSwitch* language, QWidget* parent)
+MainWindow::MainWindow(LanguageSwitch* language, std::shared_ptr<DeviceSource> devices, QWidget* parent)
   : QMainWindow(parent),
     m_document(new Document(this)),
     m_jobs(new JobRunner(this)),
     m_view(new SceneView(this)),
     m_controller(new SimulationController(m_document, m_view, this)),
+    m_desk(new DeviceDesk(devices ? std::move(devices) : makeDeviceSource({}), this)),
     m_language(language),
     m_evaluation(new FuzzyEvaluation(m_document, this)),
     m_actions(new WindowActions(this)),
@@ -66,14 +68,18 @@ MainWindow::MainWindow(LanguageSwitch* language, QWidget* parent)
   connectFileActions();
   connectFrame();
   qApp->installEventFilter(this);
+  new StopFilter([this] { return m_controller->forceMayFlow(); }, [this] { emergencyStop(); }, this);
 
   m_controller->setQuality(savedQualityPlan());
   retranslateUi();
   showProject();
   resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
   applyDefaultLayout();
-  if (auto opened = m_controller->openDevice("simulated"); !opened)
-    statusBar()->showMessage(errorLead(opened.error().code), 8000);
+  m_desk->open("simulated", [this](DeviceDesk::Opened device) {
+    const Status attached = m_controller->attachDevice(std::move(device).value(), "simulated",
+                                                       SimulationController::Coupling::HoldsNode);
+    if (!attached) statusBar()->showMessage(errorLead(attached.error().code), 8000);
+  });
 }
 
 /// Panels and controller look at the document, which QObject would delete first as the oldest child.
@@ -115,7 +121,7 @@ void MainWindow::createDocks()
   m_dockSurface = addDock("dockSurface", Qt::RightDockWidgetArea, new SurfacePanel(m_evaluation));
   m_dockWhy = addDock("dockWhy", Qt::RightDockWidgetArea, whyPanel);
   m_dockRules = addDock("dockRules", Qt::BottomDockWidgetArea, rules);
-  m_dockHaptics = addDock("dockHaptics", Qt::BottomDockWidgetArea, new HapticsPanel(m_controller));
+  m_dockHaptics = addDock("dockHaptics", Qt::BottomDockWidgetArea, new HapticsPanel(m_desk, m_controller));
   for (QDockWidget* dock : {m_dockRules, m_dockInputs, m_dockMf, m_dockSurface, m_dockWhy, m_dockRegions,
                             m_dockTissue, m_dockHaptics})
     m_actions->docksMenu->addAction(dock->toggleViewAction());

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/document/document.h"
+#include "app/haptics/device_desk.h"
 #include "app/jobs/job.h"
 #include "app/language.h"
 #include "app/simulation_controller.h"
@@ -29,12 +30,15 @@ class MainWindow : public QMainWindow {
   Q_OBJECT
 public:
   /// @param language not owned, outlives the window.
-  explicit MainWindow(LanguageSwitch* language, QWidget* parent = nullptr);
+  /// @param devices  null: those of this computer.
+  explicit MainWindow(LanguageSwitch* language, std::shared_ptr<DeviceSource> devices = nullptr,
+                      QWidget* parent = nullptr);
   ~MainWindow() override;
 
   Document* document() noexcept { return m_document; }
   SimulationController* controller() noexcept { return m_controller; }
   SceneView* sceneView() noexcept { return m_view; }
+  DeviceDesk* devices() noexcept { return m_desk; }
   WindowActions* actions() noexcept { return m_actions; }
 
   // === Files (main_window_files.cpp)
@@ -103,6 +107,7 @@ private:
   JobRunner* m_jobs;
   SceneView* m_view;
   SimulationController* m_controller;
+  DeviceDesk* m_desk;
   LanguageSwitch* m_language;
   FuzzyEvaluation* m_evaluation;
   WindowActions* m_actions;

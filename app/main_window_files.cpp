@@ -235,6 +235,7 @@ bool MainWindow::mayDropChanges()
 
 void MainWindow::closeEvent(QCloseEvent* event)
 {
+  m_controller->disarm(); // nobody feels a window that asks whether to save
   if (!mayDropChanges()) {
     event->ignore();
     return;

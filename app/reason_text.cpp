@@ -10,13 +10,7 @@ namespace esm {
 
 namespace {
 
-/// A clause of the engine's as a pattern; its groups are the places of the text.
-struct Clause {
-  const char* pattern;
-  const char* text;
-};
-
-constexpr Clause kClauses[] = {
+constexpr KnownSentence kClauses[] = {
   {R"(springs at node (\d+) \((\S+) N/m on (\S+) kg\) need explicit steps of (\S+) us)",
    QT_TRANSLATE_NOOP("esm::Reason", "springs at node %1 (%2 N/m on %3 kg) need explicit steps of %4 µs")},
   {"they take them alone, and the rest its own",
@@ -64,26 +58,26 @@ QString localized(const QString& word)
   return isNumber && word.contains(QLatin1Char('.')) ? QLocale().toString(value, 'g', 3) : word;
 }
 
-QString clauseText(const QString& clause)
+} // namespace
+
+QString translated(const QString& sentence, std::span<const KnownSentence> known, const char* context)
 {
-  for (const Clause& known : kClauses) {
-    const QRegularExpression pattern(QRegularExpression::anchoredPattern(QLatin1String(known.pattern)));
-    const QRegularExpressionMatch match = pattern.match(clause);
+  for (const KnownSentence& one : known) {
+    const QRegularExpression pattern(QRegularExpression::anchoredPattern(QLatin1String(one.pattern)));
+    const QRegularExpressionMatch match = pattern.match(sentence);
     if (!match.hasMatch()) continue;
-    QString text = QCoreApplication::translate("esm::Reason", known.text);
+    QString text = QCoreApplication::translate(context, one.text);
     for (int group = 1; group <= match.lastCapturedIndex(); ++group)
       text = text.arg(localized(match.captured(group)));
     return text;
   }
-  return clause;
+  return sentence;
 }
-
-} // namespace
 
 QString reasonText(const std::string& reason)
 {
   QStringList clauses = QString::fromStdString(reason).split(QStringLiteral("; "));
-  for (QString& clause : clauses) clause = clauseText(clause);
+  for (QString& clause : clauses) clause = translated(clause, kClauses, "esm::Reason");
   return clauses.join(QStringLiteral("; "));
 }
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation_controller.h"
 
+#include <QCoreApplication>
 #include <QGuiApplication>
 #include <QScreen>
 
@@ -70,6 +71,12 @@ void SimulationController::poll()
 {
   const SimSnapshot& newest = m_sim.latest();
   if (m_deviceLeads || m_pulledNode != kNoIndex) letDeviceLead();
+  if (m_session) {
+    m_trace.clear();
+    m_session->takeTrace(m_trace);
+    emit deviceTicked(m_trace);
+    showInstrument();
+  }
   if (newest.sequence == m_snapshot.sequence) return;
   m_snapshot = newest;
   if (snapshotIsCurrent()) {
@@ -119,6 +126,8 @@ void SimulationController::startPull(Index node, const Eigen::Vector3d& target)
   if (node < 0 || node >= m_document->net()->nodeCount()) return;
   m_pulledNode = node;
   m_pullTarget = target;
+  m_leadsByMouse = m_coupling == Coupling::Touches && m_session && m_session->ledByMouse();
+  if (m_leadsByMouse) return m_session->moveHand(target - m_place);
   if (m_session) m_session->placeHand(target);
   m_sim.grab(node, target, m_forceLimit);
   letDeviceLead();
@@ -128,6 +137,7 @@ void SimulationController::movePull(const Eigen::Vector3d& target)
 {
   if (m_pulledNode == kNoIndex) return;
   m_pullTarget = target;
+  if (m_leadsByMouse) return m_session->moveHand(target - m_place);
   if (m_session) m_session->moveHand(target);
   m_sim.moveGrab(target);
 }
@@ -136,16 +146,19 @@ void SimulationController::endPull()
 {
   if (m_pulledNode == kNoIndex) return;
   m_pulledNode = kNoIndex;
-  m_sim.release();
+  if (!std::exchange(m_leadsByMouse, false)) m_sim.release();
   letDeviceLead();
 }
 
-/// The hand on the device moves the grab exactly while a node is held and the device may feel force.
+/// A device that touches leads always, but while the mouse holds a node; one that holds nodes leads while it
+/// has one and may feel force.
 void SimulationController::letDeviceLead()
 {
-  const DeviceState state = m_session ? hapticStatus().state : DeviceState::Absent;
-  const bool leads =
-    m_pulledNode != kNoIndex && (state == DeviceState::Arming || state == DeviceState::Active);
+  bool leads = m_session && m_coupling == Coupling::Touches && (m_pulledNode == kNoIndex || m_leadsByMouse);
+  if (m_coupling == Coupling::HoldsNode && m_pulledNode != kNoIndex) {
+    const DeviceState state = hapticStatus().state;
+    leads = state == DeviceState::Arming || state == DeviceState::Active;
+  }
   if (leads == m_deviceLeads) return;
   m_deviceLeads = leads;
   m_sim.followDevice(leads);
@@ -154,20 +167,48 @@ void SimulationController::letDeviceLead()
 
 // === Device
 
-Status SimulationController::openDevice(const std::string& name)
+Status SimulationController::attachDevice(std::unique_ptr<HapticDevice> device, const std::string& name,
+                                          Coupling coupling)
 {
-  m_session.reset();
-  m_deviceName.clear();
-  auto session = HapticSession::open(name, m_sim.toolInput(), m_sim.contactOutput());
-  if (!session) {
-    emit deviceChanged();
-    return session.error();
+  detachDevice();
+  PlacedDevice* placed = nullptr;
+  if (coupling == Coupling::Touches) {
+    auto wrapped = std::make_unique<PlacedDevice>(std::move(device));
+    placed = wrapped.get();
+    placed->place(m_place);
+    device = std::move(wrapped);
   }
+  auto session = HapticSession::start(std::move(device), m_sim.toolInput(), m_sim.contactOutput());
+  if (!session) return session.error();
   m_session = std::move(session).value();
+  m_placed = placed;
   m_session->setForceLimit(m_forceLimit);
+  m_session->setForceScale(m_forceScale);
   m_deviceName = name;
+  m_coupling = coupling;
+  touchWithDevice();
+  letDeviceLead();
   emit deviceChanged();
   return {};
+}
+
+void SimulationController::detachDevice()
+{
+  if (!m_session) return;
+  endPull();
+  m_session.reset();
+  m_placed = nullptr;
+  m_deviceName.clear();
+  m_coupling = Coupling::HoldsNode;
+  touchWithDevice();
+  letDeviceLead();
+  m_view->setInstrument({});
+  emit deviceChanged();
+}
+
+void SimulationController::touchWithDevice()
+{
+  m_sim.touch(m_coupling == Coupling::Touches, kTipRadius, m_forceLimit);
 }
 
 HapticStatus SimulationController::hapticStatus() const
@@ -175,31 +216,90 @@ HapticStatus SimulationController::hapticStatus() const
   return m_session ? m_session->status() : HapticStatus{};
 }
 
+DeviceReport SimulationController::deviceReport() const
+{
+  return m_session ? m_session->report() : DeviceReport{DevicePhase::Lost};
+}
+
+const DeviceProfile* SimulationController::deviceProfile() const
+{
+  return m_session ? &m_session->profile() : nullptr;
+}
+
+JitterCounts SimulationController::jitter() const
+{
+  return m_session ? m_session->jitter() : JitterCounts{};
+}
+
+void SimulationController::requestHome()
+{
+  if (m_session) m_session->requestHome();
+}
+
+void SimulationController::placeWorkspace(const Eigen::Vector3d& offset)
+{
+  if (!offset.allFinite()) return;
+  m_place = offset;
+  if (m_placed) m_placed->place(offset);
+}
+
+/// From now on a file dialog of the desktop could take the keyboard away from the stop: Qt's own ones do not.
 void SimulationController::arm()
 {
-  if (m_session) m_session->arm();
+  if (!m_session) return;
+  QCoreApplication::setAttribute(Qt::AA_DontUseNativeDialogs);
+  m_armed = true;
+  m_session->arm();
 }
 
 void SimulationController::disarm()
 {
+  m_armed = false;
   if (m_session) m_session->disarm();
 }
 
 void SimulationController::stop()
 {
+  m_armed = false;
   if (m_session) m_session->emergencyStop();
   endPull();
+}
+
+bool SimulationController::forceMayFlow() const
+{
+  if (!m_session) return false;
+  const DeviceState state = m_session->status().state;
+  return m_armed || state == DeviceState::Arming || state == DeviceState::Active ||
+         state == DeviceState::Fading;
 }
 
 void SimulationController::setForceLimit(double newtons)
 {
   m_forceLimit = std::max(newtons, 0.0);
   if (m_session) m_session->setForceLimit(m_forceLimit);
+  if (m_coupling == Coupling::Touches) touchWithDevice();
 }
 
-void SimulationController::takeTrace(std::vector<TraceSample>& samples)
+void SimulationController::setForceScale(double scale)
 {
-  if (m_session) m_session->takeTrace(samples);
+  m_forceScale = std::clamp(scale, 0.0, 10.0);
+  if (m_session) m_session->setForceScale(m_forceScale);
+}
+
+/// The ball is shown where the tissue lets it be; while the simulation rests there is only the hand.
+void SimulationController::showInstrument()
+{
+  if (!m_placed) return;
+  const HapticStatus status = m_session->status();
+  Instrument shown;
+  shown.visible = status.state != DeviceState::Absent && deviceReport().phase == DevicePhase::Running;
+  shown.workspace = {m_session->profile().workspaceMin + m_place,
+                     m_session->profile().workspaceMax + m_place};
+  shown.hand = status.position;
+  shown.touches = m_snapshot.playing && m_snapshot.tipTouches;
+  shown.tip = shown.touches ? m_snapshot.tipPosition : status.position;
+  shown.radius = kTipRadius;
+  m_view->setInstrument(shown);
 }
 
 } // namespace esm

@@ -6,6 +6,7 @@
 #include "app/viewport/scene_view.h"
 #include "core/runtime/sim_thread.h"
 #include "haptics/haptic_session.h"
+#include "haptics/placed_device.h"
 
 #include <QObject>
 #include <QTimer>
@@ -19,9 +20,14 @@ namespace esm {
 /// as messages; at each refresh of the screen (t_delta) the newest snapshot is shown. Nothing here waits for
 /// another thread. GUI thread.
 ///
-/// The pull tool takes hold of a node directly. Once the user has armed a device, the hand on the device
-/// leads instead: the mouse then moves the simulated hand, and force limits and stop are the device layer's.
-/// A device never feels force before arm().
+/// The pull tool takes hold of a node directly. A device is coupled in one of two ways:
+///
+///     HoldsNode  simulated devices: the mouse takes a node with the pull tool; once the user has armed the
+///                device, its hand leads the node, and the mouse the hand
+///     Touches    all others: their hand leads a ball that presses on the surface, wherever it goes; the
+///                workspace can be placed in the scene
+///
+/// Either way force limits and stop are the device layer's, and no device feels force before arm().
 class SimulationController : public QObject {
   Q_OBJECT
 public:
@@ -44,40 +50,63 @@ public:
   bool isPulling() const noexcept { return m_pulledNode != kNoIndex; }
 
   // === Device
-  Status openDevice(const std::string& name);
-  const std::string& deviceName() const noexcept { return m_deviceName; }
-  HapticStatus hapticStatus() const; ///< Absent without a session
+  enum class Coupling { HoldsNode, Touches };
+  static constexpr double kTipRadius = 0.003; ///< of the ball that touches [m]
+
+  Status attachDevice(std::unique_ptr<HapticDevice> device, const std::string& name, Coupling coupling);
+  void detachDevice();                                                    ///< its force falls to zero first
+  const std::string& deviceName() const noexcept { return m_deviceName; } ///< as attached; empty: none
+  Coupling coupling() const noexcept { return m_coupling; }
+  HapticStatus hapticStatus() const;          ///< Absent without a session
+  DeviceReport deviceReport() const;          ///< Lost without a session
+  const DeviceProfile* deviceProfile() const; ///< null without a session
+  JitterCounts jitter() const;
+  void requestHome();
+  /// Where the zero of a device that touches lies in the scene [m]; kept for the next one.
+  void placeWorkspace(const Eigen::Vector3d& offset);
+  const Eigen::Vector3d& workspacePlace() const noexcept { return m_place; }
   void arm();
   void disarm();
   void stop(); ///< zero force at the next tick, lets go of the node; stays so until arm()
   void setForceLimit(double newtons);
   double forceLimit() const noexcept { return m_forceLimit; }
-  /// What the device did since the last call.
-  void takeTrace(std::vector<TraceSample>& samples);
+  void setForceScale(double scale); ///< force felt over force of the tissue [1]
+  double forceScale() const noexcept { return m_forceScale; }
+  /// Whether the user has let force flow and nothing has taken it back yet.
+  bool forceMayFlow() const;
 
 signals:
   void frame();                      ///< a new snapshot is there and shown
   void playingChanged(bool playing); ///< asked for by the user, or the simulation has stopped itself
   void deviceChanged();
+  void deviceTicked(const std::vector<esm::TraceSample>& ticks); ///< what it did since the last time
 
 private:
   void load();
   void poll();
   void letDeviceLead();
+  void touchWithDevice();
+  void showInstrument();
 
   Document* m_document;
   SceneView* m_view;
   SimThread m_sim;
   std::unique_ptr<HapticSession> m_session; ///< after m_sim: it writes into the simulation's buffers
+  PlacedDevice* m_placed = nullptr;         ///< the session's, if it touches
   std::string m_deviceName;
+  Coupling m_coupling = Coupling::HoldsNode;
+  Eigen::Vector3d m_place = Eigen::Vector3d::Zero(); ///< [m]
+  std::vector<TraceSample> m_trace;
   QTimer m_timer;
   SimSnapshot m_snapshot;
   std::uint64_t m_generation = 0; ///< of the net that was loaded last
   bool m_playing = false;
-  bool m_deviceLeads = false;
+  bool m_armed = false; ///< by the user, not taken back by him; the device may have closed by itself
+  bool m_deviceLeads = false, m_leadsByMouse = false;
   Index m_pulledNode = kNoIndex;
   Eigen::Vector3d m_pullTarget = Eigen::Vector3d::Zero();
   double m_forceLimit = 5.0; ///< [N]
+  double m_forceScale = 1.0;
 };
 
 } // namespace esm

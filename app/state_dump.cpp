@@ -12,6 +12,7 @@
 #include <QJsonDocument>
 #include <QJsonObject>
 #include <QLabel>
+#include <QLineEdit>
 #include <QLocale>
 #include <QPlainTextEdit>
 #include <QSaveFile>
@@ -104,7 +105,13 @@ void addRun(QJsonObject& json, SimulationController* run)
   json["message"] = QString::fromStdString(snapshot.message);
   const HapticStatus device = run->hapticStatus();
   json["device"] = QJsonObject{{"name", QString::fromStdString(device.device)},
+                               {"attached", QString::fromStdString(run->deviceName())},
                                {"state", static_cast<int>(device.state)},
+                               {"phase", static_cast<int>(run->deviceReport().phase)},
+                               {"reason", QString::fromStdString(device.reason)},
+                               {"limit", device.forceLimit},
+                               {"ticks", static_cast<double>(device.ticks)},
+                               {"position", vectorJson(device.position)},
                                {"rate", device.rate},
                                {"force", device.force.norm()}};
 }
@@ -193,12 +200,16 @@ void addVisibleWidgets(QJsonObject& json)
       const ViewSettings camera = view->viewSettings();
       views[name] = QJsonObject{{"target", vectorJson(camera.target)},
                                 {"distance", camera.distance},
-                                {"marks", static_cast<int>(view->marks().cols())}};
+                                {"marks", static_cast<int>(view->marks().cols())},
+                                {"instrument", view->instrument().visible},
+                                {"tip", vectorJson(view->instrument().tip)},
+                                {"touches", view->instrument().touches}};
     }
     if (const auto* tabs = qobject_cast<QTabWidget*>(widget))
       for (int i = 0; i < tabs->count(); ++i)
         places[name + QString::number(i)] = placeOf(tabs->tabBar(), tabs->tabBar()->tabRect(i));
     if (const auto* label = qobject_cast<QLabel*>(widget)) texts[name] = label->text();
+    if (const auto* line = qobject_cast<QLineEdit*>(widget)) texts[name] = line->text();
     if (const auto* text = qobject_cast<QPlainTextEdit*>(widget)) texts[name] = text->toPlainText();
     if (const auto* view = qobject_cast<QAbstractItemView*>(widget); view && view->model())
       items[name] = rowsOf(view->model());

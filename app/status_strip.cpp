@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/status_strip.h"
 
-#include "app/panels/haptics_panel.h"
+#include "app/haptics/haptic_text.h"
 #include "app/reason_text.h"
 #include "app/theme.h"
 

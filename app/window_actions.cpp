@@ -255,8 +255,12 @@ void WindowActions::createToolBar(QMainWindow* window)
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   toolBar->addWidget(space);
   toolBar->addAction(stop);
-  qobject_cast<QToolButton*>(toolBar->widgetForAction(stop))
-    ->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  auto* stopButton = qobject_cast<QToolButton*>(toolBar->widgetForAction(stop));
+  stopButton->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  stopButton->setStyleSheet(
+    QStringLiteral("QToolButton { background: #c22f2a; color: white; font-weight: bold; "
+                   "border: 1px solid #8f1f1b; border-radius: 3px; padding: 4px 14px; }"
+                   "QToolButton:hover { border: 2px solid palette(text); }"));
   for (QAction* action : toolBar->actions())
     if (QWidget* widget = toolBar->widgetForAction(action);
         widget != nullptr && widget->objectName().isEmpty())
@@ -331,7 +335,7 @@ void WindowActions::retranslateRun()
   retranslateSolvers();
   say(realTime, tr("Real &time…"), tr("What gives way when the model is too heavy for real time"));
   say(arm, tr("&Force on the device"), tr("Let the device feel the force; it fades in"));
-  say(stop, tr("&Stop"), tr("Force zero at once and let go"));
+  say(stop, tr("&Stop"), tr("Force zero at once and let go; space does it too while force is on"));
   say(keys, tr("&Keys"));
   say(about, tr("&About this program"));
   say(aboutQt, tr("About &Qt"));

@@ -4,20 +4,15 @@
 
 #include "app/theme.h"
 
-#include <QEvent>
 #include <QLocale>
 #include <QPainter>
 #include <QPainterPath>
-#include <QVBoxLayout>
-#include <qcustomplot.h>
 
 #include <algorithm>
 
 namespace esm {
 
 namespace {
-constexpr double kShownSeconds = 4.0;
-
 /// The next of 0.1, 0.2, 0.5, 1, 2, 5, ... [N] above a force.
 double rimFor(double force)
 {
@@ -100,100 +95,6 @@ void ForceDial::paintEvent(QPaintEvent*)
   path.lineTo(tip - direction * head - side * head * 0.55);
   path.closeSubpath();
   painter.fillPath(path, colour);
-}
-
-ForceCurve::ForceCurve(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlot(this))
-{
-  m_plot->setObjectName(QStringLiteral("forcePlot"));
-  auto* layout = new QVBoxLayout(this);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->addWidget(m_plot);
-  m_plot->addGraph();
-  m_plot->addGraph();
-  m_plot->setMinimumSize(160, 90);
-  m_plot->legend->setVisible(true);
-  m_plot->axisRect()->insetLayout()->setInsetAlignment(0, Qt::AlignTop | Qt::AlignLeft);
-  m_plot->axisRect()->setMinimumMargins(QMargins(2, 4, 8, 2));
-  applyPalette();
-  retranslateUi();
-}
-
-void ForceCurve::addTissueForce(double time, double newtons)
-{
-  m_now = std::max(m_now, time);
-  m_plot->graph(0)->addData(time, newtons);
-}
-
-void ForceCurve::addDeviceForce(double time, double newtons)
-{
-  m_now = std::max(m_now, time);
-  m_plot->graph(1)->addData(time, newtons);
-}
-
-void ForceCurve::clear()
-{
-  for (int i = 0; i < 2; ++i) m_plot->graph(i)->data()->clear();
-  m_now = 0.0;
-}
-
-void ForceCurve::redraw()
-{
-  for (int i = 0; i < 2; ++i) m_plot->graph(i)->data()->removeBefore(m_now - kShownSeconds - 0.5);
-  if (!isVisible()) return;
-  double top = 0.5; // [N]: so that noise does not fill the picture
-  for (int i = 0; i < 2; ++i)
-    for (const QCPGraphData& point : *m_plot->graph(i)->data()) top = std::max(top, point.value);
-  m_plot->xAxis->setRange(std::max(0.0, m_now - kShownSeconds), std::max(kShownSeconds, m_now));
-  m_plot->yAxis->setRange(0.0, 1.15 * top);
-  m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void ForceCurve::changeEvent(QEvent* event)
-{
-  if (event->type() == QEvent::PaletteChange) applyPalette();
-  if (event->type() == QEvent::LanguageChange) retranslateUi();
-  QWidget::changeEvent(event);
-}
-
-void ForceCurve::applyPalette()
-{
-  const QColor text = palette().color(QPalette::WindowText);
-  QColor faint = text;
-  faint.setAlphaF(0.2F);
-  m_plot->setBackground(palette().brush(QPalette::Base));
-  QFont small = font();
-  small.setPointSizeF(small.pointSizeF() * 0.85);
-  for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-    axis->setBasePen(QPen(text));
-    axis->setTickPen(QPen(text));
-    axis->setSubTickPen(QPen(faint));
-    axis->setTickLabelColor(text);
-    axis->setLabelColor(text);
-    axis->setTickLabelFont(small);
-    axis->setLabelFont(small);
-    axis->grid()->setPen(QPen(faint, 1, Qt::DotLine));
-    axis->grid()->setZeroLinePen(Qt::NoPen);
-    axis->ticker()->setTickCount(4);
-  }
-  m_plot->legend->setBrush(Qt::NoBrush);
-  m_plot->legend->setBorderPen(Qt::NoPen);
-  m_plot->legend->setTextColor(text);
-  m_plot->legend->setFont(small);
-  const SignalColours colours = signalColours(palette());
-  m_plot->graph(0)->setPen(QPen(colours.force, 1.6));
-  m_plot->graph(1)->setPen(QPen(colours.device, 1.6, Qt::DashLine));
-  m_plot->replot(QCustomPlot::rpQueuedReplot);
-}
-
-void ForceCurve::retranslateUi()
-{
-  m_plot->setLocale(QLocale());
-  m_plot->graph(0)->setName(tr("tissue"));
-  m_plot->graph(1)->setName(tr("device"));
-  m_plot->xAxis->setLabel(tr("time [s]"));
-  m_plot->yAxis->setLabel(tr("force [N]"));
-  m_plot->setAccessibleName(tr("Force over the last four seconds"));
-  m_plot->replot(QCustomPlot::rpQueuedReplot);
 }
 
 } // namespace esm

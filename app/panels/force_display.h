@@ -6,10 +6,6 @@
 
 #include <Eigen/Core>
 
-#include <deque>
-
-class QCustomPlot;
-
 namespace esm {
 
 /// A force as an arrow on a dial, seen from the front (x to the right, z up); the part that points away from
@@ -29,26 +25,6 @@ protected:
 private:
   Eigen::Vector3d m_force = Eigen::Vector3d::Zero(); ///< [N]
   double m_rim = 1.0;                                ///< [N]
-};
-
-/// The last seconds of force over time: what the tissue gives and what the device got.
-class ForceCurve : public QWidget {
-  Q_OBJECT
-public:
-  explicit ForceCurve(QWidget* parent = nullptr);
-  void addTissueForce(double time, double newtons);
-  void addDeviceForce(double time, double newtons);
-  void clear();
-  void redraw(); ///< call at the rate of the screen at most; does nothing while hidden
-
-protected:
-  void changeEvent(QEvent* event) override;
-
-private:
-  void applyPalette();
-  void retranslateUi();
-  QCustomPlot* m_plot;
-  double m_now = 0.0; ///< newest time of either curve [s]
 };
 
 } // namespace esm

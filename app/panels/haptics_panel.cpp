@@ -2,24 +2,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/haptics_panel.h"
 
-#include "app/error_text.h"
+#include "app/haptics/haptic_text.h"
 #include "app/icons.h"
+#include "app/panels/emulator_panel.h"
 #include "app/panels/force_display.h"
+#include "app/panels/haptic_devices.h"
+#include "app/panels/haptic_path.h"
+#include "app/panels/trace_plots.h"
 #include "app/theme.h"
 
-#include <QComboBox>
-#include <QCoreApplication>
 #include <QEvent>
-#include <QGridLayout>
 #include <QHBoxLayout>
 #include <QLabel>
 #include <QLocale>
 #include <QPushButton>
+#include <QTabBar>
+#include <QTabWidget>
 #include <QVBoxLayout>
 
 namespace esm {
 
 namespace {
+
+constexpr qint64 kStateEvery = 150, kForceEvery = 30; // [ms]
 
 void describe(QWidget* widget, const QString& text)
 {
@@ -45,161 +50,202 @@ QColor stateColour(DeviceState state, const QPalette& palette)
   return palette.color(QPalette::WindowText);
 }
 
-/// The device layer speaks English; what it says in daily use is known here.
-QString reasonText(const std::string& reason)
+QString milliseconds(double seconds)
 {
-  [[maybe_unused]] constexpr const char* kKnown =
-    QT_TRANSLATE_NOOP("esm::HapticsPanel", "Stopped by the user; arm again to go on");
-  return QCoreApplication::translate("esm::HapticsPanel", reason.c_str());
+  return QLocale().toString(1e3 * seconds, 'f', 2);
 }
 
 } // namespace
 
-QString deviceStateText(DeviceState state)
-{
-  const char* text = nullptr;
-  switch (state) {
-  case DeviceState::Absent:
-    text = QT_TRANSLATE_NOOP("esm::HapticsPanel", "no device");
-    break;
-  case DeviceState::Idle:
-    text = QT_TRANSLATE_NOOP("esm::HapticsPanel", "ready, force off");
-    break;
-  case DeviceState::Arming:
-    text = QT_TRANSLATE_NOOP("esm::HapticsPanel", "force fades in");
-    break;
-  case DeviceState::Active:
-    text = QT_TRANSLATE_NOOP("esm::HapticsPanel", "force on");
-    break;
-  case DeviceState::Fading:
-    text = QT_TRANSLATE_NOOP("esm::HapticsPanel", "force fades out");
-    break;
-  case DeviceState::Fault:
-    text = QT_TRANSLATE_NOOP("esm::HapticsPanel", "stopped, force off");
-    break;
-  }
-  return QCoreApplication::translate("esm::HapticsPanel", text);
-}
-
-HapticsPanel::HapticsPanel(SimulationController* controller, QWidget* parent)
+HapticsPanel::HapticsPanel(DeviceDesk* desk, SimulationController* controller, QWidget* parent)
   : QWidget(parent), m_controller(controller)
 {
-  m_deviceLabel = new QLabel(this);
-  m_device = new QComboBox(this);
-  m_device->setObjectName(QStringLiteral("hapticDevice"));
-  for (const std::string& name : HapticSession::deviceNames())
-    m_device->addItem(QString::fromStdString(name), QString::fromStdString(name));
-  m_deviceLabel->setBuddy(m_device);
-  m_state = new QLabel(this);
-  m_state->setObjectName(QStringLiteral("hapticState"));
-  m_reason = new QLabel(this);
-  m_reason->setObjectName(QStringLiteral("hapticReason"));
-  m_reason->setWordWrap(true);
-  m_limitLabel = new QLabel(this);
-  m_limit = new GestureSpinBox(this);
-  m_limit->setObjectName(QStringLiteral("hapticForceLimit"));
-  m_limit->setRange(0.1, 20.0);
-  m_limit->setSingleStep(0.5);
-  m_limit->setDecimals(1);
-  m_limitLabel->setBuddy(m_limit);
-  m_arm = new QPushButton(icon(Symbol::Arm), QString(), this);
-  m_arm->setObjectName(QStringLiteral("hapticArm"));
-  m_arm->setCheckable(true);
-  m_stop = new QPushButton(icon(Symbol::Stop), QString(), this);
-  m_stop->setObjectName(QStringLiteral("hapticStop"));
-  m_forceLabel = new QLabel(this);
-  m_force = new QLabel(this);
-  m_force->setObjectName(QStringLiteral("hapticForce"));
-  m_dial = new ForceDial(this);
-  m_dial->setObjectName(QStringLiteral("hapticDial"));
-  m_curve = new ForceCurve(this);
-
-  auto* grid = new QGridLayout;
-  grid->setVerticalSpacing(4);
-  grid->addWidget(m_deviceLabel, 0, 0);
-  grid->addWidget(m_device, 0, 1);
-  grid->addWidget(m_state, 1, 0, 1, 2);
-  grid->addWidget(m_limitLabel, 2, 0);
-  grid->addWidget(m_limit, 2, 1);
-  auto* buttons = new QHBoxLayout;
-  buttons->addWidget(m_arm);
-  buttons->addWidget(m_stop);
-  auto* left = new QVBoxLayout;
-  left->addLayout(grid);
-  left->addLayout(buttons);
-  left->addWidget(m_reason);
-  left->addStretch();
-  auto* middle = new QVBoxLayout;
-  middle->addWidget(m_forceLabel);
-  middle->addWidget(m_force);
-  middle->addWidget(m_dial, 1);
-  auto* layout = new QHBoxLayout(this);
-  layout->setContentsMargins(6, 6, 6, 6);
-  layout->addLayout(left);
-  layout->addLayout(middle);
-  layout->addWidget(m_curve, 1);
-
-  connect(m_device, &QComboBox::activated, this, &HapticsPanel::chooseDevice);
+  buildHead();
+  buildTabs(desk);
   connect(m_limit, &GestureSpinBox::edited, this,
           [this](double newtons, int) { m_controller->setForceLimit(newtons); });
+  connect(m_gain, &GestureSpinBox::edited, this,
+          [this](double factor, int) { m_controller->setForceScale(factor); });
   connect(m_arm, &QPushButton::clicked, this, [this](bool on) {
     if (on)
       m_controller->arm();
     else
       m_controller->disarm();
+    m_said.clear();
   });
   connect(m_stop, &QPushButton::clicked, m_controller, &SimulationController::stop);
+  connect(m_devices, &HapticDevices::said, this, &HapticsPanel::setMessage);
+  connect(m_path, &HapticPath::said, this, &HapticsPanel::setMessage);
   connect(m_controller, &SimulationController::deviceChanged, this, [this] {
-    m_traceAligned = false;
-    m_curve->clear();
-    m_clock.restart();
+    m_said.clear();
+    for (TracePlot* plot : {m_forcePlot, m_positionPlot, m_energyPlot}) plot->clear();
     refreshState();
   });
-  connect(m_controller, &SimulationController::frame, this, [this] {
-    refreshForce();
-    if (!m_lastState.isValid() || m_lastState.elapsed() > 150) refreshState();
-  });
-  m_clock.start();
+  connect(m_controller, &SimulationController::deviceTicked, this,
+          [this](const std::vector<TraceSample>& ticks) {
+            for (TracePlot* plot : {m_forcePlot, m_positionPlot, m_energyPlot}) plot->add(ticks);
+            if (!m_lastForce.isValid() || m_lastForce.elapsed() > kForceEvery) refreshForce();
+            if (!m_lastState.isValid() || m_lastState.elapsed() > kStateEvery) refreshState();
+          });
   retranslateUi();
 }
 
-void HapticsPanel::chooseDevice()
+void HapticsPanel::buildHead()
 {
-  if (auto opened = m_controller->openDevice(m_device->currentData().toString().toStdString()); !opened)
-    m_reason->setText(errorText(opened.error()));
+  m_state = new QLabel(this);
+  m_state->setObjectName(QStringLiteral("hapticState"));
+  m_message = new QLabel(this);
+  m_message->setObjectName(QStringLiteral("hapticMessage"));
+  m_message->setWordWrap(true);
+  m_message->setTextFormat(Qt::PlainText);
+  const auto field = [this](const char* name, double least, double most, double step) {
+    auto* made = new GestureSpinBox(this);
+    made->setObjectName(QLatin1String(name));
+    made->setDecimals(1);
+    made->setRange(least, most);
+    made->setSingleStep(step);
+    return made;
+  };
+  m_limitLabel = new QLabel(this);
+  m_limit = field("hapticForceLimit", 0.1, 20.0, 0.5);
+  m_limitLabel->setBuddy(m_limit);
+  m_gainLabel = new QLabel(this);
+  m_gain = field("hapticGain", 0.0, 10.0, 0.1);
+  m_gainLabel->setBuddy(m_gain);
+  m_arm = new QPushButton(icon(Symbol::Arm), QString(), this);
+  m_arm->setObjectName(QStringLiteral("hapticArm"));
+  m_arm->setCheckable(true);
+  m_arm->setAutoDefault(false);
+  m_stop = new QPushButton(this);
+  m_stop->setObjectName(QStringLiteral("hapticStop"));
+  m_stop->setAutoDefault(false);
+  m_stop->setStyleSheet(
+    QStringLiteral("QPushButton { background: #c22f2a; color: white; font-weight: bold; "
+                   "border: 1px solid #8f1f1b; border-radius: 3px; padding: 4px 14px; }"
+                   "QPushButton:focus, QPushButton:hover { border: 2px solid palette(text); }"));
+}
+
+void HapticsPanel::buildTabs(DeviceDesk* desk)
+{
+  m_devices = new HapticDevices(desk, m_controller);
+  m_path = new HapticPath(desk, m_controller);
+  m_forceLabel = new QLabel(this);
+  m_force = new QLabel(this);
+  m_force->setObjectName(QStringLiteral("hapticForce"));
+  m_dial = new ForceDial(this);
+  m_dial->setObjectName(QStringLiteral("hapticDial"));
+  m_forcePlot = new TracePlot(TracePlot::Kind::Force);
+  m_positionPlot = new TracePlot(TracePlot::Kind::Position);
+  m_energyPlot = new TracePlot(TracePlot::Kind::Energy);
+  m_jitterPlot = new JitterPlot;
+  m_timing = new QLabel(this);
+  m_timing->setObjectName(QStringLiteral("hapticTiming"));
+  m_timing->setWordWrap(true);
+
+  auto* force = new QWidget;
+  auto* number = new QVBoxLayout;
+  number->addWidget(m_forceLabel);
+  number->addWidget(m_force);
+  number->addWidget(m_dial, 1);
+  auto* forceRow = new QHBoxLayout(force);
+  forceRow->setContentsMargins(4, 4, 4, 4);
+  forceRow->addLayout(number);
+  forceRow->addWidget(m_forcePlot, 1);
+  auto* timing = new QWidget;
+  auto* timingColumn = new QVBoxLayout(timing);
+  timingColumn->setContentsMargins(4, 4, 4, 4);
+  timingColumn->addWidget(m_timing);
+  timingColumn->addWidget(m_jitterPlot, 1);
+
+  m_tabs = new QTabWidget(this);
+  m_tabs->setObjectName(QStringLiteral("hapticTabs"));
+  m_tabs->tabBar()->setObjectName(QStringLiteral("hapticTabBar"));
+  m_tabs->setDocumentMode(true);
+  for (QWidget* page : {static_cast<QWidget*>(m_devices), force, static_cast<QWidget*>(m_positionPlot),
+                        static_cast<QWidget*>(m_energyPlot), timing, static_cast<QWidget*>(m_path)})
+    m_tabs->addTab(page, QString());
+  if (desk->emulated() != nullptr) {
+    m_emulator = new EmulatorPanel(desk);
+    m_tabs->addTab(m_emulator, QString());
+  }
+
+  auto* top = new QHBoxLayout;
+  top->addWidget(m_state);
+  top->addStretch();
+  for (QWidget* each : {static_cast<QWidget*>(m_limitLabel), static_cast<QWidget*>(m_limit),
+                        static_cast<QWidget*>(m_gainLabel), static_cast<QWidget*>(m_gain),
+                        static_cast<QWidget*>(m_arm), static_cast<QWidget*>(m_stop)})
+    top->addWidget(each);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(6, 4, 6, 4);
+  layout->setSpacing(3);
+  layout->addLayout(top);
+  layout->addWidget(m_message);
+  layout->addWidget(m_tabs, 1);
+}
+
+void HapticsPanel::setMessage(const QString& text)
+{
+  m_said = text;
+  refreshState();
 }
 
 void HapticsPanel::refreshState()
 {
   m_lastState.start();
   const HapticStatus status = m_controller->hapticStatus();
-  m_state->setText(QStringLiteral("● %1").arg(deviceStateText(status.state)));
+  const DeviceReport report = m_controller->deviceReport();
+  QString state = deviceStateText(status.state);
+  if (!m_controller->deviceName().empty()) {
+    if (report.phase != DevicePhase::Running) state = devicePhaseText(report.phase);
+    state = QStringLiteral("%1: %2").arg(deviceNameText(m_controller->deviceName()), state);
+  }
+  m_state->setText(QStringLiteral("● %1").arg(state));
   QPalette colours = m_state->palette();
   colours.setColor(QPalette::WindowText, stateColour(status.state, palette()));
   m_state->setPalette(colours);
-  if (status.state != DeviceState::Absent) m_reason->setText(reasonText(status.reason));
-  m_arm->setEnabled(status.state != DeviceState::Absent);
-  m_arm->setChecked(status.state == DeviceState::Arming || status.state == DeviceState::Active);
-  m_limit->display(m_controller->forceLimit());
+  const std::string reason = report.phase == DevicePhase::Running ? status.reason : report.reason;
+  const QString text = !m_said.isEmpty() ? m_said : hapticReasonText(reason);
+  m_message->setText(text);
+  m_message->setVisible(!text.isEmpty());
+  const DeviceProfile* profile = m_controller->deviceProfile();
+  const double most = profile != nullptr ? profile->maxForce : 20.0;
+  if (m_limit->maximum() != most) {
+    const QSignalBlocker quiet(m_limit); // the user's own limit stays for the next device
+    m_limit->setMaximum(most);
+  }
+  if (!m_limit->hasFocus()) m_limit->display(m_controller->forceLimit());
+  if (!m_gain->hasFocus()) m_gain->display(m_controller->forceScale());
+  refreshArm();
+  m_devices->refresh();
+  m_path->refresh();
+  if (!m_timing->isVisible()) return;
+  const JitterCounts jitter = m_controller->jitter();
+  m_jitterPlot->show(jitter);
+  m_timing->setText(
+    tr("%1 Hz, %2; late by %3 ms (half), %4 ms (99 %), %5 ms (99.9 %), %6 ms (worst); %7 of %8 ticks missed")
+      .arg(QLocale().toString(status.rate, 'f', 0), priorityText(status.priority),
+           milliseconds(jitter.percentile(0.5)), milliseconds(jitter.percentile(0.99)),
+           milliseconds(jitter.percentile(0.999)), milliseconds(jitter.worst))
+      .arg(jitter.missed)
+      .arg(jitter.ticks));
 }
 
-/// Both clocks run at the speed of the wall; the curve puts the newest tick of the servo at now.
+void HapticsPanel::refreshArm()
+{
+  const DeviceState state = m_controller->hapticStatus().state;
+  m_arm->setEnabled(state != DeviceState::Absent &&
+                    m_controller->deviceReport().phase == DevicePhase::Running);
+  m_arm->setChecked(state == DeviceState::Arming || state == DeviceState::Active);
+}
+
 void HapticsPanel::refreshForce()
 {
-  const double now = 1e-3 * static_cast<double>(m_clock.elapsed());
+  m_lastForce.start();
   const Eigen::Vector3d force = m_controller->snapshot().toolForce;
-  m_curve->addTissueForce(now, force.norm());
-  m_trace.clear();
-  m_controller->takeTrace(m_trace);
-  if (!m_trace.empty() && !m_traceAligned) {
-    m_traceOffset = now - m_trace.back().time;
-    m_traceAligned = true;
-  }
-  constexpr std::size_t kEvery = 8; // 1000 ticks per second are more than the curve has pixels
-  for (std::size_t i = 0; i < m_trace.size(); i += kEvery)
-    m_curve->addDeviceForce(m_trace[i].time + m_traceOffset, m_trace[i].force.norm());
-  m_curve->redraw();
-  if (!isVisible()) return;
+  m_forcePlot->addTissueForce(force.norm());
+  for (TracePlot* plot : {m_forcePlot, m_positionPlot, m_energyPlot}) plot->redraw();
+  if (!m_force->isVisible()) return;
   m_force->setText(tr("%1 N").arg(QLocale().toString(force.norm(), 'f', 2)));
   m_dial->setForce(force);
 }
@@ -213,23 +259,27 @@ void HapticsPanel::changeEvent(QEvent* event)
 
 void HapticsPanel::retranslateUi()
 {
-  m_deviceLabel->setText(tr("Device"));
-  describe(m_device, tr("Haptic device"));
-  for (int i = 0; i < m_device->count(); ++i)
-    if (m_device->itemData(i).toString() == QLatin1String("simulated"))
-      m_device->setItemText(i, tr("simulated"));
   m_limitLabel->setText(tr("Force limit"));
-  describe(m_limit, tr("Largest force that pull tool and device may give, in N"));
+  describe(m_limit,
+           tr("Largest force that pull tool and device may give, in N; never above the device's own"));
   m_limit->setSuffix(QStringLiteral(" N"));
   m_limit->setLocale(QLocale());
+  m_gainLabel->setText(tr("Gain"));
+  describe(m_gain, tr("Force felt over force of the tissue"));
+  m_gain->setSuffix(QStringLiteral("×"));
+  m_gain->setLocale(QLocale());
   m_arm->setText(tr("Force on"));
   describe(m_arm, tr("Let the device feel the force; it fades in"));
   m_stop->setText(tr("Stop"));
-  describe(m_stop, tr("Force zero at once (Esc)"));
+  describe(m_stop, tr("Force zero at once (Esc, and space while force is on)"));
   m_forceLabel->setText(tr("Force in the hand"));
   describe(m_force, tr("Force that a device would feel"));
   describe(m_dial,
            tr("Direction of the force: x to the right, z up, bar: y; the number is the force at the rim"));
+  const QString tabs[] = {tr("Devices"), tr("Force"), tr("Position"), tr("Energy"),
+                          tr("Timing"),  tr("Path"),  tr("Emulator")};
+  for (int i = 0; i < m_tabs->count(); ++i) m_tabs->setTabText(i, tabs[i]);
+  m_tabs->setAccessibleName(tr("Parts of the haptics panel"));
   QFont big = font();
   big.setPointSizeF(big.pointSizeF() * 1.7);
   big.setBold(true);

@@ -111,6 +111,7 @@ void Overlay::draw()
   if (m_model.net()) {
     drawRegion();
     drawMarks();
+    drawInstrument();
     drawPull();
     drawSelectionBox();
     if (m_model.colouring() != Colouring::None) drawLegend();
@@ -157,6 +158,47 @@ void Overlay::drawRing(Index node, double radius, const QColor& colour)
 void Overlay::drawMarks()
 {
   for (const auto& place : m_model.marks().colwise()) drawRingAt(place, 8.0, kAccent);
+}
+
+/// The workspace as a box in dashes; the instrument as a shaft with a ball at its tip, which stays outside
+/// the tissue; and where the hand has gone further, a thin line to it.
+void Overlay::drawInstrument()
+{
+  const Instrument& instrument = m_model.instrument();
+  if (!instrument.visible) return;
+  const Projector projector = m_model.camera.projector();
+  const auto line = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+    const QPointF from = toQt(projector(a).pixel), to = toQt(projector(b).pixel);
+    if (!std::isnan(from.x()) && !std::isnan(to.x())) m_painter.drawLine(from, to);
+  };
+  const QColor text = m_palette.color(QPalette::WindowText), base = m_palette.color(QPalette::Base);
+  m_painter.setPen(QPen(faded(text, 0.45), 1.0, Qt::DashLine));
+  const auto corner = [&](int i) {
+    return instrument.workspace.corner(static_cast<Eigen::AlignedBox3d::CornerType>(i));
+  };
+  for (int i = 0; i < 8; ++i)
+    for (const int axis : {1, 2, 4})
+      if ((i & axis) == 0) line(corner(i), corner(i | axis));
+
+  const QPointF tip = toQt(projector(instrument.tip).pixel), hand = toQt(projector(instrument.hand).pixel);
+  if (std::isnan(tip.x())) return;
+  const double pixels = instrument.radius / m_model.camera.metresPerPixel(instrument.tip);
+  const double radius = std::clamp(pixels, 3.0, 200.0);
+  if (!std::isnan(hand.x()) && (instrument.hand - instrument.tip).norm() > 1e-4) {
+    m_painter.setPen(QPen(faded(text, 0.7), 1.0, Qt::DotLine));
+    m_painter.drawLine(tip, hand);
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.drawEllipse(hand, radius, radius);
+  }
+  const QColor metal = instrument.touches ? kAccent : text;
+  const Eigen::Vector3d shaft(0.0, 0.0, 20.0 * instrument.radius); // it comes from above, as through a trocar
+  for (const auto& [colour, width] : {std::pair(base, 6.0), std::pair(metal, 3.0)}) {
+    m_painter.setPen(QPen(colour, width, Qt::SolidLine, Qt::RoundCap));
+    line(instrument.tip, instrument.tip + shaft);
+  }
+  m_painter.setPen(QPen(base, 2.0));
+  m_painter.setBrush(metal);
+  m_painter.drawEllipse(tip, radius, radius);
 }
 
 void Overlay::drawRingAt(const Eigen::Vector3d& place, double radius, const QColor& colour)

@@ -42,6 +42,7 @@ private:
   void drawForce(Index node);
   void drawSelectedSpring();
   void drawMarks();
+  void drawInstrument();
   void drawRing(Index node, double radius, const QColor& colour);
   void drawRingAt(const Eigen::Vector3d& place, double radius, const QColor& colour);
   void drawLegend();

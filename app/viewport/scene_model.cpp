@@ -192,6 +192,19 @@ bool SceneModel::setMarks(const Eigen::Matrix3Xd& places)
   return true;
 }
 
+bool SceneModel::setInstrument(const Instrument& instrument)
+{
+  constexpr double kLeast = 2e-5; // [m]; a resting hand trembles by less
+  const Instrument& old = m_instrument;
+  const bool same =
+    instrument.visible == old.visible &&
+    (!instrument.visible ||
+     (instrument.touches == old.touches && instrument.workspace.isApprox(old.workspace) &&
+      (instrument.hand - old.hand).norm() < kLeast && (instrument.tip - old.tip).norm() < kLeast));
+  if (!same) m_instrument = instrument;
+  return !same;
+}
+
 bool SceneModel::setShown(bool surface, bool springs)
 {
   if (surface == m_surface && springs == m_springs) return false;

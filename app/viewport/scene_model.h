@@ -42,6 +42,7 @@ public:
   bool setColouring(Colouring colouring);
   bool setShown(bool surface, bool springs);
   bool setMarks(const Eigen::Matrix3Xd& places); ///< 3 x K [m]
+  bool setInstrument(const Instrument& instrument);
 
   const SpringNet* net() const noexcept { return m_net.get(); }
   const Eigen::Matrix3Xd& position() const noexcept { return m_position; }
@@ -55,6 +56,7 @@ public:
   bool springsShown() const noexcept { return m_springs; }
   Index grabbedNode() const noexcept { return m_grabbed; }
   const Eigen::Matrix3Xd& marks() const noexcept { return m_marks; }
+  const Instrument& instrument() const noexcept { return m_instrument; }
 
   // === Selected nodes, rising; another net has none
   const std::vector<Index>& selection() const noexcept { return m_selection; }
@@ -104,6 +106,7 @@ private:
   int m_selectedRegion = -1;
   std::vector<Index> m_selection;
   Eigen::Matrix3Xd m_marks{3, 0};
+  Instrument m_instrument;
   Colouring m_colouring = Colouring::Stiffness;
   bool m_surface = true, m_springs = true;
   bool m_autoFit = true;

@@ -156,6 +156,16 @@ void SceneView::setToolForce(const Eigen::Vector3d& force)
   if (m_impl->canvas) m_impl->canvas->setToolForce(force);
 }
 
+void SceneView::setInstrument(const Instrument& instrument)
+{
+  m_impl->repaintIf(m_impl->model.setInstrument(instrument));
+}
+
+const Instrument& SceneView::instrument() const
+{
+  return m_impl->model.instrument();
+}
+
 void SceneView::setMarks(const Eigen::Matrix3Xd& places)
 {
   m_impl->repaintIf(m_impl->model.setMarks(places));

@@ -12,6 +12,8 @@
 #include <QString>
 #include <QWidget>
 
+#include <Eigen/Geometry>
+
 #include <memory>
 #include <vector>
 
@@ -19,6 +21,16 @@ namespace esm {
 
 enum class Colouring { None, Stiffness, Strain, Force, RegionWeight };
 enum class Tool { Camera, Pull, Select, Region };
+
+/// The hand of a haptic device in the scene.
+struct Instrument {
+  bool visible = false;
+  Eigen::AlignedBox3d workspace; ///< what the hand reaches [m]
+  Eigen::Vector3d hand = Eigen::Vector3d::Zero(),
+                  tip = Eigen::Vector3d::Zero(); ///< tip: where the tissue lets it [m]
+  double radius = 0.0;                           ///< of the tip [m]
+  bool touches = false;
+};
 
 /// The 3D preview: the central widget. Holds a QOpenGLWidget where OpenGL 3.3 works, else a page that says
 /// so; all calls are then accepted and do nothing. GUI thread.
@@ -41,7 +53,9 @@ public:
   void setColouring(Colouring colouring);                            ///< legend with unit follows
   void setShown(bool surface, bool springs);
   void setToolForce(const Eigen::Vector3d& force); ///< arrow at the grabbed node [N]
-  void setMarks(const Eigen::Matrix3Xd& places);   ///< rings over the picture that stay; 3 x K [m]
+  void setInstrument(const Instrument& instrument);
+  const Instrument& instrument() const;
+  void setMarks(const Eigen::Matrix3Xd& places); ///< rings over the picture that stay; 3 x K [m]
 
   // === Camera and tools
   void setTool(Tool tool);

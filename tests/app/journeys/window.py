@@ -110,15 +110,15 @@ def focus(title):
     fail(f"no window named {title}")
 
 
-def start(*arguments, language="en"):
+def start(*arguments, language="en", theme="light"):
     global program
     STATE.unlink(missing_ok=True)
-    program = subprocess.Popen([MODELER, "--dump-state", str(STATE), "--lang", language, "--theme", "light", *map(str, arguments)])
+    program = subprocess.Popen([MODELER, "--dump-state", str(STATE), "--lang", language, "--theme", theme, *map(str, arguments)])
 
 
-def run(journey, project="start.esm", language="en"):
+def run(journey, project="start.esm", language="en", theme="light", arguments=()):
     """Opens a project of OUT, goes the way, and ends with an error and a picture where it is not as it should be."""
-    start(OUT / project, language=language)
+    start(OUT / project, *arguments, language=language, theme=theme)
     try:
         journey()
     except AssertionError as wrong:
