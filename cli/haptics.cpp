@@ -171,12 +171,17 @@ void addHaptics(CLI::App& program, Work& work)
   command->add_option("-o,--output", options->output, "CSV: t [s], x, y, z [m]")->required();
   run(command, recordPath);
 
-  command =
-    haptics->add_subcommand("replay", "Lead a simulated device along a path; virtual time, equal results");
+  command = haptics->add_subcommand(
+    "replay", "Lead a device in the computer along a path; virtual time, equal results");
   command->add_option("PATH", options->path, "CSV: t [s], x, y, z [m]")->required();
   command->add_option("PROJECT", options->project, "net to touch")->required();
   addRunOptions(*command, *options);
   addTissueOptions(*command, *options);
+  command
+    ->add_option("--device", options->device, "simulated, or falcon: its emulated twin (default: simulated)")
+    ->type_name("NAME");
+  command->add_flag("--compare", options->compare,
+                    "compute the force without frames, at 5 kHz, and say how far the felt one is from it");
   addNumber(*command, "--stop-simulation", options->stopAfter,
             "after this the simulation answers no more [s]: the force must fade", NumberRange::NotNegative);
   run(command, replayPath);

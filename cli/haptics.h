@@ -16,6 +16,7 @@ struct HapticRunOptions {
   std::optional<int> node;
   double radius = 0.003; ///< of the tip [m]
   bool arm = false, json = false;
+  bool compare = false; ///< with the force at 5 kHz
 };
 
 /// A device on the wall clock, with or without a net to touch; says how even its ticks were.

@@ -6,20 +6,17 @@
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/project/project_io.h"
-#include "core/runtime/sim_runner.h"
 #include "core/runtime/sim_thread.h"
 #include "haptics/device_registry.h"
 #include "haptics/exit_guard.h"
 #include "haptics/hand_path.h"
 #include "haptics/haptic_session.h"
-#include "haptics/servo_loop.h"
+#include "haptics/replay/true_force.h"
 #include "haptics/simulated_device.h"
 
 #include <algorithm>
 #include <chrono>
-#include <cmath>
 #include <csignal>
-#include <functional>
 #include <thread>
 
 namespace esm::cli {
@@ -50,21 +47,6 @@ JsonLine jsonOf(const JitterCounts& jitter)
 std::string microseconds(double time)
 {
   return formatDouble(1e6 * time, 3) + " us";
-}
-
-/// The net under a device, in commands for a thread or a runner.
-void touchNet(const HapticRunOptions& options, Project&& project, const Eigen::Vector3d& hand,
-              const std::function<void(SimCommand&&)>& obey)
-{
-  const double limit = options.forceLimit.value_or(kDefaultLimit);
-  obey(
-    command::Load{1, std::move(project.net), std::move(project.loads), std::move(project.simulation.solver)});
-  if (options.node)
-    obey(command::Grab{*options.node, hand, limit});
-  else
-    obey(command::Touch{true, options.radius, limit});
-  obey(command::FollowDevice{true});
-  obey(command::Play{});
 }
 
 /// The user's device, or a simulated one that a path leads.
@@ -187,55 +169,89 @@ Exit recordPath(const HapticRunOptions& options)
   return Exit::Done;
 }
 
+namespace {
+
+Result<ReplayDevice> replayDevice(const std::string& name)
+{
+  if (name == "simulated") return ReplayDevice::Simulated;
+  if (name == "falcon") return ReplayDevice::Falcon;
+  return Error{ErrorCode::InvalidValue,
+               "a path cannot lead '" + name + "'; those that can be led are: simulated, falcon"};
+}
+
+/// What is to be played, as the user says.
+Result<ReplayScene> sceneFor(const HapticRunOptions& options)
+{
+  Result<Project> project = loadProject(options.project);
+  if (!project) return project.error();
+  if (options.node && *options.node >= project->net.nodeCount())
+    return Error{ErrorCode::InvalidValue, "there is no node " + std::to_string(*options.node) +
+                                            "; the net has " + std::to_string(project->net.nodeCount())};
+  ReplayScene scene{std::move(project->net), std::move(project->loads), std::move(project->simulation.solver),
+                    std::nullopt};
+  if (options.node) scene.node = *options.node;
+  scene.tipRadius = options.radius;
+  scene.toolLimit = options.forceLimit.value_or(kDefaultLimit);
+  return scene;
+}
+
+} // namespace
+
 Exit replayPath(const HapticRunOptions& options)
 {
   Result<HandPath> path = readHandPath(options.path);
   if (!path) return fail(path.error());
-  Result<Project> project = loadProject(options.project);
-  if (!project) return fail(project.error());
-  const Eigen::Vector3d start = path->position.col(0);
+  const Result<ReplayDevice> device = replayDevice(options.device);
+  if (!device) return fail(device.error());
+  const Result<ReplayScene> scene = sceneFor(options);
+  if (!scene) return fail(scene.error());
   const double seconds = options.seconds.value_or(path->duration());
-  const double frame = 1.0 / options.frameRate.value_or(kDefaultFrames);
-
-  TripleBuffer<ToolState> tool;
-  TripleBuffer<ContactModel> contact;
-  SimRunner runner(1.0 / frame, tool, contact);
-  touchNet(options, std::move(*project), start, [&](SimCommand&& c) { runner.apply(std::move(c)); });
-  ServoLoop loop(std::make_unique<SimulatedDevice>(SimulatedDeviceSettings{},
-                                                   std::make_unique<RecordedHand>(std::move(*path))),
-                 std::make_unique<VirtualClock>(), tool, contact);
-  loop.core().setForceLimit(options.forceLimit.value_or(kDefaultLimit));
-  loop.core().setForceScale(options.gain.value_or(1.0));
-  loop.core().orders().give(ForceOrder::Arm);
+  auto replay = Replay::create(*scene, std::move(*path), *device, options.frameRate.value_or(kDefaultFrames));
+  if (!replay) return fail(replay.error());
+  Replay& play = **replay;
+  const double scale = options.gain.value_or(1.0);
+  play.servo().setForceLimit(options.forceLimit.value_or(kDefaultLimit));
+  play.servo().setForceScale(scale);
+  play.arm();
   std::vector<TraceSample> samples;
-  const auto ticks = static_cast<std::int64_t>(std::llround(seconds / loop.device().profile().period));
-  double nextFrame = 0.0;
-  for (std::int64_t i = 0; i < ticks; ++i) {
-    loop.runTicks(1);
-    loop.core().trace().takeNew(samples);
-    const double now = samples.back().time;
-    if (now < nextFrame || (options.stopAfter && now > *options.stopAfter)) continue;
-    nextFrame += frame;
-    runner.runFrame();
+  std::vector<ReplayTick> ticks;
+  while (play.now() < seconds - 0.5 * play.loop().device().profile().period) {
+    if (options.stopAfter && play.now() > *options.stopAfter) play.killSimulation();
+    play.tick();
+    play.servo().trace().takeNew(samples);
+    ticks.push_back(play.last());
   }
   if (const Status written = writeCsv(options.csv, samples); !written) return fail(written.error());
+  const ServoStatus status = play.servo().status();
   SimSnapshot picture;
-  runner.draw(picture);
-  const ServoStatus& status = loop.core().status();
+  play.simulation().draw(picture);
   JsonLine line;
-  line.add("ticks", ticks);
+  line.add("device", options.device);
+  line.add("ticks", std::ssize(ticks));
   line.add("largest_force", largestForce(samples));
   line.add("force", status.force);
   line.add("work", samples.empty() ? 0.0 : samples.back().work);
   line.add("generated", status.generated);
   line.add("tip", picture.tipPosition);
   line.add("touches", picture.tipTouches);
+  line.add("reason", reasonText(status.reason));
   line.add("simulation", picture.message);
-  if (options.json)
-    print(line.text());
-  else
-    print(std::to_string(ticks) + " ticks, largest force " + formatDouble(largestForce(samples), 3) +
-          " N, at the end " + formatDouble(status.force.norm(), 3) + " N");
+  std::string said = std::to_string(ticks.size()) + " ticks, largest force " +
+                     formatDouble(largestForce(samples), 3) + " N, at the end " +
+                     formatDouble(status.force.norm(), 3) + " N";
+  if (options.compare) {
+    const Result<Eigen::Matrix3Xd> truth = trueForce(*scene, ticks);
+    if (!truth) return fail(truth.error());
+    const ForceError error = forceError(ticks, *truth, scale);
+    line.add("true_peak", error.peak);
+    line.add("error_most", error.most);
+    line.add("error_rms", error.rms);
+    said += "\nagainst the force at 5 kHz (" + formatDouble(error.peak, 3) + " N at most): off by " +
+            formatDouble(100.0 * error.most, 3) + " % at most, " + formatDouble(100.0 * error.rms, 3) +
+            " % root mean square";
+  }
+  print(options.json ? line.text() : said);
+  if (!options.json && status.reason != ServoReason::Plain) print(reasonText(status.reason));
   return Exit::Done;
 }
 

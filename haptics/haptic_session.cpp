@@ -11,8 +11,6 @@
 
 namespace esm {
 
-namespace {
-
 std::string reasonText(ServoReason reason)
 {
   switch (reason) {
@@ -42,6 +40,8 @@ std::string reasonText(ServoReason reason)
   }
   return {};
 }
+
+namespace {
 
 std::string priorityText(ServoPriority priority)
 {

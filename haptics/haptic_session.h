@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/runtime/hand_over.h"
+#include "haptics/arming.h"
 #include "haptics/haptic_device.h"
 #include "haptics/haptic_types.h"
 #include "haptics/jitter_histogram.h"
@@ -15,6 +16,9 @@
 #include <vector>
 
 namespace esm {
+
+/// One English sentence without full stop; empty if plain.
+std::string reasonText(ServoReason reason);
 
 /// A device with its servo thread, as the window sees it. Forces are zero until arm().
 /// @note Threads: all members on one thread (the GUI's). The destructor stops, sends zero force and joins.

@@ -32,6 +32,7 @@ ALLOWED = {
     **CORE,
     "meshimport": ["core/base", "core/geometry", "core/net", "core/support", "core/project/import_recipe.h"],
     "haptics": ["core/base", "core/runtime/hand_over.h"],
+    "haptics/replay": [*CORE["core/runtime"], "core/runtime", "haptics"],
     "fuzzyeditor": ["core"],
     "app": ["core", "meshimport", "haptics", "fuzzyeditor"],
     "cli": ["core", "meshimport", "haptics"],

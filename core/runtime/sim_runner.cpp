@@ -222,7 +222,7 @@ void SimRunner::applyTools()
   } else if (deviceTouches() && leads) {
     m_tip->moveTo(tool.position, tool.velocity);
     m_tip->update(state);
-    if (m_tip->touches())
+    if (m_tip->pulls())
       m_simulation->setTools(m_tip->springs(state));
     else
       m_simulation->setTools({});

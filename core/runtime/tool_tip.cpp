@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 
@@ -138,16 +139,41 @@ void ToolTip::update(const NetState& state)
   if (m_surface.triangles().cols() == 0) return;
   m_surface.refit(state.position);
   if (m_touches)
-    follow();
+    hold(state.time);
   else
     search();
   m_last = m_hand;
   m_hasLast = true;
 }
 
+/// A contact that the hand has left stays where it is: what is nearest to a hand on its way out is the wall
+/// of the dent, not the tissue that comes after it.
+void ToolTip::hold(double time)
+{
+  if (!isOut()) {
+    m_wasOut = false;
+    follow();
+    if (!isOut() && !isUnhooked()) return;
+  }
+  if (!std::exchange(m_wasOut, true)) m_outSince = time;
+  if (time - m_outSince < kFollowTime) return;
+  m_touches = m_wasOut = false;
+  m_lastSide = m_side;
+  m_near = m_contact;
+}
+
+/// As the surface is now, at the point that was touched.
+bool ToolTip::isOut()
+{
+  m_normal = m_side * normalAt(m_contact);
+  m_place = m_surface.pointAt(m_contact);
+  return m_normal.dot(m_hand - m_place) > m_radius;
+}
+
 void ToolTip::begin(const SurfacePoint& point, double side)
 {
   m_touches = true;
+  m_wasOut = false;
   m_side = side;
   m_contact = point;
   follow();
@@ -182,7 +208,7 @@ void ToolTip::search()
 
 /// The contact point sticks while it is near the point that it would slide to without friction, by the
 /// friction cone, and slides to the cone's rim beyond it. The cone is about that point, not about the normal:
-/// a surface that tilts in the contact would hold on to the tip otherwise. It ends when the hand is out.
+/// a surface that tilts in the contact would hold on to the tip otherwise.
 void ToolTip::follow()
 {
   m_normal = m_side * normalAt(m_contact);
@@ -196,10 +222,7 @@ void ToolTip::follow()
     m_normal = m_side * normalAt(m_contact);
     m_place = m_surface.pointAt(m_contact);
   }
-  if (m_normal.dot(m_hand - m_place) <= m_radius && !isUnhooked()) return place();
-  m_touches = false;
-  m_lastSide = m_side;
-  m_near = m_contact;
+  place();
 }
 
 /// A flap of tissue that the tip has turned over would hold on to it for ever. The tip is free when the
@@ -249,7 +272,7 @@ NodeCombination ToolTip::point() const noexcept
 
 Eigen::Vector3d ToolTip::proxy() const noexcept
 {
-  return m_touches ? Eigen::Vector3d(m_place + m_lift * m_normal) : m_hand;
+  return touches() ? Eigen::Vector3d(m_place + m_lift * m_normal) : m_hand;
 }
 
 // === Forces
@@ -293,7 +316,7 @@ std::array<ToolSpring, 3> ToolTip::springs(const NetState& state) const
 
 Eigen::Vector3d ToolTip::forceOnHand(const NetState& state) const
 {
-  if (!m_touches) return Eigen::Vector3d::Zero();
+  if (!touches()) return Eigen::Vector3d::Zero();
   Eigen::Vector3d force = Eigen::Vector3d::Zero();
   for (const ToolSpring& spring : springs(state))
     force += spring.stiffness * (state.position.col(spring.node) - spring.target) +
@@ -312,7 +335,7 @@ ContactModel ToolTip::contactModel(const NetState& state, const Eigen::Matrix3d&
   model.active = true;
   model.normal = m_normal;
   model.friction = 2.0 * kFriction; // the contact point's own cone is the narrower one
-  if (!m_touches) {                 // where the surface will be met, and how stiff it will be there
+  if (!touches()) {                 // where the surface will be met, and how stiff it will be there
     const double across = m_normal.dot(inSeries(k * Eigen::Matrix3d::Identity(), compliance) * m_normal);
     model.position = m_place + m_radius * m_normal;
     model.stiffness = across * m_normal * m_normal.transpose();

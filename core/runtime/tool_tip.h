@@ -27,8 +27,9 @@ namespace esm {
 /// @note One thread.
 class ToolTip {
 public:
-  static constexpr double kFriction = 0.1; ///< of wet tissue [1]
-  static constexpr double kReach = 0.03;   ///< so near the surface a contact is expected [m]
+  static constexpr double kFriction = 0.1;     ///< of wet tissue [1]
+  static constexpr double kFollowTime = 0.005; ///< that tissue takes to come after a hand [s]
+  static constexpr double kReach = 0.03;       ///< so near the surface a contact is expected [m]
 
   /// @param radius [m] >= 0; @param maxForce on the hand [N].
   ToolTip(const SpringNet& net, double radius, double maxForce);
@@ -37,9 +38,12 @@ public:
   void moveTo(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity); ///< non-finite: stays
   void letGo() noexcept; ///< of the surface; the hand counts as outside where it is next
 
-  /// Finds, follows or ends the contact on the surface as it is now.
+  /// Finds, follows or ends the contact on the surface as it is now. A hand that has come out lets go only
+  /// after kFollowTime of simulated time: tissue let go of at once would snap back into the ball before the
+  /// next frame holds it; so it follows the hand, without force on it, until it stays behind by itself.
   void update(const NetState& state);
-  bool touches() const noexcept { return m_touches; }
+  bool touches() const noexcept { return m_touches && !m_wasOut; }
+  bool pulls() const noexcept { return m_touches; } ///< touches, or tissue still follows a hand that came out
   bool isNear() const noexcept { return m_touches || m_near.triangle != kNoIndex; }
   /// The contact, or the point next to it. @pre isNear()
   NodeCombination point() const noexcept;
@@ -48,7 +52,7 @@ public:
   double radius() const noexcept { return m_radius; }
   Eigen::Vector3d proxy() const noexcept; ///< centre of the ball as shown [m]
 
-  /// What pulls the surface in the coming frame. @pre touches()
+  /// What pulls the surface in the coming frame. @pre pulls()
   std::array<ToolSpring, 3> springs(const NetState& state) const;
   Eigen::Vector3d forceOnHand(const NetState& state) const; ///< [N]; zero without contact
   /// @param compliance  of the net at point() [m/N]. `sequence` is the caller's.
@@ -61,6 +65,8 @@ private:
   void search();
   void begin(const SurfacePoint& point, double side);
   void follow();
+  void hold(double time);
+  bool isOut();
   void place();
   bool isUnhooked() const;
   Eigen::Vector3d pull() const; ///< from the contact point to where the hand would have it [m]
@@ -76,7 +82,8 @@ private:
   double m_radius, m_maxForce;
   Eigen::Vector3d m_hand = Eigen::Vector3d::Zero(), m_velocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d m_last = Eigen::Vector3d::Zero(); ///< hand at the last update
-  bool m_hasLast = false, m_touches = false;
+  bool m_hasLast = false, m_touches = false, m_wasOut = false;
+  double m_outSince = 0.0; ///< simulated, if m_wasOut [s]
   double m_side = 1.0;     ///< -1: touched from behind, on open surfaces
   double m_lastSide = 0.0; ///< of the surface that the hand was on, while it was near; 0: not known
   SurfacePoint m_contact, m_near;

@@ -158,6 +158,28 @@ TEST(ToolTip, AThinSheetIsNotJumpedThrough)
   EXPECT_TRUE(tip.forceOnHand(state).isZero(0.0));
 }
 
+// A hand that comes out fast is without force at once, but keeps its hold of the tissue for a moment: let go
+// of within a frame, the light tissue would have come back into the ball by the next one, deeper than it ever
+// was.
+TEST(ToolTip, TissueComesAfterAHandThatLeavesInsteadOfSnappingBackIntoIt)
+{
+  const SpringNet net = sheet();
+  NetState state = atRest(net);
+  ToolTip tip = tipAt(net, state, {0.05, 0.05, kRadius - 0.002});
+  ASSERT_TRUE(tip.touches());
+  const auto outAfter = [&](double time) {
+    state.time = time;
+    tip.moveTo({0.05, 0.05, kRadius + 0.002}, Eigen::Vector3d::Zero());
+    tip.update(state);
+    EXPECT_FALSE(tip.touches());
+    EXPECT_TRUE(tip.forceOnHand(state).isZero(0.0));
+    return tip.pulls();
+  };
+  EXPECT_TRUE(outAfter(0.0));
+  EXPECT_TRUE(outAfter(0.8 * ToolTip::kFollowTime));
+  EXPECT_FALSE(outAfter(1.1 * ToolTip::kFollowTime)); // it stayed behind: the contact is over
+}
+
 TEST(ToolTip, AnOpenSheetIsTouchedFromBelowToo)
 {
   const SpringNet net = sheet();

@@ -1,0 +1,171 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// The whole way at once: a hand path, the sample uterus, the servo, the Falcon's driver and its emulated
+// twin.
+#include "core/project/project_io.h"
+#include "haptics/replay/true_force.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace esm {
+
+namespace {
+
+constexpr double kPressed = 3.12; ///< the hand rests in the uterus, 15 mm from where it came [s]
+
+template <class T>
+T valueOf(Result<T> result)
+{
+  if (!result) throw std::runtime_error(result.error().detail);
+  return std::move(*result);
+}
+
+ReplayScene uterus()
+{
+  Project project = valueOf(loadProject(ESM_SOURCE_DIR "/resources/samples/uterus.esm"));
+  return {std::move(project.net), std::move(project.loads), std::move(project.simulation.solver),
+          std::nullopt};
+}
+
+HandPath press()
+{
+  return valueOf(readHandPath(ESM_SOURCE_DIR "/resources/samples/uterus_press.csv"));
+}
+
+/// The uterus under an armed Falcon, pressed.
+class Pressed {
+public:
+  explicit Pressed(double frameRate = 60.0)
+    : m_replay(valueOf(Replay::create(uterus(), press(), ReplayDevice::Falcon, frameRate)))
+  {
+    m_replay->arm();
+    run(kPressed);
+    EXPECT_GT(force(), 0.3);
+    EXPECT_EQ(m_replay->last().state, DeviceState::Active);
+  }
+  Replay& operator*() { return *m_replay; }
+  Replay* operator->() { return m_replay.get(); }
+  double force() { return m_replay->last().force.norm(); }
+  void run(double seconds)
+  {
+    const double end = m_replay->now() + seconds - 0.0005;
+    while (m_replay->now() < end) {
+      const Eigen::Vector3d before = m_replay->last().force;
+      m_replay->tick();
+      m_fastest = std::max(m_fastest, (m_replay->last().force - before).norm());
+    }
+  }
+  double fastest() const { return m_fastest; } ///< change of the force so far [N per tick]
+
+private:
+  std::unique_ptr<Replay> m_replay;
+  double m_fastest = 0.0;
+};
+
+struct Played {
+  std::vector<ReplayTick> ticks;
+  ForceError error;
+};
+
+Played play(double frameRate)
+{
+  const ReplayScene scene = uterus();
+  auto replay = valueOf(Replay::create(scene, press(), ReplayDevice::Falcon, frameRate));
+  replay->arm();
+  Played played;
+  while (replay->now() < 3.7) {
+    replay->tick();
+    played.ticks.push_back(replay->last());
+  }
+  played.error = forceError(played.ticks, valueOf(trueForce(scene, played.ticks)));
+  return played;
+}
+
+} // namespace
+
+// 1 Hz, 15 mm, with a tremor: what the Falcon's motors do to the grip against what the net does at 5 kHz to a
+// tool that goes the same way. A7 at 125 frames per second: 6 % at most, 1.2 % root mean square.
+TEST(Replay, AtOneHundredAndTwentyFiveFramesTheFalconFeelsTheUterusAsItIs)
+{
+  const Played played = play(125.0);
+  EXPECT_GT(played.error.peak, 0.3);
+  EXPECT_LE(played.error.most, 0.06);
+  EXPECT_LE(played.error.rms, 0.012);
+  EXPECT_EQ(played.ticks.back().state, DeviceState::Active);
+}
+
+// At 60 the touch itself is met a frame late, by a twentieth of a newton (18 % of the 0.34 N; A7 is for a
+// tool that holds on): that sets both bounds. Before the hold of ToolTip the same press gave 4.9 N on its way
+// out.
+TEST(Replay, AtSixtyFramesOnlyTheFirstTouchIsFeltLate)
+{
+  const Played played = play(60.0);
+  EXPECT_LE(played.error.most * played.error.peak, 0.07); // [N]
+  EXPECT_LE(played.error.rms, 0.035);
+  double largest = 0.0;
+  for (const ReplayTick& tick : played.ticks) largest = std::max(largest, tick.force.norm());
+  EXPECT_LE(largest, 1.1 * played.error.peak);
+}
+
+// 15 frames per second come every 67 ms, before a model is old at 100: the force stays, and without jumps.
+TEST(Replay, ASimulationAtFifteenHertzIsStillFelt)
+{
+  Pressed scene;
+  scene->setFrameRate(15.0);
+  for (int i = 0; i < 10; ++i) {
+    scene.run(0.05);
+    if (scene->now() < 3.2) {
+      EXPECT_GT(scene.force(), 0.2);
+    }
+    EXPECT_NE(scene->last().state, DeviceState::Fault);
+  }
+  EXPECT_LE(scene.fastest(), 0.15); // A8
+}
+
+TEST(Replay, AStoppedSimulationFadesWithinFiftyMilliseconds)
+{
+  Pressed scene;
+  scene->simulation().apply(command::Pause{});
+  scene.run(0.025);
+  EXPECT_GT(scene.force(), 0.0);
+  scene.run(0.027); // and the tick that the device is late
+  EXPECT_EQ(scene.force(), 0.0);
+  EXPECT_EQ(scene->servo().status().reason, ServoReason::NoContact);
+  EXPECT_LE(scene.fastest(), 0.15);
+}
+
+// Its last model came up to a frame before: 100 ms until that is old, 50 ms until the force is gone.
+TEST(Replay, AKilledSimulationIsNoWallAfterAHundredAndFiftyMilliseconds)
+{
+  Pressed scene;
+  scene->killSimulation();
+  scene.run(0.08);
+  EXPECT_GT(scene.force(), 0.2);
+  scene.run(0.075);
+  EXPECT_EQ(scene.force(), 0.0);
+  EXPECT_EQ(scene->servo().status().reason, ServoReason::StaleModel);
+  scene.run(0.1);
+  EXPECT_EQ(scene.force(), 0.0);
+  EXPECT_LE(scene.fastest(), 0.15);
+}
+
+// Another stiffness under an armed hand: the old force fades, the new tissue comes in softly, nobody re-arms.
+TEST(Replay, AnEditUnderAnArmedHandFadesOutAndIn)
+{
+  Pressed scene;
+  SpringNet stiffer = uterus().net;
+  stiffer.stiffness *= 2.0;
+  scene->simulation().apply(command::SetParameters{stiffer});
+  scene.run(0.003); // before the next frame: the old contact has begun to fade
+  EXPECT_LT(scene.force(), 0.34);
+  scene.run(0.06);
+  EXPECT_GT(scene.force(), 0.1);
+  EXPECT_EQ(scene->last().state, DeviceState::Active);
+  EXPECT_LE(scene.fastest(), 0.15);
+}
+
+} // namespace esm
