@@ -3,6 +3,7 @@
 #include "app/panels/haptic_devices.h"
 
 #include "app/haptics/haptic_text.h"
+#include "app/haptics/user_profile.h"
 #include "app/icons.h"
 #include "app/theme.h"
 
@@ -13,6 +14,7 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
+#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -69,6 +71,7 @@ HapticDevices::HapticDevices(DeviceDesk* desk, SimulationController* controller,
   connect(m_connect, &QPushButton::clicked, this, &HapticDevices::connectOrNot);
   connect(m_home, &QPushButton::clicked, m_controller, &SimulationController::requestHome);
   connect(m_place, &QPushButton::clicked, this, &HapticDevices::placeOnModel);
+  connect(m_calibrate, &QPushButton::clicked, this, &HapticDevices::calibrate);
   connect(m_desk, &DeviceDesk::listed, this, &HapticDevices::fillList);
   connect(m_desk, &DeviceDesk::busyChanged, this, &HapticDevices::refresh);
   connect(m_controller, &SimulationController::deviceChanged, this, &HapticDevices::refresh);
@@ -115,6 +118,7 @@ void HapticDevices::build()
   m_home = button("hapticHome");
   m_chooseFirmware = button("hapticChooseFirmware");
   m_place = button("hapticPlace");
+  m_calibrate = button("hapticCalibrate");
 }
 
 void HapticDevices::layOut()
@@ -124,7 +128,7 @@ void HapticDevices::layOut()
   rule->addWidget(m_rule, 1);
   rule->addWidget(m_copyRule);
   auto* buttons = new QHBoxLayout;
-  for (QPushButton* each : {m_connect, m_home, m_place}) buttons->addWidget(each);
+  for (QPushButton* each : {m_connect, m_home, m_place, m_calibrate}) buttons->addWidget(each);
   buttons->addStretch();
   auto* column = new QVBoxLayout(details);
   column->setContentsMargins(4, 2, 4, 2);
@@ -260,6 +264,7 @@ void HapticDevices::showDetails()
   m_connect->setEnabled(works || (mayOpen && !m_desk->opening()));
   m_home->setVisible(connected && listing->name == "wooden");
   m_home->setEnabled(phase == DevicePhase::NeedsHome || phase == DevicePhase::Running);
+  m_calibrate->setVisible(listing->name == "pid");
   m_place->setVisible(works && m_controller->coupling() == SimulationController::Coupling::Touches);
 }
 
@@ -305,6 +310,22 @@ void HapticDevices::placeOnModel()
   m_controller->placeWorkspace(middle - 0.5 * (profile->workspaceMin + profile->workspaceMax));
 }
 
+/// A stick knows per cent only: the user measures once what they are in newtons.
+void HapticDevices::calibrate()
+{
+  const std::string name = current();
+  const Result<double> before = newtonsAtFull(name);
+  if (!before) return emit said(hapticReasonText(before.error().detail));
+  bool accepted = false;
+  const double newtons = QInputDialog::getDouble(
+    this, tr("Calibrate"),
+    tr("Force at 100 %, as a spring scale shows it [N]. Holds from the next connection on."), *before, 0.1,
+    100.0, 2, &accepted, {}, 0.1);
+  if (!accepted) return;
+  if (const Status written = setNewtonsAtFull(name, newtons); !written)
+    emit said(hapticReasonText(written.error().detail));
+}
+
 void HapticDevices::changeEvent(QEvent* event)
 {
   if (event->type() == QEvent::LanguageChange) retranslateUi();
@@ -329,6 +350,8 @@ void HapticDevices::retranslateUi()
   describe(m_home, tr("The grip is at its home position now"));
   m_place->setText(tr("Place on model"));
   describe(m_place, tr("Put the middle of the workspace into the middle of the model"));
+  m_calibrate->setText(tr("Calibrate…"));
+  describe(m_calibrate, tr("Say how many newtons the device gives at 100 %"));
   m_chooseFirmware->setText(tr("Choose firmware…"));
   describe(m_chooseFirmware, tr("The Falcon forgets its firmware with each power-off; its licence forbids us "
                                 "to bring it"));

@@ -43,6 +43,7 @@ private:
   void connectOrNot();
   void chooseFirmware();
   void placeOnModel();
+  void calibrate();
 
   DeviceDesk* m_desk;
   SimulationController* m_controller;
@@ -51,7 +52,8 @@ private:
   QLineEdit* m_rule = nullptr;
   QToolButton *m_copyRule = nullptr, *m_rescan = nullptr;
   QCheckBox* m_consent = nullptr;
-  QPushButton *m_connect = nullptr, *m_home = nullptr, *m_chooseFirmware = nullptr, *m_place = nullptr;
+  QPushButton *m_connect = nullptr, *m_home = nullptr, *m_chooseFirmware = nullptr, *m_place = nullptr,
+              *m_calibrate = nullptr;
   std::string m_failedName;
   QString m_failure; ///< why m_failedName could not be opened
 };

@@ -63,12 +63,12 @@ HapticPath::HapticPath(DeviceDesk* desk, SimulationController* controller, QWidg
   grid->addWidget(m_record, 0, 0);
   grid->addWidget(m_savePath, 0, 1);
   grid->addWidget(m_saveLog, 0, 2);
-  grid->addWidget(m_recorded, 1, 0, 1, 3);
+  grid->addWidget(m_recorded, 1, 0, 1, 4);
   grid->addWidget(m_load, 2, 0);
   grid->addWidget(m_lead, 2, 1, 1, 2);
-  grid->addWidget(m_loaded, 3, 0, 1, 3);
+  grid->addWidget(m_loaded, 3, 0, 1, 4);
   grid->setRowStretch(4, 1);
-  grid->setColumnStretch(2, 1);
+  grid->setColumnStretch(3, 1);
   connect(m_record, &QPushButton::toggled, this, &HapticPath::record);
   connect(m_savePath, &QPushButton::clicked, this, [this] { save(true); });
   connect(m_saveLog, &QPushButton::clicked, this, [this] { save(false); });

@@ -98,6 +98,8 @@ void HapticsPanel::buildHead()
   m_message->setObjectName(QStringLiteral("hapticMessage"));
   m_message->setWordWrap(true);
   m_message->setTextFormat(Qt::PlainText);
+  for (QLabel* each : {m_state, m_message}) // a long text must not make the window wider
+    each->setMinimumWidth(60);
   const auto field = [this](const char* name, double least, double most, double step) {
     auto* made = new GestureSpinBox(this);
     made->setObjectName(QLatin1String(name));
@@ -170,17 +172,19 @@ void HapticsPanel::buildTabs(DeviceDesk* desk)
   }
 
   auto* top = new QHBoxLayout;
-  top->addWidget(m_state);
-  top->addStretch();
+  top->addWidget(m_state, 1);
+  top->addWidget(m_arm);
+  top->addWidget(m_stop);
+  auto* below = new QHBoxLayout;
+  below->addWidget(m_message, 1);
   for (QWidget* each : {static_cast<QWidget*>(m_limitLabel), static_cast<QWidget*>(m_limit),
-                        static_cast<QWidget*>(m_gainLabel), static_cast<QWidget*>(m_gain),
-                        static_cast<QWidget*>(m_arm), static_cast<QWidget*>(m_stop)})
-    top->addWidget(each);
+                        static_cast<QWidget*>(m_gainLabel), static_cast<QWidget*>(m_gain)})
+    below->addWidget(each);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(6, 4, 6, 4);
   layout->setSpacing(3);
   layout->addLayout(top);
-  layout->addWidget(m_message);
+  layout->addLayout(below);
   layout->addWidget(m_tabs, 1);
 }
 
@@ -201,13 +205,13 @@ void HapticsPanel::refreshState()
     state = QStringLiteral("%1: %2").arg(deviceNameText(m_controller->deviceName()), state);
   }
   m_state->setText(QStringLiteral("● %1").arg(state));
+  m_state->setToolTip(state);
   QPalette colours = m_state->palette();
   colours.setColor(QPalette::WindowText, stateColour(status.state, palette()));
   m_state->setPalette(colours);
   const std::string reason = report.phase == DevicePhase::Running ? status.reason : report.reason;
   const QString text = !m_said.isEmpty() ? m_said : hapticReasonText(reason);
   m_message->setText(text);
-  m_message->setVisible(!text.isEmpty());
   const DeviceProfile* profile = m_controller->deviceProfile();
   const double most = profile != nullptr ? profile->maxForce : 20.0;
   if (m_limit->maximum() != most) {

@@ -215,8 +215,8 @@ JitterPlot::JitterPlot(QWidget* parent) : QWidget(parent), m_plot(new QCustomPlo
   m_plot->yAxis->setScaleType(QCPAxis::stLogarithmic);
   m_plot->yAxis->setTicker(QSharedPointer<QCPAxisTickerLog>(new QCPAxisTickerLog));
   for (QCPAxis* axis : {m_plot->xAxis, m_plot->yAxis}) {
-    axis->setNumberFormat(QStringLiteral("gb"));
-    axis->setNumberPrecision(1);
+    axis->setNumberFormat(QStringLiteral("g"));
+    axis->setNumberPrecision(6);
   }
   m_bars->setBaseValue(0.5); // one tick is seen as a bar
   m_plot->axisRect()->setMinimumMargins(QMargins(2, 4, 8, 2));

@@ -1,9 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/haptics/haptic_text.h"
+#include "app/haptics/user_profile.h"
 #include "app/main_window.h"
 #include "app/window_actions.h"
 #include "core/base/file_io.h"
+#include "haptics/device/driver_profile.h"
 #include "haptics/emulator/emulated_falcon.h"
 #include "haptics/simulated_device.h"
 #include "tests/app/sheet.h"
@@ -28,6 +30,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <filesystem>
 #include <functional>
 
 using namespace esm;
@@ -268,6 +271,21 @@ TEST_F(HapticsPanelTest, TheWorkspaceIsLaidOnTheModel)
   const Eigen::Vector3d middle = 0.5 * (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff());
   EXPECT_TRUE(
     comes([&] { return window->sceneView()->instrument().workspace.center().isApprox(middle, 1e-9); }));
+}
+
+// What the user has measured is kept, and nothing else of his profile is touched.
+TEST(UserProfile, KeepsNewtonsAndWhatElseIsThere)
+{
+  const std::filesystem::path file = userProfilePath("pid");
+  std::filesystem::create_directories(file.parent_path());
+  ASSERT_TRUE(writeFileAtomically(file, R"({"polarity": [1, 1]})"));
+  ASSERT_TRUE(setNewtonsAtFull("pid", 3.25));
+  EXPECT_EQ(newtonsAtFull("pid").value(), 3.25);
+  EXPECT_NE(readFile(file)->find("polarity"), std::string::npos);
+  ASSERT_TRUE(writeFileAtomically(file, "no JSON"));
+  EXPECT_FALSE(setNewtonsAtFull("pid", 3.0));
+  EXPECT_EQ(readFile(file).value(), "no JSON");
+  std::filesystem::remove(file);
 }
 
 // Should a sentence of the device layer change, its translation is missed here.

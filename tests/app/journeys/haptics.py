@@ -21,6 +21,16 @@ def tab(number):
     click(f"hapticTabs{number}")
 
 
+class Stalled(Exception):
+    """The computer did not run for 20 ms: to the servo that is a device which does not reply, and it takes the force away."""
+
+
+def alive(s):
+    if "does not reply" in s["device"]["reason"]:
+        raise Stalled
+    return True
+
+
 def can_connect(s):
     return "Falcon" in s["texts"]["hapticWhat"] and "hapticConnect" in s["enabled"]
 
@@ -100,14 +110,14 @@ def from_firmware_to_home():
 
 
 def press():
-    until("the grip rests", lambda s: abs(s["device"]["position"][2]) < 0.003)
     set_number("hapticForceLimit", LIMIT)
     until("the limit is in force", lambda s: abs(s["device"]["limit"] - LIMIT) < 1e-9)
     tab(PATH)
     click("hapticLoadPath")
     file_dialog("Path of a hand", HAND)
     until("the path is loaded", lambda s: "901" in s["texts"]["hapticLoaded"])
-    click("tool_actPlay")
+    if not state()["playing"]:
+        click("tool_actPlay")
     until("the simulation runs", lambda s: s["playing"])
     click("hapticRecord")
     until("it records", lambda s: "Recording" in s["texts"]["hapticRecorded"])
@@ -117,9 +127,10 @@ def press():
     seen = until("the hand has arrived", lambda s: s["forceNorm"] > 0.05)
     assert seen["device"]["force"] == 0, "nobody has let force flow yet"
     click("hapticArm")
-    until("the force is in the hand", lambda s: s["device"]["state"] == ACTIVE and s["device"]["force"] > 0.005)
+    until("the force comes", lambda s: s["device"]["state"] in (ARMING, ACTIVE))
+    until("the force is in the hand", lambda s: alive(s) and s["device"]["state"] == ACTIVE and s["device"]["force"] > 0.005)
     set_number("hapticGain", 9)
-    until("the limit holds the force", lambda s: abs(s["device"]["force"] - LIMIT) < 1e-6)
+    until("the limit holds the force", lambda s: alive(s) and abs(s["device"]["force"] - LIMIT) < 1e-6)
     tab(FORCE)
     time.sleep(1)
     picture("pressing")
@@ -132,16 +143,34 @@ def stop_in_a_dialog():
     time.sleep(2)
     later = until("the ticks go on", lambda s: s["device"]["ticks"] > opened["device"]["ticks"] + 200)
     print(f"note ticks at {later['device']['rate']:.0f} Hz while a modal dialog is open", flush=True)
-    assert later["device"]["state"] in (ARMING, ACTIVE), later["device"]
+    assert alive(later) and later["device"]["state"] == ACTIVE, later["device"]
     focus("Keys")
     keys("Escape")
-    stopped = until("Esc in the dialog takes the force away", lambda s: s["device"]["state"] == FAULT)
+    stopped = until("Esc in the dialog takes the force away", lambda s: alive(s) and s["device"]["state"] == FAULT)
     assert stopped["device"]["force"] == 0, stopped["device"]
     assert stopped["dialog"], "the first Esc is for the force alone"
     keys("Escape")
     until("the second closes the dialog", lambda s: not s["dialog"])
     focus(MAIN)
     until("it says who stopped", lambda s: "Stopped by the user" in s["texts"]["hapticMessage"])
+
+
+def press_and_stop():
+    """With a computer that is too busy, once more."""
+    for _ in range(4):
+        try:
+            press()
+            return stop_in_a_dialog()
+        except Stalled:
+            print("note the computer stalled: once more", flush=True)
+            for _ in range(2):
+                if state()["dialog"]:
+                    keys("Escape")
+                time.sleep(1)
+            focus(MAIN)
+            tab(PATH)
+            click("hapticRecord")
+    raise AssertionError("the computer stalled four times")
 
 
 def check_log():
@@ -200,8 +229,8 @@ def journey():
     focus(MAIN)
     not_permitted()
     from_firmware_to_home()
-    press()
-    stop_in_a_dialog()
+    until("the grip rests", lambda s: abs(s["device"]["position"][2]) < 0.003)
+    press_and_stop()
     check_log()
     space_stops()
     pull_the_cable()
@@ -224,6 +253,9 @@ def pictures():
         tab(number)
         time.sleep(1.2)
         picture(f"german-{name}")
+    for name in ("hapticStop", "tool_actStop"):
+        x, _, width, _ = state()["widgets"][name]
+        assert x + width <= 1600, f"{name} ends beyond the screen, at {x + width}"
 
 
 FIRMWARE.write_bytes(bytes(range(250)) * 12)
