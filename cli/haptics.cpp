@@ -21,19 +21,21 @@ std::string padded(std::string text, std::size_t width)
   return text;
 }
 
-Exit list(bool json)
+Exit list(const DeviceOptions& options, bool json)
 {
   std::vector<JsonLine> devices;
-  for (const DeviceListing& device : listDevices()) {
+  for (const DeviceListing& device : listDevices(options)) {
     JsonLine line;
     line.add("name", device.name);
     line.add("description", device.description);
     line.add("usable", device.usable);
     line.add("reason", device.reason);
+    line.add("details", device.details);
     line.add("udev_rule", device.udevRule);
     devices.push_back(line);
     if (json) continue;
     print(padded(device.name, 22) + (device.usable ? "ready" : device.reason));
+    if (!device.details.empty()) print(padded("", 22) + device.details);
     if (!device.udevRule.empty())
       print(padded("", 22) + "rule for /etc/udev/rules.d/70-esm-haptics.rules: " + device.udevRule);
   }
@@ -44,11 +46,28 @@ Exit list(bool json)
   return Exit::Done;
 }
 
-Exit info(const std::string& name, bool json)
+/// A USB device need not be there to be told of.
+Result<DeviceProfile> profileOf(const std::string& name, const DeviceOptions& options)
 {
-  const Result<std::unique_ptr<HapticDevice>> device = openDevice(name);
-  if (!device) return fail(device.error());
-  const DeviceProfile& profile = (*device)->profile();
+  for (const DeviceKind& kind : deviceKinds())
+    if (kind.usb && kind.name == name) {
+      const Result<DriverProfile> profile = loadProfile(name, options);
+      if (!profile) return profile.error();
+      return profile->device;
+    }
+  const Result<std::unique_ptr<HapticDevice>> device = openDevice(name, options);
+  if (!device) return device.error();
+  return (*device)->profile();
+}
+
+Exit info(const std::string& name, const DeviceOptions& options, bool json)
+{
+  const Result<DeviceProfile> found = profileOf(name, options);
+  if (!found) return fail(found.error());
+  const DeviceProfile& profile = *found;
+  std::string details;
+  for (const DeviceListing& device : listDevices(options))
+    if (device.name == name) details = device.details;
   const struct {
     const char* key;
     const char* what;
@@ -63,6 +82,7 @@ Exit info(const std::string& name, bool json)
                {"arm_time", "force fades in over", profile.armTime, "s"}};
   JsonLine line;
   line.add("name", profile.name);
+  line.add("details", details);
   for (const auto& entry : lines) line.add(entry.key, entry.value);
   if (json) {
     print(line.text());
@@ -71,6 +91,7 @@ Exit info(const std::string& name, bool json)
   print(profile.name);
   for (const auto& entry : lines)
     print("  " + padded(entry.what, 26) + formatDouble(entry.value) + " " + entry.unit);
+  if (!details.empty()) print("  " + details);
   return Exit::Done;
 }
 
@@ -142,23 +163,32 @@ void addHaptics(CLI::App& program, Work& work)
     command.add_option("--device", options->device, "a name of `esm haptics list` (default: simulated)")
       ->type_name("NAME");
   };
+  const auto own = [&](CLI::App& command) {
+    command.add_option("--profile", options->own.profile, "JSON laid over the device's profile");
+    command.add_option("--firmware", options->own.firmware, "image to upload (Falcon)");
+    command.add_flag("--opt-in", options->own.optIn,
+                     "yes, what carries these unregistered USB numbers is that device (WoodenHaptics)");
+  };
   const auto run = [&](CLI::App* command, Exit (*task)(const HapticRunOptions&)) {
     command->callback([options, task, &work] { work = [options, task] { return task(*options); }; });
   };
 
   CLI::App* command = haptics->add_subcommand("list", "Devices, and what stands in their way");
+  own(*command);
   addJsonFlag(*command, options->json);
-  run(command, [](const HapticRunOptions& o) { return list(o.json); });
+  run(command, [](const HapticRunOptions& o) { return list(o.own, o.json); });
 
   command = haptics->add_subcommand("info", "What a device can bear");
   device(*command);
+  own(*command);
   addJsonFlag(*command, options->json);
-  run(command, [](const HapticRunOptions& o) { return info(o.device, o.json); });
+  run(command, [](const HapticRunOptions& o) { return info(o.device, o.own, o.json); });
 
   command =
     haptics->add_subcommand("run", "Feel a net, or only see how even the ticks are; force with --arm");
   command->add_option("PROJECT", options->project, "net to touch; none: nothing to feel");
   device(*command);
+  own(*command);
   addRunOptions(*command, *options);
   addTissueOptions(*command, *options);
   command->add_option("--path", options->path, "CSV that leads the hand on a simulated device");
@@ -167,6 +197,7 @@ void addHaptics(CLI::App& program, Work& work)
 
   command = haptics->add_subcommand("record", "Write the way of the hand on a device");
   device(*command);
+  own(*command);
   addRunOptions(*command, *options);
   command->add_option("-o,--output", options->output, "CSV: t [s], x, y, z [m]")->required();
   run(command, recordPath);

@@ -3,15 +3,17 @@
 #pragma once
 
 #include "cli/messages.h"
+#include "haptics/device/driver_profile.h"
 
 #include <optional>
 #include <string>
 
 namespace esm::cli {
 
-/// What `esm haptics run`, `record` and `replay` share.
+/// What the commands of `esm haptics` share.
 struct HapticRunOptions {
   std::string device = "simulated", project, path, csv, output;
+  DeviceOptions own; ///< what the user says about the device
   std::optional<double> seconds, forceLimit, gain, frameRate, stopAfter;
   std::optional<int> node;
   double radius = 0.003; ///< of the tip [m]

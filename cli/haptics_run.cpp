@@ -52,7 +52,7 @@ std::string microseconds(double time)
 /// The user's device, or a simulated one that a path leads.
 Result<std::unique_ptr<HapticDevice>> deviceFor(const HapticRunOptions& options, Eigen::Vector3d& hand)
 {
-  if (options.path.empty()) return openDevice(options.device);
+  if (options.path.empty()) return openDevice(options.device, options.own);
   if (options.device != "simulated")
     return Error{ErrorCode::InvalidValue, "--path leads the simulated device; '" + options.device +
                                             "' is led by a hand; leave out one of the two"};
@@ -154,7 +154,7 @@ Exit recordPath(const HapticRunOptions& options)
   const ExitGuard guard;
   TripleBuffer<ToolState> tool;
   TripleBuffer<ContactModel> contact;
-  auto session = HapticSession::open(options.device, tool, contact);
+  auto session = HapticSession::open(options.device, tool, contact, options.own);
   if (!session) return fail(session.error());
   std::vector<TraceSample> samples;
   waitWhile(**session, options.seconds.value_or(kDefaultSeconds), samples);

@@ -6,6 +6,7 @@
 #include <atomic>
 #include <csignal>
 #include <cstdint>
+#include <cstdlib>
 #include <ctime>
 #include <exception>
 
@@ -19,6 +20,7 @@ namespace {
 constexpr std::array kPolite{SIGINT, SIGTERM, SIGHUP};
 constexpr std::array kDeadly{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr int kLongestWait = 100; ///< [ms]
+constexpr int kDriverTime = 20;   ///< for a driver's thread to send what the servo left to it [ms]
 constexpr int kZeroPackets = 3;
 
 std::atomic<bool> s_requested{false};
@@ -50,8 +52,18 @@ void silenceAll() noexcept
     for (int i = 0; i < kZeroPackets; ++i) own.sendZero(own.context);
   const int mine = own.sendZero != nullptr ? 1 : 0;
   const std::timespec millisecond{0, 1000000};
+  if (s_liveServos.load(std::memory_order_acquire) == 0) return;
   for (int i = 0; i < kLongestWait && s_liveServos.load(std::memory_order_acquire) > mine; ++i)
     nanosleep(&millisecond, nullptr);
+  for (int i = 0; i < kDriverTime; ++i) nanosleep(&millisecond, nullptr);
+}
+
+/// exit() may be called by any thread while force flows. Handlers run in reverse order: registered with the
+/// first servo, this one comes before the bus is taken down, which was opened earlier.
+void silenceAtExit() noexcept
+{
+  static const int registered = std::atexit(silenceAll);
+  static_cast<void>(registered);
 }
 
 void onPolite(int signal)
@@ -127,6 +139,7 @@ int ExitGuard::descriptor() noexcept
 
 LiveServo::LiveServo(void (*sendZero)(void*) noexcept, void* context) noexcept
 {
+  silenceAtExit();
   t_lastBreath = {sendZero, context};
   s_liveServos.fetch_add(1, std::memory_order_acq_rel);
 }

@@ -11,7 +11,9 @@ namespace esm {
 ///     SIGSEGV, SIGBUS, SIGFPE,  the faulty thread waits until the servo loops are silent, 0.1 s at most,
 ///     SIGILL, SIGABRT,          then the program dies of what it was dying of. If it is a servo thread
 ///     std::terminate            itself, it sends zero with its last breath.
+///     exit()                    the same wait, wherever it is called.
 ///
+/// After the last servo is silent, drivers get 20 ms more to bring its zero to the device.
 /// Each servo loop looks at requested() every tick: it lets its force fall to zero, sends zero three times
 /// and is silent, whatever the rest of the program does. Handlers touch nothing but atomics and a descriptor.
 /// @note One per program, made by main(). Signals that the caller ignores (nohup) or that somebody else

@@ -81,9 +81,10 @@ std::vector<std::string> HapticSession::deviceNames()
 
 Result<std::unique_ptr<HapticSession>> HapticSession::open(const std::string& device,
                                                            TripleBuffer<ToolState>& tool,
-                                                           TripleBuffer<ContactModel>& contact)
+                                                           TripleBuffer<ContactModel>& contact,
+                                                           const DeviceOptions& options)
 {
-  Result<std::unique_ptr<HapticDevice>> opened = openDevice(device);
+  Result<std::unique_ptr<HapticDevice>> opened = openDevice(device, options);
   if (!opened) return opened.error();
   return start(std::move(*opened), tool, contact);
 }

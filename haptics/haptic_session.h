@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/runtime/hand_over.h"
 #include "haptics/arming.h"
+#include "haptics/device/driver_profile.h"
 #include "haptics/haptic_device.h"
 #include "haptics/haptic_types.h"
 #include "haptics/jitter_histogram.h"
@@ -27,8 +28,10 @@ public:
   /// Names to offer; "simulated" is always there.
   static std::vector<std::string> deviceNames();
   /// @param tool, contact the simulation's buffers; they must outlive the session.
+  /// @param options what the user says about the device: profile, firmware, consent.
   static Result<std::unique_ptr<HapticSession>> open(const std::string& device, TripleBuffer<ToolState>& tool,
-                                                     TripleBuffer<ContactModel>& contact);
+                                                     TripleBuffer<ContactModel>& contact,
+                                                     const DeviceOptions& options = {});
   /// The same with a device that is open already.
   static Result<std::unique_ptr<HapticSession>> start(std::unique_ptr<HapticDevice> device,
                                                       TripleBuffer<ToolState>& tool,

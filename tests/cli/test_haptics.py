@@ -40,6 +40,23 @@ class Haptics(ProgramTest):
         for device in devices.values():
             self.assertTrue(device["usable"] or device["reason"], device)
 
+    def test_the_firmware_is_named_with_its_hash(self):
+        (self.folder / "image.bin").write_bytes(b"abc")
+        sha = "ba7816bf8f01cfea414140de5dae2223b00361a396177a9cb410ff61f20015ad"  # FIPS 180-4
+        said = self.json_of("haptics", "info", "--device", "falcon", "--firmware", "image.bin")
+        self.assertEqual(said["name"], "Novint Falcon")
+        self.assertEqual(said["max_force"], 8.0)
+        devices = {device["name"]: device for device in self.json_of("haptics", "list", "--firmware", "image.bin")["devices"]}
+        if "USB" not in devices["falcon"]["reason"]:  # a machine without a USB bus has nothing to look at
+            self.assertIn(sha, said["details"])
+            self.assertIn(sha, devices["falcon"]["details"])
+
+    def test_a_device_of_nobody_is_opened_with_consent_only_and_a_profile_counts(self):
+        (self.folder / "own.json").write_text('{"limits": {"force_N": 2.5}}', encoding="utf-8")
+        said = self.json_of("haptics", "info", "--device", "wooden", "--opt-in", "--profile", "own.json")
+        self.assertEqual(said["max_force"], 2.5)
+        self.run_program("haptics", "record", "--device", "wooden", "--opt-in", "-o", "x.csv", exit_code=1)  # absent
+
     def test_a_path_presses_the_uterus_and_equal_paths_give_equal_forces(self):
         self.press_path()
         said = self.replay("a.csv")
@@ -60,6 +77,16 @@ class Haptics(ProgramTest):
         self.assertGreater(max(self.force(r) for r in rows if r["t"] < 1.2), 0.02)
         # The last model came up to a frame before; 100 ms until it is old, 50 ms until it is gone.
         self.assertEqual(max(self.force(r) for r in rows if r["t"] > 1.36), 0.0)
+
+    def test_the_falcon_s_twin_feels_what_is_there(self):
+        said = self.json_of("haptics", "replay", SOURCE / "resources/samples/uterus_press.csv",
+                            SOURCE / "resources/samples/uterus.esm", "--device", "falcon", "--frames", "125",
+                            "--seconds", "3.0", "--compare")
+        self.assertGreater(said["true_peak"], 0.1)
+        self.assertLess(said["error_rms"], 0.05)
+        self.assertEqual(said["reason"], "")
+        self.run_program("haptics", "replay", SOURCE / "resources/samples/uterus_press.csv",
+                         SOURCE / "resources/samples/uterus.esm", "--device", "pid", exit_code=1)
 
     def test_sigterm_ends_with_zero_force_and_a_record(self):
         process = subprocess.Popen([PROGRAM, "haptics", "run", "--seconds", "60", "--arm", "--csv", "felt.csv"],

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/exit_guard.h"
 
+#include "haptics/device/driven_device.h"
 #include "servo_bench.h"
 
 #include <gtest/gtest.h>
@@ -9,6 +10,7 @@
 #include <atomic>
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <exception>
 #include <functional>
 
@@ -31,7 +33,10 @@ struct SentForces {
 /// Keeps its place, and records.
 class RecordingDevice final : public HapticDevice {
 public:
-  explicit RecordingDevice(SentForces& sent) : m_sent(sent) { m_profile.armTime = 0.01; }
+  explicit RecordingDevice(SentForces& sent, double armTime = 0.01) : m_sent(sent)
+  {
+    m_profile.armTime = armTime;
+  }
   const DeviceProfile& profile() const noexcept override { return m_profile; }
   DeviceLink read(double, DeviceSample& sample) noexcept override
   {
@@ -51,6 +56,23 @@ private:
   SentForces& m_sent;
 };
 
+/// Far slower than USB: what it is given leaves 5 ms later.
+class SlowDriver final : public DeviceDriver {
+public:
+  explicit SlowDriver(SentForces& sent) : m_device(sent) { m_state.link = DeviceLink::Ready; }
+  const DeviceProfile& profile() const noexcept override { return m_device.profile(); }
+  void step(double now, const Eigen::Vector3d& force, bool) noexcept override
+  {
+    usleep(5000);
+    m_state.heard = now + 1.0;
+    m_device.write(force);
+  }
+  void close(double) noexcept override {}
+
+private:
+  RecordingDevice m_device;
+};
+
 /// A program with 2 N in the hand that comes to an end by `end`.
 class ExitGuardTest : public testing::Test {
 protected:
@@ -65,11 +87,13 @@ protected:
     const ExitGuard guard;
     TripleBuffer<ToolState> tool;
     TripleBuffer<ContactModel> contact;
-    ServoLoop loop(std::make_unique<RecordingDevice>(*sent), std::make_unique<SteadyClock>(), tool, contact);
-    loop.core().orders().give(ForceOrder::Arm);
+    std::unique_ptr<HapticDevice> device = std::make_unique<RecordingDevice>(*sent, armTime);
+    if (driven) device = std::make_unique<DrivenDevice>(std::make_unique<SlowDriver>(*sent));
+    ServoLoop loop(std::move(device), std::make_unique<SteadyClock>(), tool, contact);
     loop.start();
-    for (std::uint64_t i = 1; i < 4000 && sent->largest < 1.9; ++i) {
-      if (i > 100) { // armed without force first
+    for (std::uint64_t i = 1; i < 4000 && sent->largest < enough; ++i) {
+      if (i == 20) loop.core().orders().give(ForceOrder::Arm); // the driver has told that it is ready
+      if (i > 100) {                                           // armed without force first
         contact.back() = constantForce({2.0, 0.0, 0.0});
         contact.back().sequence = i;
         contact.publish();
@@ -92,6 +116,8 @@ protected:
   }
 
   SentForces* sent;
+  double armTime = 0.01, enough = 1.9; ///< [s]; force at which the end comes [N]
+  bool driven = false;                 ///< with a driver in a thread of its own between servo and device
 };
 
 } // namespace
@@ -133,6 +159,36 @@ TEST_F(ExitGuardTest, AProgramThatTerminatesOrCrashesSendsZeroFirst)
     EXPECT_GE(sent->largest, 1.9);
     EXPECT_GE(sent->zerosAtEnd, 3);
   }
+}
+
+TEST_F(ExitGuardTest, SigtermWhileForceFadesInTakesItAway)
+{
+  armTime = 2.0;
+  enough = 0.5;
+  const int status = outcome([] { raise(SIGTERM); });
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 7);
+  EXPECT_LT(sent->largest, 1.9); // it was still fading in
+  EXPECT_GE(sent->zerosAtEnd, 3);
+}
+
+TEST_F(ExitGuardTest, AProgramThatCallsExitSendsZeroFirst)
+{
+  const int status = outcome([] { std::exit(3); });
+  ASSERT_TRUE(WIFEXITED(status));
+  EXPECT_EQ(WEXITSTATUS(status), 3);
+  EXPECT_GE(sent->largest, 1.9);
+  EXPECT_GE(sent->zerosAtEnd, 3);
+}
+
+// The servo's zero is only on its way when the servo is silent: the driver still has to send it.
+TEST_F(ExitGuardTest, AProgramThatTerminatesWaitsUntilTheDriverHasSentTheZero)
+{
+  driven = true;
+  const int status = outcome([] { std::terminate(); });
+  ASSERT_TRUE(WIFSIGNALED(status));
+  EXPECT_GE(sent->largest, 1.9);
+  EXPECT_GE(sent->zerosAtEnd, 1);
 }
 
 } // namespace esm

@@ -120,4 +120,20 @@ TEST_F(HapticSessionTest, ClosingWhileForceFlowsEndsTheThread)
   EXPECT_EQ(tool.latest().sequence, last);
 }
 
+// Another device in an armed hand's place: the old one is let go of, the new one waits for its own arming.
+TEST_F(HapticSessionTest, ADeviceThatTakesAnArmedOnesPlaceGivesNoForce)
+{
+  open();
+  ASSERT_TRUE(armThenPush());
+  ASSERT_TRUE(pushUntil([](const HapticStatus& s) { return s.force.norm() > 0.5; }));
+  session.reset();
+  open();
+  for (int i = 0; i < 40; ++i) {
+    int count = 0;
+    ASSERT_TRUE(pushUntil([&](const HapticStatus&) { return ++count == 2; }));
+    ASSERT_TRUE(session->status().force.isZero(0.0));
+  }
+  EXPECT_NE(session->status().state, DeviceState::Active);
+}
+
 } // namespace esm

@@ -56,6 +56,33 @@ TEST(ServoLoop, ArmingFadesTheForceInOverItsTime)
   EXPECT_NEAR(bench.force().x(), 1.0, 1e-9);
 }
 
+// A10 as real devices have it: 50 ticks of waiting, then 2 s from nothing to all of the force. A hand that
+// moves meanwhile is damped besides, by 0.2 of the device's 20 N s/m.
+TEST(ServoLoop, ARealDeviceFadesInOverTwoSecondsAndIsDampedMeanwhile)
+{
+  SimulatedDeviceSettings settings = firmlyHeld();
+  settings.armTime = DeviceProfile{}.armTime;
+  ASSERT_EQ(settings.armTime, 2.0);
+  ServoBench bench(settings, handAlong([](double t) { return Eigen::Vector3d(0.0, 0.05 * t, 0.0); }));
+  bench.order(ForceOrder::Arm);
+  tickUnder(bench, constantForce(kPush), 500); // 1 N is too much to begin with: it waits
+  EXPECT_TRUE(bench.force().isZero(0.0));
+  EXPECT_EQ(bench.status().reason, ServoReason::ForceTooLarge);
+  bench.armWithoutForce();
+  for (int tick = 1; tick < 2000; ++tick) {
+    tickUnder(bench, constantForce(kPush), 1);
+    ASSERT_LE(bench.force().x(), (tick + 1) / 2000.0 + 0.02) << "after " << tick << " ms";
+    if (tick == 1000) {
+      EXPECT_NEAR(bench.force().x(), 0.5, 0.02);
+      EXPECT_NEAR(bench.force().y(), -0.2 * 20.0 * 0.05, 0.02); // the hand goes 0.05 m/s
+      EXPECT_EQ(bench.status().state, DeviceState::Arming);
+    }
+  }
+  tickUnder(bench, constantForce(kPush), 2);
+  EXPECT_EQ(bench.status().state, DeviceState::Active);
+  EXPECT_NEAR(bench.force().x(), 1.0, 1e-9);
+}
+
 TEST(ServoLoop, DisarmingFadesToExactlyZero)
 {
   ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
