@@ -130,9 +130,10 @@ MeshDefects findDefects(const Mesh& mesh, double tJunctionTolerance, WorkControl
   MeshDefects defects;
   const EdgeTable edges = findEdges(mesh, control);
   if (stopWanted(control)) return defects;
-  const Orientation orientation = findOrientation(mesh, edges);
+  const Orientation orientation = findOrientation(mesh, edges, control);
   if (stopWanted(control)) return defects;
   defects.parts = describeParts(mesh, findParts(mesh), orientation);
+  if (stopWanted(control)) return defects;
   defects.unorientableEdges = edgesOf(edges, orientation.unorientable);
   listVertices(mesh, edges, defects);
   if (stopWanted(control)) return defects;

@@ -18,10 +18,12 @@ struct Sides {
   Index count = 0;
 };
 
-std::vector<Sides> sidesOfEdges(const Mesh& mesh, const EdgeTable& edges)
+std::vector<Sides> sidesOfEdges(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
 {
   std::vector<Sides> sides(static_cast<std::size_t>(edges.surfaceEdges));
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
+    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(mesh.triangleCount()), control))
+      return sides;
     if (hasEqualCorners(mesh, t)) continue;
     for (Index side = 3 * t; side < 3 * t + 3; ++side) {
       Sides& of = sides[static_cast<std::size_t>(edges.edgeOfSide[static_cast<std::size_t>(side)])];
@@ -36,8 +38,12 @@ std::vector<Sides> sidesOfEdges(const Mesh& mesh, const EdgeTable& edges)
 /// Walks over the edges from triangle to triangle, and turns each as its neighbour wants it.
 class PatchWalk {
 public:
-  PatchWalk(const Mesh& mesh, const EdgeTable& edges, Orientation& out)
-    : m_mesh(mesh), m_edges(edges), m_sides(sidesOfEdges(mesh, edges)), m_out(out)
+  PatchWalk(const Mesh& mesh, const EdgeTable& edges, Orientation& out, WorkControl* control)
+    : m_mesh(mesh),
+      m_edges(edges),
+      m_sides(sidesOfEdges(mesh, edges, control)),
+      m_out(out),
+      m_control(control)
   {
     const auto triangles = static_cast<std::size_t>(mesh.triangleCount());
     out.patchOf.assign(triangles, kNoIndex);
@@ -46,7 +52,7 @@ public:
 
   void walkAll()
   {
-    for (Index t = 0; t < m_mesh.triangleCount(); ++t)
+    for (Index t = 0; t < m_mesh.triangleCount() && !stopWanted(m_control); ++t)
       if (m_out.patchOf[static_cast<std::size_t>(t)] == kNoIndex && !hasEqualCorners(m_mesh, t)) walkFrom(t);
   }
 
@@ -59,6 +65,7 @@ private:
     m_out.patchOf[static_cast<std::size_t>(seed)] = number;
     Index turned = 0;
     for (std::size_t i = 0; i < m_members.size(); ++i) {
+      if (stopWantedAt(i, static_cast<std::size_t>(m_mesh.triangleCount()), m_control)) return;
       const Index t = m_members[i];
       turned += m_out.isTurned[static_cast<std::size_t>(t)];
       for (Index side = 3 * t; side < 3 * t + 3; ++side) patch.isClosed &= cross(side, number);
@@ -110,15 +117,16 @@ private:
   const EdgeTable& m_edges;
   std::vector<Sides> m_sides;
   Orientation& m_out;
+  WorkControl* m_control;
   std::vector<Index> m_members; ///< triangles of the present patch
 };
 
 } // namespace
 
-Orientation findOrientation(const Mesh& mesh, const EdgeTable& edges)
+Orientation findOrientation(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
 {
   Orientation orientation;
-  PatchWalk(mesh, edges, orientation).walkAll();
+  PatchWalk(mesh, edges, orientation, control).walkAll();
   return orientation;
 }
 

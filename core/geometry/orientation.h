@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/work_control.h"
 #include "core/geometry/edge_table.h"
 #include "core/geometry/mesh.h"
 
@@ -28,6 +29,7 @@ struct Orientation {
 };
 
 /// O(F). @pre `edges` are those of `mesh`
-Orientation findOrientation(const Mesh& mesh, const EdgeTable& edges);
+/// @param control  may be null; once it is cancelled the orientation is not whole: ask stopWanted().
+Orientation findOrientation(const Mesh& mesh, const EdgeTable& edges, WorkControl* control = nullptr);
 
 } // namespace esm

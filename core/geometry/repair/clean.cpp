@@ -40,11 +40,14 @@ void markUsed(const Elements& elements, const std::vector<std::uint8_t>& kept,
       for (Eigen::Index k = 0; k < elements.rows(); ++k) used[at(elements(k, i))] = 1;
 }
 
-void markUseless(const Mesh& mesh, Kept& kept, RepairReport& report)
+void markUseless(const Mesh& mesh, Kept& kept, RepairReport& report, WorkControl* control)
 {
   std::vector<std::uint8_t> isRepeated(at(mesh.triangleCount()), 0);
-  for (const Index t : repeatedTriangles(mesh, findEdges(mesh))) isRepeated[at(t)] = 1;
+  const EdgeTable edges = findEdges(mesh, control);
+  if (stopWanted(control)) return;
+  for (const Index t : repeatedTriangles(mesh, edges, control)) isRepeated[at(t)] = 1;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
+    if (stopWantedAt(at(t), at(mesh.triangleCount()), control)) return;
     const bool isFlat = isDegenerate(mesh, t), isAgain = isRepeated[at(t)] != 0;
     kept.triangles[at(t)] = !isFlat && !isAgain;
     report.degenerateFaces += isFlat;
@@ -77,10 +80,11 @@ void leaveOutNonFinite(Mesh& mesh, RepairReport& report, std::vector<Index>& ver
                          std::to_string(triangles - mesh.triangleCount()) + " triangles on them");
 }
 
-void removeUseless(Mesh& mesh, RepairReport& report, std::vector<Index>& vertexOf)
+void removeUseless(Mesh& mesh, RepairReport& report, std::vector<Index>& vertexOf, WorkControl* control)
 {
   Kept kept(mesh);
-  markUseless(mesh, kept, report);
+  markUseless(mesh, kept, report, control);
+  if (stopWanted(control)) return;
   kept.vertices.assign(kept.vertices.size(), 0);
   markUsed(mesh.triangles, kept.triangles, kept.vertices);
   markUsed(mesh.segments, kept.segments, kept.vertices);
@@ -115,9 +119,12 @@ void dropSmallParts(Mesh& mesh, Index below, double share, RepairReport& report,
                          " parts, " + std::to_string(elements) + " elements in all");
 }
 
-void unifyOrientation(Mesh& mesh, RepairReport& report)
+void unifyOrientation(Mesh& mesh, RepairReport& report, WorkControl* control)
 {
-  const Orientation orientation = findOrientation(mesh, findEdges(mesh));
+  const EdgeTable edges = findEdges(mesh, control);
+  if (stopWanted(control)) return;
+  const Orientation orientation = findOrientation(mesh, edges, control);
+  if (stopWanted(control)) return;
   Index turned = 0;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
     const Index patch = orientation.patchOf[at(t)];

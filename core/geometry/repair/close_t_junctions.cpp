@@ -33,10 +33,13 @@ public:
   }
 
   /// @return how many vertices are tied now.
-  Index run()
+  Index run(WorkControl* control)
   {
     m_isTied.assign(m_junctions.size(), 0);
-    for (Index t = 0; t < m_mesh.triangleCount(); ++t) splitTriangle(t);
+    for (Index t = 0; t < m_mesh.triangleCount(); ++t) {
+      if (stopWantedAt(at(t), at(m_mesh.triangleCount()), control)) return 0;
+      splitTriangle(t);
+    }
     splitSegments();
     const auto count = static_cast<Eigen::Index>(m_triangles.size() / 3);
     m_mesh.triangles = Eigen::Map<const TriangleMatrix>(m_triangles.data(), 3, count);
@@ -146,7 +149,8 @@ Status closeTJunctions(Mesh& mesh, double tolerance, RepairReport& report, WorkC
     if (stopWanted(control)) return cancelledError();
     const std::vector<TJunction> junctions = findTJunctions(mesh, edges, tolerance, control);
     if (stopWanted(control)) return cancelledError();
-    const Index now = junctions.empty() ? 0 : Closing(mesh, edges, junctions).run();
+    const Index now = junctions.empty() ? 0 : Closing(mesh, edges, junctions).run(control);
+    if (stopWanted(control)) return cancelledError();
     if (now == 0) break;
     tied += now;
   }

@@ -23,18 +23,21 @@ std::size_t at(Index i)
 /// The curves of a surface: which edges belong to them, and where they turn.
 class Curves {
 public:
-  Curves(HalfEdgeMesh& surface, double edgeLength) : m_surface(surface), m_edgeLength(edgeLength) {}
+  Curves(HalfEdgeMesh& surface, double edgeLength, WorkControl* control)
+    : m_surface(surface), m_edgeLength(edgeLength), m_control(control)
+  {}
 
   bool mark()
   {
     std::vector<Index> creases = findCreases();
+    if (stopWanted(m_control)) return false;
     const bool isRough = !creases.empty() && areRoughness(creases);
     if (isRough) creases.clear();
     for (const Index h : creases) m_surface.isCurve[at(h)] = m_surface.isCurve[at(m_surface.twinOf(h))] = 1;
     for (Index h = 0; h < m_surface.halfEdges(); ++h)
       if (m_surface.twinOf(h) == kNoIndex) m_surface.isCurve[at(h)] = 1;
     giveFreedom();
-    fixCorners();
+    if (!stopWanted(m_control)) fixCorners();
     return isRough;
   }
 
@@ -47,10 +50,11 @@ private:
   std::vector<Index> findCreases() const
   {
     std::vector<Eigen::Vector3d> normals(m_surface.corner.size() / 3);
-    for (std::size_t t = 0; t < normals.size(); ++t)
+    for (std::size_t t = 0; t < normals.size() && !stopWantedAt(t, normals.size(), m_control); ++t)
       normals[t] = m_surface.areaVector(static_cast<Index>(t)).stableNormalized();
     std::vector<Index> creases;
     for (Index h = 0; h < m_surface.halfEdges(); ++h) {
+      if (stopWantedAt(at(h), at(m_surface.halfEdges()), m_control)) break;
       const Index other = m_surface.twinOf(h);
       if (other == kNoIndex || other > h) continue;
       const Eigen::Vector3d &here = normals[at(h / 3)], &there = normals[at(other / 3)];
@@ -142,12 +146,14 @@ private:
     std::vector<Index> candidates;
     std::vector<double> turns(m_surface.position.size(), 2.0);
     for (Index v = 0; v < m_surface.vertices(); ++v) {
+      if (v % 64 == 0 && stopWanted(m_control)) return; // a look along a long curve takes a while
       if (m_surface.freedom[at(v)] != Freedom::Curve) continue;
       turns[at(v)] = turn(v, [](Index) {});
       if (turns[at(v)] < kCornerCosine) candidates.push_back(v);
     }
     std::vector<Index> corners;
     for (const Index v : candidates) {
+      if (stopWanted(m_control)) return;
       bool isSharpest = true;
       turn(v, [&](Index other) {
         const double there = turns[at(other)], here = turns[at(v)];
@@ -160,13 +166,14 @@ private:
 
   HalfEdgeMesh& m_surface;
   double m_edgeLength;
+  WorkControl* m_control;
 };
 
 } // namespace
 
-bool markCurves(HalfEdgeMesh& surface, double edgeLength)
+bool markCurves(HalfEdgeMesh& surface, double edgeLength, WorkControl* control)
 {
-  return Curves(surface, edgeLength).mark();
+  return Curves(surface, edgeLength, control).mark();
 }
 
 } // namespace esm

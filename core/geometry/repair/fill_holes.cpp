@@ -84,7 +84,8 @@ public:
     constexpr int kRounds = 6;
     std::vector<std::uint8_t> isPinned(at(m_mesh.vertexCount()), 0);
     std::fill_n(isPinned.begin(), m_rim.size(), std::uint8_t{1});
-    m_surface = cutToSheets(m_mesh, isPinned).surface;
+    m_surface = cutToSheets(m_mesh, isPinned, control).surface;
+    if (stopWanted(control)) return;
     for (std::size_t i = 0; i < m_rim.size(); ++i)
       m_surface.isSeam[i] = 1; // no new edge between two of the rim
     for (Index h = 0; h < m_surface.halfEdges(); ++h)
@@ -118,8 +119,11 @@ private:
 
 class HoleFilling {
 public:
-  explicit HoleFilling(Mesh& mesh)
-    : m_mesh(mesh), m_edges(findEdges(mesh)), m_known(m_edges, mesh.vertexCount()), m_frame(mesh.position)
+  HoleFilling(Mesh& mesh, WorkControl* control)
+    : m_mesh(mesh),
+      m_edges(findEdges(mesh, control)),
+      m_known(m_edges, mesh.vertexCount()),
+      m_frame(mesh.position)
   {}
 
   const EdgeTable& edges() const { return m_edges; }
@@ -138,6 +142,7 @@ public:
     };
     if (!patch.lay(isNew)) return false;
     patch.refine(control);
+    if (stopWanted(control)) return false;
     add(patch.surface(), loop);
     return true;
   }
@@ -221,7 +226,7 @@ private:
 
 Status fillHoles(Mesh& mesh, Index mostEdges, double longest, RepairReport& report, WorkControl* control)
 {
-  HoleFilling filling(mesh);
+  HoleFilling filling(mesh, control);
   if (stopWanted(control)) return cancelledError();
   const std::vector<BoundaryLoop> loops = findBoundaryLoops(mesh, filling.edges());
   const LoneTriangles lone(mesh, filling.edges());

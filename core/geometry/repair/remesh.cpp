@@ -67,10 +67,11 @@ public:
   /// @param mesh  without segments and tetrahedra, stays alive.
   SurfaceNet(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned, double edgeLength,
              WorkControl* control)
-    : m_original(mesh), m_sheets(cutToSheets(mesh, isPinned)), m_control(control)
+    : m_original(mesh), m_sheets(cutToSheets(mesh, isPinned, control)), m_control(control)
   {
-    m_isRough = markCurves(m_sheets.surface, edgeLength);
-    findCurves();
+    if (stopWanted(control)) return;
+    m_isRough = markCurves(m_sheets.surface, edgeLength, control);
+    if (!stopWanted(control)) findCurves();
   }
 
   /// @param most  triangles; 0 if only the length counts.

@@ -53,7 +53,7 @@ Status cleanAndTie(Mesh& mesh, const RepairOptions& options, RepairReport& repor
 {
   constexpr int kMostRounds = 8;
   for (int round = 0; round < kMostRounds; ++round) {
-    if (options.removeUseless) removeUseless(mesh, report, vertexOf);
+    if (options.removeUseless) removeUseless(mesh, report, vertexOf, control);
     if (stopWanted(control)) return cancelledError();
     if (!options.closeTJunctions) return {};
     const Index tied = report.closedTJunctions;
@@ -86,10 +86,11 @@ Status repairMesh(Mesh& mesh, const RepairOptions& options, RepairReport& report
     if (const Status done = fillHoles(work, options.fillHolesUpTo, options.fillHolesLength, report, control);
         !done)
       return done;
-  if (options.unifyOrientation) unifyOrientation(work, report);
+  if (options.unifyOrientation) unifyOrientation(work, report, control);
   if (stopWanted(control)) return cancelledError();
   if (options.triangles > 0 || options.edgeLength > 0.0) {
-    removeUseless(work, report, vertexOf); // the new net stands on sound triangles only
+    removeUseless(work, report, vertexOf, control); // the new net stands on sound triangles only
+    if (stopWanted(control)) return cancelledError();
     if (const Status done =
           remeshSurface(work, options.triangles, options.edgeLength, report, vertexOf, control);
         !done)

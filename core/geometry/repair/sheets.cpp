@@ -21,13 +21,15 @@ std::size_t at(Index i)
 /// Makes neighbours of half-edges over the same edge; what cannot be joined becomes a rigid border.
 class Stitcher {
 public:
-  Stitcher(const Mesh& mesh, Sheets& sheets)
-    : m_mesh(mesh), m_edges(findEdges(mesh)), m_surface(sheets.surface)
+  Stitcher(const Mesh& mesh, Sheets& sheets, WorkControl* control)
+    : m_mesh(mesh), m_edges(findEdges(mesh, control)), m_surface(sheets.surface), m_control(control)
   {}
 
   void stitch()
   {
-    const Orientation orientation = findOrientation(m_mesh, m_edges);
+    if (stopWanted(m_control)) return;
+    const Orientation orientation = findOrientation(m_mesh, m_edges, m_control);
+    if (stopWanted(m_control)) return;
     const auto halfEdges = static_cast<std::size_t>(m_mesh.triangles.size());
     m_surface.corner.resize(halfEdges);
     m_surface.twin.assign(halfEdges, kNoIndex);
@@ -36,6 +38,7 @@ public:
     std::vector<Index> waiting(at(m_edges.surfaceEdges), kNoIndex);
     Index h = 0;
     for (Index t = 0; t < m_mesh.triangleCount(); ++t) {
+      if (stopWantedAt(at(t), at(m_mesh.triangleCount()), m_control)) return;
       const bool isTurned = orientation.isTurned[at(t)] != 0;
       for (int k = 0; k < 3; ++k, ++h) {
         m_surface.corner[at(h)] = m_mesh.triangles(isTurned ? (3 - k) % 3 : k, t);
@@ -77,14 +80,16 @@ private:
   const Mesh& m_mesh;
   const EdgeTable m_edges;
   HalfEdgeMesh& m_surface;
+  WorkControl* m_control;
 };
 
 /// Every fan of triangles beyond a vertex' first one gets a copy of the vertex.
-void separateFans(Sheets& sheets)
+void separateFans(Sheets& sheets, WorkControl* control)
 {
   HalfEdgeMesh& surface = sheets.surface;
   std::vector<std::uint8_t> isSeen(surface.corner.size(), 0), isTaken(surface.position.size(), 0);
   for (Index h = 0; h < surface.halfEdges(); ++h) {
+    if (stopWantedAt(at(h), at(surface.halfEdges()), control)) return;
     if (isSeen[at(h)]) continue;
     const Index original = surface.from(h);
     Index vertex = original;
@@ -112,7 +117,7 @@ void separateFans(Sheets& sheets)
 
 } // namespace
 
-Sheets cutToSheets(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned)
+Sheets cutToSheets(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned, WorkControl* control)
 {
   Sheets sheets;
   HalfEdgeMesh& surface = sheets.surface;
@@ -122,8 +127,10 @@ Sheets cutToSheets(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned)
     surface.position.push_back(mesh.position.col(v));
     sheets.origin.push_back(v);
   }
-  Stitcher(mesh, sheets).stitch();
-  separateFans(sheets);
+  Stitcher(mesh, sheets, control).stitch();
+  if (stopWanted(control)) return sheets;
+  separateFans(sheets, control);
+  if (stopWanted(control)) return sheets;
   surface.freedom.resize(surface.position.size());
   for (std::size_t v = 0; v < surface.freedom.size(); ++v)
     surface.freedom[v] =

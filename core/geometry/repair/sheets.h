@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 #include "core/geometry/repair/half_edge_mesh.h"
 
@@ -20,12 +21,15 @@ struct Sheets {
 
 /// Triangles stay in their order, and are turned until neighbours agree.
 /// @param isPinned  V: must stay where they are.
+/// @param control  may be null; once it is cancelled the sheets are not whole: ask stopWanted().
 /// @pre no triangle has equal corners or comes twice.
-Sheets cutToSheets(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned);
+Sheets cutToSheets(const Mesh& mesh, const std::vector<std::uint8_t>& isPinned,
+                   WorkControl* control = nullptr);
 
 /// Marks borders and creases (more than 40 degrees between the normals) as curves, and the corners where
 /// curves end, meet or turn sharply as fixed. Creases that are only roughness at this edge length (stairs of
 /// voxels, noise) are passed over. @return whether creases were found and passed over
-bool markCurves(HalfEdgeMesh& surface, double edgeLength);
+/// @param control  as in cutToSheets().
+bool markCurves(HalfEdgeMesh& surface, double edgeLength, WorkControl* control = nullptr);
 
 } // namespace esm
