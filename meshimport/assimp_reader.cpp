@@ -4,6 +4,7 @@
 
 #include "core/base/ascii_case.h"
 #include "meshimport/content.h"
+#include "meshimport/import_endings.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/worker_process.h"
 
@@ -65,6 +66,18 @@ bool recognises(std::string_view bytes, std::string_view ending)
 }
 
 } // namespace
+
+std::span<const std::string_view> ownEndings() noexcept
+{
+  static constexpr std::string_view kOwn[] = {"obj", "stl", "ply", "off", "dxf",
+                                              "vtk", "vtu", "msh", "iv",  "wrl"};
+  return kOwn;
+}
+
+std::span<const std::string_view> foreignEndings() noexcept
+{
+  return kEndings;
+}
 
 MeshReader assimpReader()
 {

@@ -13,7 +13,7 @@ namespace esm {
 
 namespace {
 
-static_assert(std::is_trivially_copyable_v<ReplyHead> && sizeof(ReplyHead) == 56);
+static_assert(std::is_trivially_copyable_v<ReplyHead> && sizeof(ReplyHead) == 64);
 
 constexpr std::uint64_t kMostText = 1 << 16; ///< bytes of format, notes or reason
 constexpr auto kLastCode = static_cast<std::int64_t>(ErrorCode::Internal);
@@ -104,11 +104,12 @@ std::string encodeReply(const WorkerReply& reply)
   head.triangles = static_cast<std::uint64_t>(mesh.triangleCount());
   head.segments = static_cast<std::uint64_t>(mesh.segmentCount());
   head.tetrahedra = static_cast<std::uint64_t>(mesh.tetrahedronCount());
+  head.diagonals = static_cast<std::uint64_t>(mesh.diagonals.cols());
   std::string text = reply.format;
   for (const std::string& note : reply.notes) text += "\n" + note;
   std::string bytes = withHead(head, text);
   const std::string_view arrays[] = {bytesOf(mesh.position), bytesOf(mesh.triangles), bytesOf(mesh.segments),
-                                     bytesOf(mesh.tetrahedra)};
+                                     bytesOf(mesh.tetrahedra), bytesOf(mesh.diagonals)};
   std::size_t size = bytes.size();
   for (const std::string_view array : arrays) size += array.size();
   bytes.reserve(size);
@@ -121,7 +122,8 @@ std::optional<std::uint64_t> replySize(std::string_view begin)
   const std::optional<ReplyHead> head = headOf(begin);
   if (!head || head->magic != ReplyHead::kMagic || head->version != ReplyHead::kVersion) return std::nullopt;
   std::uint64_t items = 0;
-  for (const std::uint64_t count : {head->vertices, head->triangles, head->segments, head->tetrahedra}) {
+  for (const std::uint64_t count :
+       {head->vertices, head->triangles, head->segments, head->tetrahedra, head->diagonals}) {
     if (count > kMostItems / 4) return std::nullopt; // so that no sum below can overflow
     items += count;
   }
@@ -129,7 +131,8 @@ std::optional<std::uint64_t> replySize(std::string_view begin)
   if (head->refusal != ReplyHead::kNone && (head->refusal < 0 || head->refusal > kLastCode || items > 0))
     return std::nullopt;
   return sizeof(ReplyHead) + head->textBytes + 3 * sizeof(double) * head->vertices +
-         sizeof(Index) * (3 * head->triangles + 2 * head->segments + 4 * head->tetrahedra);
+         sizeof(Index) *
+           (3 * head->triangles + 2 * head->segments + 4 * head->tetrahedra + 2 * head->diagonals);
 }
 
 Result<WorkerReply> decodeReply(std::string_view bytes)
@@ -156,9 +159,10 @@ Result<WorkerReply> decodeReply(std::string_view bytes)
   arrays.fill(reply.mesh.triangles, head.triangles);
   arrays.fill(reply.mesh.segments, head.segments);
   arrays.fill(reply.mesh.tetrahedra, head.tetrahedra);
+  arrays.fill(reply.mesh.diagonals, head.diagonals);
   const Eigen::Matrix3Xd& position = reply.mesh.position;
   if (!usable(reply.mesh.triangles, position) || !usable(reply.mesh.segments, position) ||
-      !usable(reply.mesh.tetrahedra, position))
+      !usable(reply.mesh.tetrahedra, position) || !usable(reply.mesh.diagonals, position))
     return garbled("a face or line of it uses a vertex that is not there or not finite");
   return reply;
 }

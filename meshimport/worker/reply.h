@@ -24,7 +24,7 @@ struct WorkerReply {
 /// The answer of the worker to its parent, one flat buffer through a pipe. Numbers are in the machine's own
 /// byte order: both ends are installed together, the version catches where they are not.
 ///
-///     head | text | positions 3 x V | triangles 3 x F | segments 2 x S | tetrahedra 4 x T
+///     head | text | positions 3 x V | triangles 3 x F | segments 2 x S | tetrahedra 4 x T | diagonals 2 x D
 ///
 /// The text is the detail of the refusal if there is one, else the format and the notes, a line each.
 struct ReplyHead {
@@ -32,10 +32,10 @@ struct ReplyHead {
   std::uint32_t version = kVersion;
   std::int64_t refusal = kNone; ///< or the ErrorCode
   std::uint64_t textBytes = 0;
-  std::uint64_t vertices = 0, triangles = 0, segments = 0, tetrahedra = 0;
+  std::uint64_t vertices = 0, triangles = 0, segments = 0, tetrahedra = 0, diagonals = 0;
 
   static constexpr std::uint32_t kMagic = 0x574D5345; ///< "ESMW"
-  static constexpr std::uint32_t kVersion = 1;
+  static constexpr std::uint32_t kVersion = 2;
   static constexpr std::int64_t kNone = -1;
 };
 

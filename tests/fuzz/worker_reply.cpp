@@ -16,7 +16,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const auto inRange = [&](const auto& indices) {
     return indices.size() == 0 || (indices.minCoeff() >= 0 && indices.maxCoeff() < mesh.vertexCount());
   };
-  if (!inRange(mesh.triangles) || !inRange(mesh.segments) || !inRange(mesh.tetrahedra)) __builtin_trap();
+  if (!inRange(mesh.triangles) || !inRange(mesh.segments) || !inRange(mesh.tetrahedra) ||
+      !inRange(mesh.diagonals))
+    __builtin_trap();
   if (esm::encodeReply(*reply).size() > size) __builtin_trap(); // nothing may come of nothing
   return 0;
 }

@@ -76,9 +76,9 @@ TEST(Worker, garbageIsOneSentence)
     EXPECT_THAT(sentenceOfScript(script), HasSubstr("answered with garbage")) << script;
   // A head that promises 100 vertices and then goes on for ever: no more is taken than it promised.
   EXPECT_THAT(
-    sentenceOfScript("printf 'ESMW\\001\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\377' >&3; printf "
+    sentenceOfScript("printf 'ESMW\\002\\0\\0\\0\\377\\377\\377\\377\\377\\377\\377\\377' >&3; printf "
                      "'\\001\\0\\0\\0\\0\\0\\0\\0\\144' >&3; cat /dev/zero >&3"),
-    HasSubstr("answered with garbage (it holds 2458 bytes where its head promises 2457)"));
+    HasSubstr("answered with garbage (it holds 2466 bytes where its head promises 2465)"));
   EXPECT_TRUE(childrenOfThisProcess().empty());
 }
 

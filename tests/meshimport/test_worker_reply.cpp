@@ -30,6 +30,8 @@ WorkerReply sample()
   reply.mesh.segments << 0, 3;
   reply.mesh.tetrahedra.resize(4, 1);
   reply.mesh.tetrahedra << 0, 1, 2, 3;
+  reply.mesh.diagonals.resize(2, 1);
+  reply.mesh.diagonals << 1, 2;
   return reply;
 }
 
@@ -61,6 +63,7 @@ TEST(WorkerReply, arrivesAsItWasSent)
   EXPECT_EQ(got->mesh.position.leftCols(4), sent.mesh.position.leftCols(4));
   EXPECT_EQ(got->mesh.triangles, sent.mesh.triangles);
   EXPECT_EQ(got->mesh.segments, sent.mesh.segments);
+  EXPECT_EQ(got->mesh.diagonals, sent.mesh.diagonals);
   EXPECT_EQ(got->mesh.tetrahedra, sent.mesh.tetrahedra);
 }
 
@@ -92,7 +95,7 @@ TEST(WorkerReply, countsThatDidNotArriveAreRefused)
   for (const auto count :
        {std::uint64_t{6}, std::uint64_t{100'000'000}, std::uint64_t{1} << 61, ~std::uint64_t{0}})
     for (const auto field : {&ReplyHead::vertices, &ReplyHead::triangles, &ReplyHead::segments,
-                             &ReplyHead::tetrahedra, &ReplyHead::textBytes})
+                             &ReplyHead::tetrahedra, &ReplyHead::diagonals, &ReplyHead::textBytes})
       EXPECT_NE(whyNot(withHead(bytes, field, count)), "it was taken") << count;
   EXPECT_FALSE(replySize(withHead(bytes, &ReplyHead::vertices, std::uint64_t{1} << 61)));
   EXPECT_FALSE(replySize(withHead(bytes, &ReplyHead::version, ReplyHead::kVersion + 1)));
@@ -104,11 +107,12 @@ TEST(WorkerReply, countsThatDidNotArriveAreRefused)
 TEST(WorkerReply, indicesOutOfRangeAndPlacesThatAreNotFiniteAreRefused)
 {
   for (const Index bad : {-1, 5, std::numeric_limits<Index>::max(), 4 /* the one that is not finite */}) {
-    WorkerReply face = sample(), line = sample(), solid = sample();
+    WorkerReply face = sample(), line = sample(), solid = sample(), cut = sample();
     face.mesh.triangles(2, 0) = bad;
     line.mesh.segments(1, 0) = bad;
     solid.mesh.tetrahedra(3, 0) = bad;
-    for (const WorkerReply& reply : {face, line, solid})
+    cut.mesh.diagonals(0, 0) = bad;
+    for (const WorkerReply& reply : {face, line, solid, cut})
       EXPECT_THAT(whyNot(encodeReply(reply)), HasSubstr("not there or not finite")) << bad;
   }
 }
