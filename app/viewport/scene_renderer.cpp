@@ -115,11 +115,12 @@ void SceneRenderer::uploadTopology(const SceneModel& model)
   if (const SpringNet* net = model.net()) {
     for (Eigen::Index i = 0; i < net->triangles.size(); ++i)
       triangles.push_back(static_cast<GLuint>(net->triangles.data()[i]));
-    for (const SpringKind kind : {SpringKind::Edge, SpringKind::Line})
+    const auto isEdge = [net](Index s) { return net->kind[static_cast<std::size_t>(s)] == SpringKind::Edge; };
+    for (const bool edges : {true, false}) // lines and the struts of the support layer look alike
       for (Index s = 0; s < net->springCount(); ++s)
-        if (net->kind[static_cast<std::size_t>(s)] == kind) {
+        if (isEdge(s) == edges) {
           m_springOrder.push_back(s);
-          ++(kind == SpringKind::Edge ? m_edges : m_struts);
+          ++(edges ? m_edges : m_struts);
         }
     for (const Index s : m_springOrder)
       for (int end = 0; end < 2; ++end) springs.push_back(static_cast<GLuint>(net->ends(end, s)));
