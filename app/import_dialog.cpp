@@ -401,6 +401,7 @@ IncomingModel ImportDialog::takeModel()
   model.name = QFileInfo(m_paths.front()).completeBaseName();
   model.source = std::move(m_preview->made.recipe);
   model.net = std::move(m_preview->made.net);
+  if (model.source.material != MaterialOptions{}) model.tissue = std::move(m_preview->tissue);
   m_preview.reset();
   return model;
 }

@@ -61,7 +61,7 @@ MainWindow::MainWindow(LanguageSwitch* language, std::shared_ptr<DeviceSource> d
   m_dropHint->hide();
   setDockNestingEnabled(true);
   m_document->setRuleLanguage(language->language());
-  setCentralWidget(m_view);
+  watchFiles();
   createDocks();
   connectDocument();
   connectActions();

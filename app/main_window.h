@@ -18,6 +18,7 @@ class QLabel;
 
 namespace esm {
 
+class ChangedFilesBar;
 class FuzzyEvaluation;
 class RegionsPanel;
 class StatusStrip;
@@ -89,6 +90,7 @@ private:
 
   // main_window_files.cpp
   void connectFileActions();
+  void watchFiles();
   bool mayDropChanges(); ///< saved, or the user lets them go
   void newProject();
   bool playSample(const QString& path);
@@ -114,6 +116,7 @@ private:
   StatusStrip* m_status;
   RegionsPanel* m_regions = nullptr;
   WhySelection* m_why = nullptr;
+  ChangedFilesBar* m_changedFiles = nullptr;
   QDockWidget *m_dockRegions = nullptr, *m_dockTissue = nullptr, *m_dockInputs = nullptr, *m_dockMf = nullptr,
               *m_dockSurface = nullptr, *m_dockWhy = nullptr, *m_dockRules = nullptr,
               *m_dockHaptics = nullptr;

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that deals with files, and with what must not get lost.
 #include "app/error_text.h"
+#include "app/import/changed_files_bar.h"
 #include "app/import_dialog.h"
 #include "app/main_window.h"
 #include "app/sample_files.h"
 #include "app/window_actions.h"
 #include "core/project/export.h"
+#include "meshimport/import_endings.h"
 
 #include <QAction>
 #include <QCloseEvent>
@@ -20,6 +22,7 @@
 #include <QMimeData>
 #include <QSettings>
 #include <QStatusBar>
+#include <QVBoxLayout>
 
 #include <algorithm>
 
@@ -29,6 +32,24 @@ namespace {
 
 constexpr int kLayoutVersion = 1; // of the docks: a saved layout of another version is ignored
 constexpr int kRecentFiles = 8;
+
+/// One entry for all that can be imported, one for each kind of it.
+QString meshFilter()
+{
+  const auto entry = [](const QString& what, const QStringList& endings) {
+    QStringList patterns;
+    for (const QString& ending : endings) patterns << QStringLiteral("*.") + ending;
+    return QStringLiteral("%1 (%2)").arg(what, patterns.join(QLatin1Char(' ')));
+  };
+  QStringList own, foreign;
+  for (const std::string_view ending : ownEndings())
+    own << QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
+  for (const std::string_view ending : foreignEndings())
+    foreign << QString::fromUtf8(ending.data(), static_cast<qsizetype>(ending.size()));
+  return entry(MainWindow::tr("Meshes"), own + foreign) + QStringLiteral(";;") +
+         entry(MainWindow::tr("Meshes with a reader of their own"), own) + QStringLiteral(";;") +
+         entry(MainWindow::tr("Foreign formats"), foreign);
+}
 
 } // namespace
 
@@ -44,6 +65,23 @@ void MainWindow::connectFileActions()
   on(m_actions->picture, [this] { savePicture(); });
   on(m_actions->rename, [this] { renameProject(); });
   on(m_actions->quit, [this] { close(); });
+}
+
+/// The preview with a bar above it that says when a file of the model has changed.
+void MainWindow::watchFiles()
+{
+  auto* middle = new QWidget(this);
+  auto* layout = new QVBoxLayout(middle);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  m_changedFiles = new ChangedFilesBar(m_document, middle);
+  layout->addWidget(m_changedFiles);
+  layout->addWidget(m_view, 1);
+  setCentralWidget(middle);
+  connect(m_changedFiles, &ChangedFilesBar::updated, this,
+          [this](const QString& summary) { statusBar()->showMessage(summary, 15000); });
+  connect(m_changedFiles, &ChangedFilesBar::failed, this,
+          [this](const Error& error) { showError(tr("Update the model"), error); });
 }
 
 void MainWindow::showError(const QString& title, const Error& error)
@@ -113,9 +151,7 @@ void MainWindow::chooseAndImport()
 {
   const QString folder = QSettings().value(QStringLiteral("importFolder")).toString();
   const QStringList paths = QFileDialog::getOpenFileNames(
-    this, tr("Import meshes"), folder,
-    tr("Meshes (*.obj *.stl *.ply *.off *.dxf *.glb *.gltf *.dae *.3ds *.fbx *.iv *.wrl *.vtk *.vtu *.msh)") +
-      QStringLiteral(";;") + tr("All files (*)"));
+    this, tr("Import meshes"), folder, meshFilter() + QStringLiteral(";;") + tr("All files (*)"));
   if (paths.isEmpty()) return;
   QSettings().setValue(QStringLiteral("importFolder"), QFileInfo(paths.front()).absolutePath());
   importPaths(paths);

@@ -92,7 +92,7 @@ std::vector<JsonLine> jsonOfParts(const MeshDefects& defects)
 
 } // namespace
 
-JsonLine jsonOfDefects(const MeshDefects& defects, const Mesh& mesh)
+JsonLine jsonOfDefects(const MeshDefects& defects, const SelfIntersections& crossings, const Mesh& mesh)
 {
   JsonLine json;
   json.add("parts", jsonOfParts(defects));
@@ -120,10 +120,18 @@ JsonLine jsonOfDefects(const MeshDefects& defects, const Mesh& mesh)
   json.add("faces_on_nonfinite", defects.facesOnNonFinite);
   json.add("turned_faces", defects.turnedFaces);
   json.add("unorientable_edges", flat(defects.unorientableEdges));
+  std::vector<JsonLine> pairs;
+  for (const SelfIntersection& crossing : crossings.pairs) {
+    JsonLine& line = pairs.emplace_back();
+    line.add("triangles", std::vector<Index>{crossing.first, crossing.second});
+    line.add("position", crossing.place);
+  }
+  json.add("self_intersections", pairs);
+  json.add("self_intersections_complete", crossings.isComplete);
   return json;
 }
 
-void printDefects(const MeshDefects& defects, const Mesh& mesh)
+void printDefects(const MeshDefects& defects, const SelfIntersections& crossings, const Mesh& mesh)
 {
   const auto vertices = [&](const char* what, const std::vector<Index>& list) {
     printList(what, list, [&](std::size_t i) { return vertexPlace(mesh, list[i]); });
@@ -153,6 +161,12 @@ void printDefects(const MeshDefects& defects, const Mesh& mesh)
   triangles("faces on non-finite vertices, left out of the net", defects.facesOnNonFinite);
   triangles("turned faces", defects.turnedFaces);
   edges("edges over which neighbours cannot agree on a side", defects.unorientableEdges);
+  printList("triangles that run through others", crossings.pairs, [&](std::size_t i) {
+    const SelfIntersection& crossing = crossings.pairs[i];
+    return "triangles " + std::to_string(crossing.first) + " and " + std::to_string(crossing.second) +
+           " at " + place(crossing.place);
+  });
+  if (!crossings.isComplete) print("  there may be more that run through others; --intersections looks on");
 }
 
 } // namespace esm::cli

@@ -4,13 +4,14 @@
 
 #include "core/base/json_line.h"
 #include "core/geometry/mesh_defects.h"
+#include "core/geometry/self_intersections.h"
 
 namespace esm::cli {
 
 /// All lists, with places: vertices and triangles by number, coordinates in the file's unit.
-JsonLine jsonOfDefects(const MeshDefects& defects, const Mesh& mesh);
+JsonLine jsonOfDefects(const MeshDefects& defects, const SelfIntersections& crossings, const Mesh& mesh);
 
 /// For people: a line per defect with its place, the first twenty of each kind.
-void printDefects(const MeshDefects& defects, const Mesh& mesh);
+void printDefects(const MeshDefects& defects, const SelfIntersections& crossings, const Mesh& mesh);
 
 } // namespace esm::cli

@@ -57,9 +57,6 @@ Status finishProject(const ImportArguments& arguments, Outcome& outcome)
   project.name = first.stem().string();
   project.source = outcome.imported->recipe;
   project.net = outcome.imported->net;
-  project.tissue = defaultTissue();
-  if (!arguments.rules.empty())
-    if (const Status status = takeRules(arguments.rules, project.tissue); !status) return status.error();
   if (const auto applied = applyTissue(project.tissue, project.net); !applied)
     return Error{applied.error().code, arguments.files.front() + ": " + applied.error().detail};
   return {};
@@ -70,11 +67,17 @@ Result<Outcome> importMeshes(const ImportArguments& arguments)
   const std::filesystem::path folder = folderOf(arguments.output);
   const Result<ImportRecipe> recipe = recipeOf(arguments, folder);
   if (!recipe) return recipe.error();
-  Result<ImportedNet> imported = importNet(*recipe, folder);
+  TissueModel tissue = defaultTissue();
+  if (!arguments.rules.empty())
+    if (const Status status = takeRules(arguments.rules, tissue); !status) return status.error();
+  Result<TissueModel> wished = tissueOf(recipe->material, std::move(tissue));
+  if (!wished) return wished.error();
+  Result<ImportedNet> imported = importNet(*recipe, folder, wished->thickness);
   if (!imported) return imported.error();
   for (const std::string& note : imported->notes)
     say(arguments.files.size() > 1 ? note : arguments.files.front() + ": " + note);
   Outcome outcome{{}, std::move(*imported)};
+  outcome.project.tissue = std::move(*wished);
   if (const Status status = finishProject(arguments, outcome); !status) return status.error();
   return outcome;
 }
@@ -107,6 +110,8 @@ JsonLine jsonOf(const ImportArguments& arguments, const Outcome& outcome)
   if (!outcome.imported) return line;
   line.add("before", meshReportJson(outcome.imported->before));
   line.add("after", meshReportJson(outcome.imported->after));
+  if (outcome.imported->recipe.material.concernsNet())
+    line.add("material", materialJson(outcome.imported->material));
   line.add("cost", costJson(predictCost(outcome.project.net)));
   line.add("notes", outcome.imported->notes);
   return line;

@@ -30,6 +30,16 @@ JsonLine meshReportJson(const MeshReport& report)
   return line;
 }
 
+JsonLine materialJson(const MaterialReport& report)
+{
+  JsonLine line;
+  line.add("volume", report.volume);
+  line.add("wall_area", report.wallArea);
+  line.add("modulus_scale", report.scale);
+  line.add("measured_stiffness", report.measured);
+  return line;
+}
+
 void addCost(JsonLine& line, const NetCost& cost)
 {
   line.add("nodes", cost.nodes);

@@ -4,6 +4,7 @@
 
 #include "core/base/json_line.h"
 #include "core/geometry/mesh_report.h"
+#include "core/support/material.h"
 #include "core/support/net_cost.h"
 
 /// What `esm import` and `esm inspect` tell of meshes and of what becomes of them.
@@ -16,5 +17,8 @@ JsonLine meshReportJson(const MeshReport& report);
 /// "nodes", "springs", "shortest_spring" [m], "stable_step" [s]
 void addCost(JsonLine& line, const NetCost& cost);
 JsonLine costJson(const NetCost& cost);
+
+/// {"volume", "wall_area", "modulus_scale", "measured_stiffness"}
+JsonLine materialJson(const MaterialReport& report);
 
 } // namespace esm::cli

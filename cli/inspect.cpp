@@ -4,14 +4,14 @@
 #include "cli/commands.h"
 #include "cli/defects.h"
 #include "cli/import_report.h"
+#include "cli/recipe_arguments.h"
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/geometry/mesh_defects.h"
-#include "core/net/net_builder.h"
+#include "core/geometry/self_intersections.h"
 #include "core/project/project_io.h"
-#include "core/support/net_cost.h"
 #include "core/support/quality.h"
-#include "meshimport/mesh_importer.h"
+#include "meshimport/net_import.h"
 
 #include <filesystem>
 
@@ -21,11 +21,20 @@ namespace {
 
 struct InspectOptions {
   std::string mesh;
-  ImportOptions import;
-  bool defects = false;
+  RecipeArguments choices;
+  bool defects = false, intersections = false;
   bool json = false, quality = false;
-  std::string unit = "mm";
 };
+
+/// Of a self-intersection search that nobody asked to be complete [s].
+constexpr double kIntersectionTime = 1.0;
+
+/// Whether the choices say nothing but how vertices are joined: then the mesh is shown as the file has it.
+bool isPlain(ImportRecipe recipe)
+{
+  recipe.weldTolerance = 0.0;
+  return recipe == ImportRecipe{};
+}
 
 JsonLine jsonOf(const ImportedMesh& imported)
 {
@@ -35,16 +44,15 @@ JsonLine jsonOf(const ImportedMesh& imported)
   return line;
 }
 
-void printReport(const ImportedMesh& imported)
+void printReport(const MeshReport& report, const std::string& format)
 {
-  const MeshReport& report = imported.report;
   const auto row = [](const std::string& what, const std::string& value) {
     print(what + std::string(what.size() < 22 ? 22 - what.size() : 1, ' ') + value);
   };
   const auto point = [](const Eigen::Vector3d& p) {
     return formatDouble(p[0], 6) + " " + formatDouble(p[1], 6) + " " + formatDouble(p[2], 6);
   };
-  row("format", imported.format);
+  row("format", format);
   row("nodes", std::to_string(report.nodes));
   row("springs", std::to_string(report.springs));
   row("triangles", std::to_string(report.triangles));
@@ -89,8 +97,37 @@ JsonLine jsonOf(const QualityReport& report, const NetCost& cost)
   return line;
 }
 
-/// The net of a project as it is; of a mesh the bare net with the default tissue.
-Result<SpringNet> netToJudge(const InspectOptions& options)
+/// The net that `esm import` would make, with its tissue.
+Result<ImportedNet> netOfRecipe(const InspectOptions& options, ImportRecipe recipe)
+{
+  recipe.files = {{options.mesh, 0}};
+  const Result<TissueModel> tissue = tissueOf(recipe.material, defaultTissue());
+  if (!tissue) return tissue.error();
+  Result<ImportedNet> made = importNet(recipe, ".", tissue->thickness);
+  if (!made) return made.error();
+  if (const auto applied = applyTissue(*tissue, made->net); !applied)
+    return Error{applied.error().code, options.mesh + ": " + applied.error().detail};
+  return made;
+}
+
+/// What tissue's bed holds says nothing of the net; bands of the recipe do.
+AnchorSet onlyBands(const AnchorSet& anchors)
+{
+  std::vector<Index> bands;
+  for (Index i = 0; i < anchors.count(); ++i)
+    if (anchors.isBand(i)) bands.push_back(i);
+  if (bands.empty()) return {};
+  AnchorSet left;
+  for (const Index band : bands) left.node.push_back(anchors.node[static_cast<std::size_t>(band)]);
+  left.point = anchors.point(Eigen::all, bands);
+  left.stiffness = anchors.stiffness(bands);
+  left.viscosity = anchors.viscosity(bands);
+  left.bandLength = anchors.bandLength(bands);
+  return left;
+}
+
+/// The net of a project as it is; of a mesh what the choices make of it, or without any the bare net in mm.
+Result<SpringNet> netToJudge(const InspectOptions& options, ImportRecipe recipe)
 {
   const std::string extension = std::filesystem::path(options.mesh).extension().string();
   if (extension == ".esm" || extension == ".esmb" || extension == ".json") {
@@ -98,20 +135,16 @@ Result<SpringNet> netToJudge(const InspectOptions& options)
     if (!project) return project.error();
     return std::move(project->net);
   }
-  Result<ImportedMesh> imported = importMesh(options.mesh, options.import);
-  if (!imported) return imported.error();
-  toScene(imported->mesh, *lengthUnitFromName(options.unit), UpAxis::Z);
-  Result<SpringNet> net = buildNet(imported->mesh);
-  if (!net) return Error{net.error().code, options.mesh + ": " + net.error().detail};
-  if (const auto applied = applyTissue(defaultTissue(), *net); !applied)
-    return Error{applied.error().code, options.mesh + ": " + applied.error().detail};
-  net->anchors = {}; // what the bare net holds, not what the bed around it holds
-  return net;
+  if (isPlain(recipe)) recipe.unit = LengthUnit::Millimetre;
+  Result<ImportedNet> made = netOfRecipe(options, std::move(recipe));
+  if (!made) return made.error();
+  made->net.anchors = onlyBands(made->net.anchors);
+  return std::move(made->net);
 }
 
-Exit inspectQuality(const InspectOptions& options)
+Exit inspectQuality(const InspectOptions& options, const ImportRecipe& recipe)
 {
-  const Result<SpringNet> net = netToJudge(options);
+  const Result<SpringNet> net = netToJudge(options, recipe);
   if (!net) return fail(net.error());
   const Result<QualityReport> report = judgeNet(*net);
   if (!report) return fail({report.error().code, options.mesh + ": " + report.error().detail});
@@ -126,21 +159,67 @@ Exit inspectQuality(const InspectOptions& options)
   return Exit::Done;
 }
 
-Exit inspect(const InspectOptions& options)
+/// What an import with these choices would make.
+Exit inspectRecipe(const InspectOptions& options, const ImportRecipe& recipe)
 {
-  if (options.quality) return inspectQuality(options);
-  const Result<ImportedMesh> imported = importMesh(options.mesh, options.import);
+  const Result<ImportedNet> made = netOfRecipe(options, recipe);
+  if (!made) return fail(made.error());
+  for (const std::string& note : made->notes) say(options.mesh + ": " + note);
+  const NetCost cost = predictCost(made->net);
+  if (options.json) {
+    JsonLine line;
+    line.add("nodes", made->net.nodeCount());
+    line.add("springs", made->net.springCount());
+    line.add("triangles", made->net.triangleCount());
+    line.add("before", meshReportJson(made->before));
+    line.add("after", meshReportJson(made->after));
+    if (recipe.material.concernsNet()) line.add("material", materialJson(made->material));
+    line.add("cost", costJson(cost));
+    line.add("notes", made->notes);
+    print(line.text());
+    return Exit::Done;
+  }
+  print("the mesh after repair, in metres:");
+  printReport(made->after, made->files.front().format);
+  print("the net: " + std::to_string(made->net.nodeCount()) + " nodes, " +
+        std::to_string(made->net.springCount()) + " springs, shortest " + formatDouble(cost.shortest, 4) +
+        " m, largest explicit step " + formatDouble(cost.step, 3) + " s");
+  return Exit::Done;
+}
+
+Exit inspectFile(const InspectOptions& options, const ImportRecipe& recipe)
+{
+  ImportOptions import;
+  import.weld = recipe.weldTolerance >= 0.0;
+  if (import.weld) import.weldTolerance = recipe.weldTolerance;
+  const Result<ImportedMesh> imported = importMesh(options.mesh, import);
   if (!imported) return fail(imported.error());
   for (const std::string& note : imported->notes) say(options.mesh + ": " + note);
+  const Mesh& mesh = imported->mesh;
+  MeshDefects defects;
+  SelfIntersections crossings;
+  if (options.defects) {
+    defects = findDefects(mesh);
+    crossings = findSelfIntersections(mesh, options.intersections ? 0.0 : kIntersectionTime);
+  }
   if (options.json) {
     JsonLine line = jsonOf(*imported);
-    if (options.defects) line.add("defects", jsonOfDefects(findDefects(imported->mesh), imported->mesh));
+    if (options.defects) line.add("defects", jsonOfDefects(defects, crossings, mesh));
     print(line.text());
   } else {
-    printReport(*imported);
-    if (options.defects) printDefects(findDefects(imported->mesh), imported->mesh);
+    printReport(imported->report, imported->format);
+    if (options.defects) printDefects(defects, crossings, mesh);
   }
   return Exit::Done;
+}
+
+Exit inspect(const InspectOptions& options)
+{
+  const Result<ImportRecipe> recipe = options.choices.recipe();
+  if (!recipe) return fail(recipe.error());
+  if (options.quality) return inspectQuality(options, *recipe);
+  if (!options.defects && !isPlain(*recipe)) return inspectRecipe(options, *recipe);
+  return inspectFile(options, *recipe);
 }
 
 } // namespace
@@ -148,20 +227,26 @@ Exit inspect(const InspectOptions& options)
 void addInspect(CLI::App& program, Work& work)
 {
   auto options = std::make_shared<InspectOptions>();
-  CLI::App* command = program.add_subcommand("inspect", "Say what a mesh file holds, in its own unit");
+  CLI::App* command = program.add_subcommand(
+    "inspect",
+    "Say what a mesh file holds, in its own unit; or with the choices of an import what it would make");
   command->add_option("MESH", options->mesh, "OBJ, STL, PLY or another mesh file")->required();
-  addWeldOptions(*command, options->import);
-  command->add_flag("--defects", options->defects,
-                    "also list parts, borders, T-junctions and all that is wrong, each with its place");
+  addRecipeOptions(*command, options->choices);
+  CLI::Option* defects = command->add_flag(
+    "--defects", options->defects,
+    "also list parts, borders, T-junctions and all that is wrong in the file, each with its place");
+  command
+    ->add_flag(
+      "--intersections", options->intersections,
+      "with --defects: look for triangles that run through others for as long as it takes, not for 1 s")
+    ->needs(defects);
   addJsonFlag(*command, options->json);
   command->add_flag(
     "--quality", options->quality,
-    "Say whether the net carries load; of a mesh the bare net with the default tissue. Also for "
-    "projects");
-  command->add_option("--unit", options->unit, "Of the mesh file, for --quality: mm, cm, m or inch")
-    ->check(CLI::IsMember({"mm", "cm", "m", "inch"}))
-    ->capture_default_str();
-  command->footer("Example:\n  esm inspect gallbladder.obj --json\n  esm inspect gallbladder.obj --quality");
+    "Say whether the net carries load that these choices make; without any the bare net, in mm. "
+    "Also for projects");
+  command->footer("Examples:\n  esm inspect gallbladder.obj --json\n"
+                  "  esm inspect gallbladder.obj --quality --unit mm --interior struts --fit-modulus");
   command->callback([options, &work] { work = [options] { return inspect(*options); }; });
 }
 

@@ -207,6 +207,8 @@ void addRecipeOptions(CLI::App& command, RecipeArguments& arguments)
   visitRepairOptions(usual.repair, maker);
   maker.group = "Support";
   visitSupportOptions(usual.support, maker);
+  maker.group = "Material";
+  visitMaterialOptions(usual.material, maker);
 }
 
 } // namespace esm::cli

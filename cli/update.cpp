@@ -80,10 +80,16 @@ Exit updateProject(const UpdateArguments& given)
     if (arguments.json) printJson(arguments, {*project, nodes, 0, 0, {}}, false);
     return Exit::Done;
   }
-  Result<ImportedNet> imported = importNet(*recipe, folder);
+  Project before = *project; // tissue edited since the import stays, unless the command line speaks of it
+  if (recipe->material != project->source.material) {
+    Result<TissueModel> wished = tissueOf(recipe->material, std::move(before.tissue));
+    if (!wished) return fail({wished.error().code, arguments.project + ": " + wished.error().detail});
+    before.tissue = std::move(*wished);
+  }
+  Result<ImportedNet> imported = importNet(*recipe, folder, before.tissue.thickness);
   if (!imported) return fail(imported.error());
   for (const std::string& note : imported->notes) say(arguments.project + ": " + note);
-  Result<Reimported> result = reimport(*project, std::move(imported->net), std::move(imported->recipe));
+  Result<Reimported> result = reimport(before, std::move(imported->net), std::move(imported->recipe));
   if (!result) return fail({result.error().code, arguments.project + ": " + result.error().detail});
   return save(arguments, *result, folder);
 }

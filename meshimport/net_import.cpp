@@ -4,6 +4,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/hash.h"
+#include "core/base/text_number.h"
 #include "core/geometry/weld.h"
 #include "core/net/net_builder.h"
 #include "meshimport/polygon_springs.h"
@@ -81,6 +82,19 @@ Status weldFiles(MeshSource& source, WorkControl* control)
   return {};
 }
 
+/// Masses and stiffness of the net as the recipe's material says.
+Status addMaterial(ImportedNet& made, const MaterialOptions& options, double thickness, WorkControl* control)
+{
+  Result<MaterialReport> report = setMaterial(made.net, options, thickness, control);
+  if (!report) return report.error();
+  made.material = *report;
+  if (options.isFitted())
+    made.notes.push_back("Pulled along its longest axis the net was " + formatDouble(report->measured, 3) +
+                         " times as stiff as the body; its springs are scaled by " +
+                         formatDouble(report->scale, 3) + ".");
+  return {};
+}
+
 /// A report in metres from one in the file's unit and axes: only lengths and places change.
 MeshReport inScene(MeshReport report, const Mesh& sceneMesh, double metres)
 {
@@ -115,7 +129,8 @@ Result<MeshSource> readMeshes(const ImportRecipe& recipe, const std::filesystem:
   return source;
 }
 
-Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe, WorkControl* control)
+Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe, double thickness,
+                            WorkControl* control)
 {
   const auto inFile = [&](Error error) {
     if (error.code != ErrorCode::Cancelled) error.detail = source.files.front().name + ": " + error.detail;
@@ -157,6 +172,9 @@ Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe
     made.support = std::move(*support);
     made.notes.insert(made.notes.end(), made.support.notes.begin(), made.support.notes.end());
   }
+  if (recipe.material.concernsNet())
+    if (const Status status = addMaterial(made, recipe.material, thickness, control); !status)
+      return inFile(status.error());
   for (const ReadFile& file : made.files) {
     std::vector<Index> nodeOf = file.vertexOfFile;
     if (!recipe.repair.doesNothing()) follow(nodeOf, made.repair.vertexOf);
@@ -167,11 +185,11 @@ Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe
 }
 
 Result<ImportedNet> importNet(const ImportRecipe& recipe, const std::filesystem::path& folder,
-                              WorkControl* control)
+                              double thickness, WorkControl* control)
 {
   const Result<MeshSource> source = readMeshes(recipe, folder, control);
   if (!source) return source.error();
-  return makeNet(*source, recipe, control);
+  return makeNet(*source, recipe, thickness, control);
 }
 
 Result<std::vector<std::string>> changedFiles(const ImportRecipe& recipe, const std::filesystem::path& folder)

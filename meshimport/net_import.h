@@ -10,7 +10,7 @@ namespace esm {
 
 /// The way from mesh files to a net, as a recipe says it:
 ///
-///     files -> one mesh -> weld -> metres, z up -> repair -> net -> support
+///     files -> one mesh -> weld -> metres, z up -> repair -> net -> support -> material
 ///
 /// readMeshes() goes as far as the weld, which is what takes long and what changes least; makeNet() goes the
 /// rest of the way, so that a dialog reads once and shows what each choice makes of it.
@@ -39,6 +39,7 @@ struct ImportedNet {
   MeshReport before, after; ///< of the mesh in the scene [m], before and after repair
   RepairReport repair;
   SupportReport support;
+  MaterialReport material; ///< nothing in it unless the recipe's material concerns the net
   std::vector<ReadFile> files;
   std::vector<std::vector<Index>> nodeOfFile; ///< for each file: its vertex -> node, or kNoIndex
   std::vector<std::string> notes;
@@ -50,13 +51,15 @@ Result<MeshSource> readMeshes(const ImportRecipe& recipe, const std::filesystem:
                               WorkControl* control = nullptr);
 
 /// @param recipe tells unit, axes, repair and what follows; its files and weld are those of `source`.
-/// Errors: as repairMesh() and buildNet(), with the name of the first file; Cancelled.
-Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe,
+/// @param thickness of the wall [m], which the fit of the material takes: that of tissueOf(recipe.material).
+/// Errors: as repairMesh(), buildNet(), addSupport() and setMaterial(), with the name of the first file;
+/// Cancelled.
+Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe, double thickness,
                             WorkControl* control = nullptr);
 
 /// Both. The same recipe and files give the same net, bit for bit.
 Result<ImportedNet> importNet(const ImportRecipe& recipe, const std::filesystem::path& folder,
-                              WorkControl* control = nullptr);
+                              double thickness, WorkControl* control = nullptr);
 
 /// The names of the files whose bytes are not those that the recipe knows, and of those without a
 /// fingerprint. Errors: FileUnreadable.

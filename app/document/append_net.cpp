@@ -4,6 +4,7 @@
 
 #include "core/base/assert.h"
 #include "core/net/net_edit.h"
+#include "core/tissue/derivation_places.h"
 
 #include <algorithm>
 
@@ -28,11 +29,36 @@ void putAtEnd(std::vector<T>& to, const std::vector<T>& from)
   std::copy(from.begin(), from.end(), to.end() - static_cast<std::ptrdiff_t>(from.size()));
 }
 
+void appendAnchors(AnchorSet& anchors, const AnchorSet& added, Index offset)
+{
+  if (added.count() == 0) return;
+  prepare(anchors.bandLength, added.bandLength, anchors.count());
+  const Index count = anchors.count() + added.count();
+  for (const Index node : added.node) anchors.node.push_back(node + offset);
+  anchors.point.conservativeResize(Eigen::NoChange, count);
+  anchors.point.rightCols(added.count()) = added.point;
+  for (Eigen::ArrayXd* values : {&anchors.stiffness, &anchors.viscosity, &anchors.bandLength})
+    if (values->size() > 0) values->conservativeResize(count);
+  putAtEnd(anchors.stiffness, added.stiffness);
+  putAtEnd(anchors.viscosity, added.viscosity);
+  putAtEnd(anchors.bandLength, added.bandLength);
+}
+
+/// Springs that another material has made get sections which make them as stiff under this one.
+void takeOver(const NetMaterial& material, SpringNet& added, double thickness)
+{
+  DerivationPlaces places(added);
+  places.setThickness(thickness, added);
+  added.section = places.perModulus * added.restLength / material.modulusScale;
+}
+
 } // namespace
 
-void appendNet(SpringNet& net, const SpringNet& added)
+void appendNet(SpringNet& net, const SpringNet& addedAsItIs, double thickness)
 {
-  ESM_ASSERT(added.anchors.count() == 0 && added.tables.empty());
+  SpringNet added = addedAsItIs;
+  if (added.material != net.material) takeOver(net.material, added, thickness);
+  ESM_ASSERT(added.tables.empty());
   const Index offset = net.nodeCount();
   prepare(net.volume, added.volume, offset);
   prepare(net.section, added.section, net.springCount());
@@ -56,6 +82,7 @@ void appendNet(SpringNet& net, const SpringNet& added)
   putAtEnd(net.kind, added.kind);
   putAtEnd(net.section, added.section);
 
+  appendAnchors(net.anchors, added.anchors, offset);
   const Eigen::Index triangles = net.triangles.cols();
   net.triangles.conservativeResize(Eigen::NoChange, triangles + added.triangles.cols());
   net.triangles.rightCols(added.triangles.cols()) = added.triangles.array() + offset;

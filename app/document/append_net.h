@@ -7,8 +7,10 @@
 namespace esm {
 
 /// Adds a second net beside the first: its nodes, springs and triangles come after the former ones and get
-/// ids above them; nothing of the first moves. The added net must be fresh from buildNet() (no anchors, no
-/// tables).
-void appendNet(SpringNet& net, const SpringNet& added);
+/// ids above them; nothing of the first moves. The added net must be fresh from an import (no tables, no
+/// anchors but bands). Where its material is another one, its springs get sections of their own that make
+/// them as stiff.
+/// @param thickness of the wall [m], TissueModel::thickness.
+void appendNet(SpringNet& net, const SpringNet& added, double thickness);
 
 } // namespace esm

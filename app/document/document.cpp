@@ -345,6 +345,7 @@ Status Document::importModel(IncomingModel model, bool replace)
   part.derived = true;
   part.parametersFromTissue = true;
   part.loads.gravity = m_project.loads.gravity;
+  part.tissue = model.tissue ? std::move(*model.tissue) : m_project.tissue;
   SpringNet net;
   if (replace) {
     part.name = model.name.toStdString();
@@ -355,13 +356,25 @@ Status Document::importModel(IncomingModel model, bool replace)
     part.source = m_project.source;
     part.loads = m_project.loads; // indices of the former nodes stay
     net = m_project.net;
-    appendNet(net, model.net);
+    appendNet(net, model.net, part.tissue.thickness);
   }
-  if (auto applied = applyTissue(m_project.tissue, net); !applied) return applied.error();
+  if (auto applied = applyTissue(part.tissue, net); !applied) return applied.error();
   part.net = std::make_shared<const SpringNet>(std::move(net));
   m_undo.push(new SetModelCommand(*this, std::move(part),
                                   replace ? tr("import %1").arg(model.name) : tr("add %1").arg(model.name)));
   return {};
+}
+
+void Document::replaceNet(Project project, const QString& undoText)
+{
+  ModelPart part;
+  part.name = m_project.name;
+  part.tissue = m_project.tissue;
+  part.source = std::move(project.source);
+  part.net = std::make_shared<const SpringNet>(std::move(project.net));
+  part.loads = std::move(project.loads);
+  part.parametersFromTissue = project.parametersFromTissue;
+  m_undo.push(new SetModelCommand(*this, std::move(part), undoText));
 }
 
 void Document::rename(const QString& name)

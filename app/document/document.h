@@ -34,6 +34,8 @@ struct IncomingModel {
   QString name;
   ImportRecipe source;
   SpringNet net;
+  /// With the numbers of the recipe's material; empty: the document's stays.
+  std::optional<TissueModel> tissue;
 };
 
 /// The open project, its undo stack and its file. Everything that edits is a command (see *_commands.h);
@@ -93,8 +95,11 @@ public:
   void setParametersFromTissue(bool on);
 
   // === Model
-  /// On success one undo step. Errors: those of applyTissue(); nothing has changed then.
+  /// On success one undo step, the tissue that comes along included. Errors: those of applyTissue(); nothing
+  /// has changed then.
   Status importModel(IncomingModel model, bool replace);
+  /// Net, loads and recipe of a project that was imported again, in one undo step.
+  void replaceNet(Project project, const QString& undoText);
   void rename(const QString& name);
   void setFixed(const std::vector<Index>& nodes, bool fixed);
   void setGravity(const Eigen::Vector3d& gravity, int gesture = 0);

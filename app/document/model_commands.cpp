@@ -10,18 +10,27 @@ SetModelCommand::SetModelCommand(Document& document, ModelPart model, const QStr
   : DocumentCommand(document, text), m_new(std::move(model))
 {
   const Project& now = document.project();
-  m_old = {now.name, now.source, document.net(), now.loads, now.parametersFromTissue, netIsDerived()};
+  m_bringsTissue =
+    m_new.tissue.inputs != now.tissue.inputs || settingsOf(m_new.tissue) != settingsOf(now.tissue);
+  m_old = {now.name,      now.tissue, now.source, document.net(), now.loads, now.parametersFromTissue,
+           netIsDerived()};
 }
 
 void SetModelCommand::put(const ModelPart& part)
 {
   Project& target = project();
   target.name = part.name;
+  target.tissue = part.tissue;
   target.source = part.source;
   target.net = *part.net;
   target.loads = part.loads;
   target.parametersFromTissue = part.parametersFromTissue;
   netReplaced(part.derived);
+  if (m_bringsTissue) {
+    keepTargetInRange();
+    emit document().inputsChanged();
+    emit document().tissueSettingsChanged();
+  }
   emit document().netChanged();
   emit document().modelReplaced();
   emit document().titleChanged();

@@ -9,6 +9,7 @@ namespace esm {
 /// Everything of a project that comes with a mesh.
 struct ModelPart {
   std::string name;
+  TissueModel tissue;
   ImportRecipe source;
   std::shared_ptr<const SpringNet> net;
   Loads loads;
@@ -26,6 +27,7 @@ public:
 private:
   void put(const ModelPart& part);
   ModelPart m_old, m_new;
+  bool m_bringsTissue; ///< inputs or settings are others with the new model
 };
 
 class RenameCommand : public DocumentCommand {

@@ -95,6 +95,8 @@ QString DefectList::textOf(DefectKind kind) const
     return tr("Triangles turned inside out: %1");
   case DefectKind::UnorientableEdge:
     return tr("Edges over which sides cannot agree: %1");
+  case DefectKind::SelfIntersection:
+    return tr("Triangles that run through others: %1");
   case DefectKind::IsolatedVertex:
     return tr("Vertices that nothing uses: %1");
   case DefectKind::LoosePart:

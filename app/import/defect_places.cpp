@@ -33,7 +33,8 @@ std::vector<MeshPart> looseParts(const std::vector<MeshPart>& parts)
 
 } // namespace
 
-std::vector<DefectGroup> defectPlaces(const Mesh& mesh, const MeshDefects& defects)
+std::vector<DefectGroup> defectPlaces(const Mesh& mesh, const MeshDefects& defects,
+                                      const SelfIntersections& crossings)
 {
   std::vector<DefectGroup> groups;
   using Defect = DefectGroup::Defect;
@@ -60,6 +61,8 @@ std::vector<DefectGroup> defectPlaces(const Mesh& mesh, const MeshDefects& defec
   addGroup(groups, DefectKind::DuplicateFace, defects.duplicateFaces, face);
   addGroup(groups, DefectKind::TurnedFace, defects.turnedFaces, face);
   addGroup(groups, DefectKind::UnorientableEdge, edges(defects.unorientableEdges), edge);
+  addGroup(groups, DefectKind::SelfIntersection, crossings.pairs,
+           [&](const SelfIntersection& crossing) { return Defect{crossing.place}; });
   addGroup(groups, DefectKind::IsolatedVertex, defects.isolatedVertices, vertex);
   addGroup(groups, DefectKind::LoosePart, looseParts(defects.parts), [&](const MeshPart& part) {
     return Defect{mesh.position.col(part.firstVertex), part.triangles + part.segments + part.tetrahedra};

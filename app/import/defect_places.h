@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/geometry/mesh_defects.h"
+#include "core/geometry/self_intersections.h"
 
 #include <array>
 #include <vector>
@@ -18,10 +19,11 @@ enum class DefectKind {
   DuplicateFace,
   TurnedFace,
   UnorientableEdge,
+  SelfIntersection,
   IsolatedVertex,
   LoosePart
 };
-inline constexpr int kDefectKinds = 10;
+inline constexpr int kDefectKinds = 11;
 
 /// All defects of one kind, each with the points at which it is to be looked at.
 struct DefectGroup {
@@ -37,7 +39,9 @@ struct DefectGroup {
 inline constexpr std::size_t kMostDefects = 500;
 
 /// The kinds that occur, in the order of DefectKind. Of several parts all but the largest are loose.
-/// @param mesh in the scene [m]. @param defects of that mesh, or of it before it was scaled and turned
-std::vector<DefectGroup> defectPlaces(const Mesh& mesh, const MeshDefects& defects);
+/// @param mesh in the scene [m]. @param defects of that mesh, or of it before it was scaled and turned.
+/// @param crossings of that mesh
+std::vector<DefectGroup> defectPlaces(const Mesh& mesh, const MeshDefects& defects,
+                                      const SelfIntersections& crossings);
 
 } // namespace esm

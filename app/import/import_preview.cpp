@@ -11,6 +11,7 @@ namespace {
 
 // Project, its shared copy, the simulation with its frames, and the picture, all together.
 constexpr std::uint64_t kBytesPerNode = 600, kBytesPerSpring = 400, kBytesPerTriangle = 60;
+constexpr double kIntersectionTime = 0.5;  ///< of the search for them in a preview [s]
 constexpr double kSecondsPerSpring = 5e-9; ///< of an explicit step, on one core
 
 NetPrediction predictMemory(const SpringNet& net)
@@ -27,7 +28,9 @@ NetPrediction predictMemory(const SpringNet& net)
 Result<ImportPreview> makePreview(const MeshSource& source, const ImportRecipe& recipe,
                                   const TissueModel& tissue, WorkControl* control)
 {
-  Result<ImportedNet> made = makeNet(source, recipe, control);
+  Result<TissueModel> wished = tissueOf(recipe.material, tissue);
+  if (!wished) return wished.error();
+  Result<ImportedNet> made = makeNet(source, recipe, wished->thickness, control);
   if (!made) return made.error();
   if (stopWanted(control)) return cancelledError();
   ImportPreview preview;
@@ -35,10 +38,13 @@ Result<ImportPreview> makePreview(const MeshSource& source, const ImportRecipe& 
   toScene(mesh, recipe.unit, recipe.up, recipe.patientAxes);
   const MeshDefects defects = findDefects(mesh, recipe.repair.tJunctionTolerance, control);
   if (stopWanted(control)) return cancelledError();
-  preview.defects = defectPlaces(mesh, defects);
+  const SelfIntersections crossings =
+    findSelfIntersections(mesh, kIntersectionTime, kMostDefects + 1, control);
+  if (stopWanted(control)) return cancelledError();
+  preview.defects = defectPlaces(mesh, defects, crossings);
   preview.prediction = predictMemory(made->net);
   // Tissue cannot be applied in the middle of an edit of its rules; then nothing is said of its numbers.
-  if (SpringNet net = made->net; applyTissue(tissue, net)) {
+  if (SpringNet net = made->net; applyTissue(*wished, net)) {
     if (Result<QualityReport> quality = judgeNet(net, control)) preview.quality = std::move(quality).value();
     if (stopWanted(control)) return cancelledError();
     const NetCost cost = predictCost(net);
@@ -46,6 +52,7 @@ Result<ImportPreview> makePreview(const MeshSource& source, const ImportRecipe& 
     if (cost.work > 0.0) preview.prediction.realTime = 1.0 / (kSecondsPerSpring * cost.work);
   }
   preview.made = std::move(made).value();
+  preview.tissue = std::move(wished).value();
   return preview;
 }
 

@@ -22,15 +22,15 @@ struct NetPrediction {
 /// A net as an import would make it now, with what is to be shown of it before it is taken.
 struct ImportPreview {
   ImportedNet made;
+  TissueModel tissue; ///< that was asked for, with the numbers of the recipe's material
   NetPrediction prediction;
   std::vector<DefectGroup> defects; ///< of the files, before any repair
   QualityReport quality; ///< of the net with its tissue; without findings if that cannot be applied
 };
 
 /// makeNet() and what follows from it, for a thread of its own.
-/// @param tissue gives the springs the stiffness that the step is predicted from; the net in the preview
-/// keeps
-///        the numbers of makeNet().
+/// @param tissue with the recipe's material gives the springs the stiffness that the step is predicted from;
+/// the net in the preview keeps the numbers of makeNet(). Errors: those of tissueOf() and makeNet().
 Result<ImportPreview> makePreview(const MeshSource& source, const ImportRecipe& recipe,
                                   const TissueModel& tissue, WorkControl* control);
 

@@ -52,6 +52,7 @@ RecipeForm::RecipeForm(QWidget* parent) : QWidget(parent)
   addRepairGroup();
   addNetGroup();
   addSupportGroup();
+  addMaterialGroup();
   layout->addStretch();
   retranslate();
   setRecipe({});
@@ -109,6 +110,17 @@ QSpinBox* RecipeForm::addCount(QFormLayout* form, const char* name, const char* 
   return box;
 }
 
+QDoubleSpinBox* RecipeForm::addNumber(QFormLayout* form, const char* name, const char* text, double least,
+                                      double most, int decimals)
+{
+  auto* box = add(form, new QDoubleSpinBox(this), name, text);
+  box->setDecimals(decimals);
+  box->setRange(least, most);
+  box->setKeyboardTracking(false);
+  connect(box, &QDoubleSpinBox::valueChanged, this, &RecipeForm::told);
+  return box;
+}
+
 void RecipeForm::addFileGroup()
 {
   QFormLayout* form = addGroup(QT_TR_NOOP("File"), "importFileGroup");
@@ -137,11 +149,7 @@ void RecipeForm::addRepairGroup()
   m_useless = addCheck(form, "importUseless", QT_TR_NOOP("Take away degenerate and duplicate triangles"));
   m_orientation = addCheck(form, "importOrientation", QT_TR_NOOP("Turn all triangles to the same side"));
   m_junctions = addCheck(form, "importJunctions", QT_TR_NOOP("Tie vertices to edges that they lie on"));
-  m_smallParts = add(form, new QDoubleSpinBox(this), "importSmallParts", QT_TR_NOOP("Drop parts below"));
-  m_smallParts->setRange(0.0, 99.0);
-  m_smallParts->setDecimals(1);
-  m_smallParts->setKeyboardTracking(false);
-  connect(m_smallParts, &QDoubleSpinBox::valueChanged, this, &RecipeForm::told);
+  m_smallParts = addNumber(form, "importSmallParts", QT_TR_NOOP("Drop parts below"), 0.0, 99.0, 1);
   m_holes = addCount(form, "importHoles", QT_TR_NOOP("Fill holes up to"), 100'000, QT_TR_NOOP("no hole"));
 }
 
@@ -168,11 +176,18 @@ void RecipeForm::addSupportGroup()
   connect(m_struts, &QSpinBox::valueChanged, this, &RecipeForm::told);
   m_anchors = addCombo(form, "importAnchors", QT_TR_NOOP("Bands to the cavity"),
                        {QT_TR_NOOP("none"), QT_TR_NOOP("from every node")});
-  m_band = add(form, new QDoubleSpinBox(this), "importBand", QT_TR_NOOP("Length of the bands"));
-  m_band->setRange(0.1, 1000.0);
-  m_band->setDecimals(1);
-  m_band->setKeyboardTracking(false);
-  connect(m_band, &QDoubleSpinBox::valueChanged, this, &RecipeForm::told);
+  m_band = addNumber(form, "importBand", QT_TR_NOOP("Length of the bands"), 0.1, 1000.0, 1);
+}
+
+void RecipeForm::addMaterialGroup()
+{
+  QFormLayout* form = addGroup(QT_TR_NOOP("Material"), "importMaterialGroup");
+  m_body =
+    addCombo(form, "importBody", QT_TR_NOOP("Body"), {QT_TR_NOOP("wall of tissue"), QT_TR_NOOP("solid")});
+  m_thickness = addNumber(form, "importThickness", QT_TR_NOOP("Wall thickness"), 0.0, 100.0, 2);
+  m_density = addNumber(form, "importDensity", QT_TR_NOOP("Density"), 0.0, 10'000.0, 0);
+  m_modulus = addNumber(form, "importModulus", QT_TR_NOOP("Young's modulus"), 0.0, 100'000.0, 2);
+  m_fit = addCheck(form, "importFit", QT_TR_NOOP("Fit the springs to Young's modulus"));
 }
 
 // === Values
@@ -195,6 +210,11 @@ ImportRecipe RecipeForm::recipe() const
   recipe.support.strutsPerNode = m_struts->value();
   recipe.support.anchors = static_cast<SupportOptions::Anchors>(m_anchors->currentIndex());
   recipe.support.anchorLength = m_band->value() / 1000.0;
+  recipe.material.body = static_cast<MaterialOptions::Body>(m_body->currentIndex());
+  recipe.material.thickness = m_thickness->value() / 1000.0;
+  recipe.material.density = m_density->value();
+  recipe.material.youngsModulus = m_modulus->value() * 1000.0;
+  recipe.material.fitModulus = m_fit->isChecked();
   return recipe;
 }
 
@@ -217,6 +237,11 @@ void RecipeForm::setRecipe(const ImportRecipe& recipe)
   m_struts->setValue(recipe.support.strutsPerNode);
   m_anchors->setCurrentIndex(recipe.support.anchors == SupportOptions::Anchors::None ? 0 : 1);
   m_band->setValue(recipe.support.anchorLength * 1000.0);
+  m_body->setCurrentIndex(static_cast<int>(recipe.material.body));
+  m_thickness->setValue(recipe.material.thickness * 1000.0);
+  m_density->setValue(recipe.material.density);
+  m_modulus->setValue(recipe.material.youngsModulus / 1000.0);
+  m_fit->setChecked(recipe.material.fitModulus);
   m_silent = false;
   refreshEnabled();
 }
@@ -232,6 +257,7 @@ void RecipeForm::refreshEnabled()
   m_tolerance->setEnabled(m_weld->isChecked());
   m_struts->setEnabled(m_interior->currentIndex() == static_cast<int>(SupportOptions::Interior::Struts));
   m_band->setEnabled(m_anchors->currentIndex() > 0);
+  m_fit->setEnabled(!(m_modulus->value() > 0.0)); // a given modulus brings the fit with it
 }
 
 // === Texts
@@ -264,6 +290,16 @@ void RecipeForm::retranslate()
   m_holes->setSuffix(tr(" edges"));
   m_triangles->setSuffix(tr(" triangles"));
   m_band->setSuffix(QStringLiteral(" mm"));
+  m_thickness->setSuffix(QStringLiteral(" mm"));
+  m_density->setSuffix(QStringLiteral(" kg/m³"));
+  m_modulus->setSuffix(QStringLiteral(" kPa"));
+  for (QDoubleSpinBox* box : {m_thickness, m_density, m_modulus})
+    box->setSpecialValueText(tr("as the tissue says"));
+  m_modulus->setToolTip(
+    tr("Sets the inputs of the rules, and scales all springs until the net is as stiff as the body"));
+  m_density->setToolTip(tr("Sets the inputs of the rules"));
+  m_fit->setToolTip(
+    tr("A virtual tension test: pulled along its longest axis the net becomes as stiff as the body"));
   m_triangles->setToolTip(tr("Springs of nearly equal length allow a larger time step"));
   m_interior->setToolTip(
     tr("A surface alone gives way like a bag; what is inside carries the load. It can be taken away again."));

@@ -14,8 +14,8 @@ class QSpinBox;
 
 namespace esm {
 
-/// The choices of an import, group by group: file, repair, net, support. Edits a recipe; whatever the form
-/// does not show stays as it was given.
+/// The choices of an import, group by group: file, repair, net, support, material. Edits a recipe; whatever
+/// the form does not show stays as it was given.
 class RecipeForm : public QWidget {
   Q_OBJECT
 public:
@@ -47,6 +47,9 @@ private:
   void addRepairGroup();
   void addNetGroup();
   void addSupportGroup();
+  void addMaterialGroup();
+  QDoubleSpinBox* addNumber(QFormLayout* form, const char* name, const char* text, double least, double most,
+                            int decimals);
   void retranslate();
   void refreshEnabled();
   void told();
@@ -58,9 +61,11 @@ private:
   std::vector<std::pair<QSpinBox*, const char*>> m_counts; ///< with the text for none
 
   QComboBox *m_unit = nullptr, *m_axes = nullptr, *m_polygons = nullptr, *m_interior = nullptr,
-            *m_anchors = nullptr;
-  QCheckBox *m_weld = nullptr, *m_useless = nullptr, *m_orientation = nullptr, *m_junctions = nullptr;
-  QDoubleSpinBox *m_tolerance = nullptr, *m_smallParts = nullptr, *m_band = nullptr;
+            *m_anchors = nullptr, *m_body = nullptr;
+  QCheckBox *m_weld = nullptr, *m_useless = nullptr, *m_orientation = nullptr, *m_junctions = nullptr,
+            *m_fit = nullptr;
+  QDoubleSpinBox *m_tolerance = nullptr, *m_smallParts = nullptr, *m_band = nullptr, *m_thickness = nullptr,
+                 *m_density = nullptr, *m_modulus = nullptr;
   QSpinBox *m_holes = nullptr, *m_triangles = nullptr, *m_struts = nullptr;
 };
 

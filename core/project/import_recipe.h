@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/geometry/repair/repair.h"
 #include "core/geometry/scene_frame.h"
+#include "core/support/material.h"
 #include "core/support/support.h"
 
 #include <cstdint>
@@ -41,6 +42,7 @@ struct ImportRecipe {
   PolygonSprings polygons = PolygonSprings::Triangulated;
   RepairOptions repair; ///< in the scene's unit [m]
   SupportOptions support;
+  MaterialOptions material;
   bool operator==(const ImportRecipe&) const = default;
 };
 

@@ -56,12 +56,30 @@ void visitSupportOptions(Options& options, Visitor&& visit)
   visit.number("anchor_length", options.anchorLength, "m", "length of the bands to the cavity");
 }
 
+inline constexpr const char* kBodyNames[] = {"wall", "solid"};
+inline constexpr const char* kEdgeFormulaNames[] = {"van_gelder", "regular"};
+
+template <class Options, class Visitor>
+void visitMaterialOptions(Options& options, Visitor&& visit)
+{
+  visit.choice("body", options.body, kBodyNames,
+               "wall: mass = density thickness area; solid: density volume of the closed surface");
+  visit.number("thickness", options.thickness, "m", "of the wall (0: as the tissue says)");
+  visit.number("density", options.density, "kg/m^3", "sets the rules' inputs (0: as the tissue says)");
+  visit.number("youngs_modulus", options.youngsModulus, "Pa",
+               "sets the rules' inputs and fits the springs to it (0: as the tissue says)");
+  visit.flag("fit_modulus", options.fitModulus,
+             "scale the springs until the net is as stiff as the body by the tissue's Young's modulus");
+  visit.choice("edges", options.edges, kEdgeFormulaNames, "how triangles make springs stiff");
+}
+
 /// All of a recipe's groups. No key stands in two of them.
 template <class Recipe, class Visitor>
 void visitRecipeOptions(Recipe& recipe, Visitor&& visit)
 {
   visitRepairOptions(recipe.repair, visit);
   visitSupportOptions(recipe.support, visit);
+  visitMaterialOptions(recipe.material, visit);
 }
 
 } // namespace esm

@@ -107,6 +107,7 @@ void readGroup(const View& source, const char* key, Options& options, const Visi
 
 constexpr auto kVisitRepair = [](auto& options, auto&& visitor) { visitRepairOptions(options, visitor); };
 constexpr auto kVisitSupport = [](auto& options, auto&& visitor) { visitSupportOptions(options, visitor); };
+constexpr auto kVisitMaterial = [](auto& options, auto&& visitor) { visitMaterialOptions(options, visitor); };
 
 // JSON numbers are doubles to many readers, so 64 bits go as text.
 std::string hexOf(std::uint64_t value)
@@ -160,6 +161,7 @@ Json sourceOf(const ImportRecipe& recipe)
     source["polygons"] = wordOf(recipe.polygons, kPolygons);
   addGroup(source, "repair", recipe.repair, kVisitRepair);
   addGroup(source, "support", recipe.support, kVisitSupport);
+  addGroup(source, "material", recipe.material, kVisitMaterial);
   return source;
 }
 
@@ -167,10 +169,11 @@ ImportRecipe readSource(const View& object, bool alone)
 {
   if (alone)
     object.expectKeys({"format"}, {"file", "fingerprint", "more_files", "unit", "up", "patient_axes",
-                                   "weld_tolerance", "polygons", "repair", "support"});
+                                   "weld_tolerance", "polygons", "repair", "support", "material"});
   else
-    object.expectKeys({"file", "unit", "up", "weld_tolerance"},
-                      {"fingerprint", "more_files", "patient_axes", "polygons", "repair", "support"});
+    object.expectKeys(
+      {"file", "unit", "up", "weld_tolerance"},
+      {"fingerprint", "more_files", "patient_axes", "polygons", "repair", "support", "material"});
   ImportRecipe recipe;
   if (object.has("file"))
     if (SourceFile first = readFile(object); !first.name.empty()) recipe.files.push_back(std::move(first));
@@ -189,6 +192,7 @@ ImportRecipe readSource(const View& object, bool alone)
   if (object.has("polygons")) recipe.polygons = PolygonSprings(object["polygons"].choice(kPolygons));
   readGroup(object, "repair", recipe.repair, kVisitRepair);
   readGroup(object, "support", recipe.support, kVisitSupport);
+  readGroup(object, "material", recipe.material, kVisitMaterial);
   return recipe;
 }
 

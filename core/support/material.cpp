@@ -71,7 +71,7 @@ Result<MaterialReport> setMaterial(SpringNet& net, const MaterialOptions& option
   } else {
     makeWall(made, thickness, report);
   }
-  if (options.fitModulus) {
+  if (options.isFitted()) {
     const bool isSolid = options.body == MaterialOptions::Body::Solid || isSolidNet(made);
     const Result<TensionTest> test = testTension(made, thickness, isSolid, control);
     if (!test) return test.error();

@@ -5,13 +5,16 @@
 #include "core/base/result.h"
 #include "core/base/work_control.h"
 #include "core/net/spring_net.h"
+#include "core/tissue/tissue_model.h"
 
 #include <cstdint>
 
 namespace esm {
 
-/// How a net's geometry makes masses and springs of tissue. The tissue itself (Young's modulus, density)
-/// comes from the rules and multiplies what is prepared here, see applyTissue(). The defaults change nothing.
+/// How a net's geometry makes masses and springs of tissue, and what is known of the tissue in numbers. The
+/// tissue itself (Young's modulus, density) comes from the rules and multiplies what is prepared here, see
+/// applyTissue(); numbers that are given here set the rules' inputs, see tissueOf(). The defaults change
+/// nothing.
 struct MaterialOptions {
   /// What the tissue fills:
   ///
@@ -22,7 +25,16 @@ struct MaterialOptions {
   /// Measures the net in a virtual tension test and scales all springs, so that Young's modulus means Young's
   /// modulus: pulled along its longest axis the net is as stiff as a body of its sections.
   bool fitModulus = false;
+  double youngsModulus = 0.0; ///< of the base tissue [Pa], brings the fit with it; 0: as the tissue has it
+  double density = 0.0;       ///< of the base tissue [kg/m^3]; 0: as the tissue has it
+  double thickness = 0.0;     ///< of the wall [m]; 0: as the tissue has it
   bool operator==(const MaterialOptions&) const = default;
+  bool isFitted() const noexcept { return fitModulus || youngsModulus > 0.0; }
+  /// Whether setMaterial() does anything to a fresh net.
+  bool concernsNet() const noexcept
+  {
+    return body != Body::Wall || edges != EdgeFormula::VanGelder || isFitted();
+  }
 };
 
 struct MaterialReport {
@@ -48,5 +60,11 @@ struct MaterialReport {
 /// `net` is then as before.
 Result<MaterialReport> setMaterial(SpringNet& net, const MaterialOptions& options, double thickness,
                                    WorkControl* control = nullptr);
+
+/// The tissue with the thickness, density and Young's modulus that the options give. What the rules speak of
+/// is set by one input of the base tissue, within 1 %: of those that can do it, the one that changes the
+/// other parameters least (hardness for the modulus, heaviness for the density, by the default rules).
+/// Errors: InvalidValue for a number that is not >= 0 or that no input reaches, and those of TissueField.
+Result<TissueModel> tissueOf(const MaterialOptions& options, TissueModel tissue);
 
 } // namespace esm

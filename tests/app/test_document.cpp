@@ -59,7 +59,7 @@ struct DocumentTest : testing::Test {
     document.setFixed({0, 3}, true);
     document.rename("other");
     document.setSolver("rk4");
-    IncomingModel model{"second", {}, buildNet(test::sheetMesh(4)).value()};
+    IncomingModel model{"second", {}, buildNet(test::sheetMesh(4)).value(), {}};
     ASSERT_TRUE(document.importModel(model, false));
     ASSERT_TRUE(document.importModel(model, true));
     document.setParametersFromTissue(false);
@@ -257,7 +257,7 @@ TEST_F(DocumentTest, AnotherModelIsAnnounced)
   QSignalSpy replaced(&document, &Document::modelReplaced);
   document.setFixed({1}, true);
   EXPECT_EQ(replaced.count(), 0);
-  ASSERT_TRUE(document.importModel({"second", {}, buildNet(test::sheetMesh(4)).value()}, true));
+  ASSERT_TRUE(document.importModel({"second", {}, buildNet(test::sheetMesh(4)).value(), {}}, true));
   document.undoStack()->undo();
   EXPECT_EQ(replaced.count(), 2);
 }
@@ -346,7 +346,7 @@ TEST(AppendNet, KeepsTheFirstAndRenumbersTheSecond)
   SpringNet net = test::sheetProject(4).net;
   net.springId.back() = SpringId{500};
   const SpringNet first = net, second = buildNet(test::sheetMesh(3)).value();
-  appendNet(net, second);
+  appendNet(net, second, 0.002);
   EXPECT_TRUE(checkNet(net));
   EXPECT_EQ(net.nodeCount(), first.nodeCount() + second.nodeCount());
   EXPECT_EQ(net.springCount(), first.springCount() + second.springCount());

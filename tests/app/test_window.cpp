@@ -253,6 +253,76 @@ TEST_F(WindowTest, ImportDialogListsDefectsAndRemembersChoices)
   ASSERT_TRUE(ready(again));
 }
 
+// Numbers of the material come as inputs of the tissue, together with the net, in one step of undo.
+TEST_F(WindowTest, ImportDialogBringsTheMaterial)
+{
+  const QString path = folder.filePath("bar.material");
+  ASSERT_TRUE(writeFileAtomically(
+    path.toStdString(), "v 0 0 0\nv 9 0 0\nv 0 30 0\nv 0 0 9\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"));
+  Document* document = window->document();
+  const TissueModel before = document->project().tissue;
+  JobRunner jobs;
+  ImportDialog dialog({path}, &jobs, true, before);
+  const auto ready = [&] {
+    return QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); });
+  };
+  ASSERT_TRUE(ready());
+  dialog.findChild<QComboBox*>("importBody")->setCurrentIndex(1);
+  dialog.findChild<QDoubleSpinBox*>("importThickness")->setValue(1.5);
+  dialog.findChild<QDoubleSpinBox*>("importModulus")->setValue(40.0);
+  EXPECT_FALSE(dialog.findChild<QCheckBox*>("importFit")->isEnabled()); // the modulus brings it
+  ASSERT_TRUE(ready());
+  dialog.accept();
+  const IncomingModel model = dialog.takeModel();
+  EXPECT_EQ(model.source.material.youngsModulus, 40e3);
+  ASSERT_TRUE(document->importModel(model, true));
+  EXPECT_EQ(document->project().tissue.thickness, 0.0015);
+  EXPECT_NEAR(document->tissueField()->base().youngsModulus / 40e3, 1.0, 0.01);
+  EXPECT_NE(document->project().net.material.modulusScale, 1.0);
+  document->undoStack()->undo();
+  EXPECT_EQ(document->project().tissue.thickness, before.thickness);
+  EXPECT_EQ(document->project().tissue.inputs, before.inputs);
+}
+
+// A mesh file that changes on disk shows a bar; Update takes it in one step of undo, and the bar goes.
+TEST_F(WindowTest, AChangedFileIsOfferedAndTakenInOneStep)
+{
+  const QString path = folder.filePath("wall.watched");
+  const auto write = [&](const char* last) {
+    ASSERT_TRUE(writeFileAtomically(path.toStdString(), std::string("v 0 0 0\nv 1 0 0\nv 0 1 0\n") + last +
+                                                          "f 1 2 3\nf 2 4 3\n"));
+  };
+  write("v 1 1 0\n");
+  Document* document = window->document();
+  {
+    JobRunner jobs;
+    ImportDialog dialog({path}, &jobs, true, document->project().tissue);
+    ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
+    dialog.accept();
+    ASSERT_TRUE(document->importModel(dialog.takeModel(), true));
+  }
+  document->setFixed({1}, true);
+  const int steps = document->undoStack()->count();
+  auto* bar = window->findChild<QFrame*>("changedFilesBar");
+  QTest::qWait(700); // longer than a change takes to settle
+  EXPECT_TRUE(bar->isHidden());
+  write("v 1 1 0.5\n");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bar->isHidden(); }));
+  EXPECT_TRUE(window->findChild<QLabel*>("changedFilesText")->text().contains("wall.watched"));
+  window->findChild<QAbstractButton*>("changedFilesIgnore")->click();
+  EXPECT_TRUE(bar->isHidden());
+  EXPECT_EQ(document->undoStack()->count(), steps);
+  write("v 1 1 0.25\n"); // once more: it asks again
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !bar->isHidden(); }));
+  window->findChild<QAbstractButton*>("changedFilesUpdate")->click();
+  ASSERT_TRUE(QTest::qWaitFor([&] { return document->undoStack()->count() == steps + 1; }));
+  EXPECT_EQ(document->project().net.restPosition(2, 3), 0.25);
+  EXPECT_EQ(document->project().net.fixed[1], 1); // what was carried over
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bar->isHidden(); }));
+  document->undoStack()->undo();
+  EXPECT_EQ(document->project().net.restPosition(2, 3), 0.0);
+}
+
 TEST_F(WindowTest, ImportDialogSaysWhyItCannot)
 {
   const QString path = folder.filePath("empty.stl");

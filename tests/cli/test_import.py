@@ -46,6 +46,48 @@ class Recipes(ProgramTest):
         made = self.json_of("import", "strut.obj", "-o", "c.esm", "--polygons", "edges")
         self.assertEqual(made["springs"], 14)
 
+    def test_polygons_of_foreign_formats_as_edges_only(self):
+        # COLLADA keeps polygons, and goes through the worker.
+        lines = CUBE.splitlines()
+        places = " ".join(" ".join(line.split()[1:]) for line in lines if line.startswith("v"))
+        corners = " ".join(str(int(c) - 1) for line in lines if line.startswith("f") for c in line.split()[1:])
+        self.write("cube.dae", f"""<?xml version="1.0"?>
+<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1"><asset><up_axis>Z_UP</up_axis></asset>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="24">{places}</float_array><technique_common>
+<accessor source="#a" count="8" stride="3"><param name="X" type="float"/><param name="Y" type="float"/><param name="Z" type="float"/></accessor>
+</technique_common></source><vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
+<polylist count="6"><input semantic="VERTEX" source="#v" offset="0"/><vcount>4 4 4 4 4 4</vcount><p>{corners}</p></polylist>
+</mesh></geometry></library_geometries>
+<library_visual_scenes><visual_scene id="s"><node><instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
+<scene><instance_visual_scene url="#s"/></scene></COLLADA>
+""")
+        self.assertEqual(self.json_of("import", "cube.dae", "-o", "a.esm")["springs"], 18)
+        made = self.json_of("import", "cube.dae", "-o", "b.esm", "--polygons", "edges")
+        self.assertEqual((made["nodes"], made["springs"], made["triangles"]), (8, 12, 12))
+
+    def test_inspect_shows_what_an_import_would_make(self):
+        choices = ["cube.obj", "--unit", "cm", "--edge-length", "0.002", "--interior", "struts", "--body", "solid",
+                   "--youngs-modulus", "20e3"]
+        made = self.json_of("import", *choices, "-o", "a.esm")
+        seen = self.json_of("inspect", *choices)
+        for key in ("nodes", "springs", "triangles", "before", "after", "material", "cost", "notes"):
+            self.assertEqual(seen[key], made[key], key)
+        judged = self.json_of("inspect", *choices, "--quality")
+        self.assertEqual(judged["springs"], made["springs"])
+        self.assertEqual(self.json_of("inspect", "cube.obj", "--quality")["springs"], 18)
+        self.assertIn("shortest", self.run_program("inspect", *choices).stdout)
+        # Without choices it speaks of the file, in its own unit.
+        self.assertEqual(self.json_of("inspect", "cube.obj")["bbox_max"], [1, 1, 1])
+
+    def test_triangles_through_others_are_listed(self):
+        self.write("cross.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv .5 .5 -1\nv .5 .5 1\nv 3 3 .2\nf 1 2 3\nf 4 5 6\n")
+        for more in ([], ["--intersections"]):
+            defects = self.json_of("inspect", "cross.obj", "--defects", *more)["defects"]
+            self.assertEqual([pair["triangles"] for pair in defects["self_intersections"]], [[0, 1]])
+            self.assertTrue(defects["self_intersections_complete"])
+        self.assertIn("run through others: 1", self.run_program("inspect", "cross.obj", "--defects").stdout)
+
     def test_patient_axes_turn_and_do_not_mirror(self):
         self.run_program("import", "tet.obj", "-o", "ras.esm", "--patient-axes", "ras", "--unit", "mm")
         self.run_program("import", "tet.obj", "-o", "lps.esm", "--patient-axes", "lps", "--unit", "mm")
@@ -67,6 +109,29 @@ class Recipes(ProgramTest):
         self.assertGreater(held["springs"], plain["springs"])
         self.assertGreater(plain["stable_step"], 0)
         self.assertGreater(plain["shortest_spring"], 0)
+
+    def test_material_in_numbers(self):
+        block = ["import", "cube.obj", "--unit", "cm", "--edge-length", "0.002", "--interior", "struts"]
+        self.run_program(*block, "-o", "plain.esm")
+        made = self.json_of(*block, "-o", "block.esm", "--body", "solid", "--density", "1020",
+                            "--youngs-modulus", "20e3")
+        self.assertNotEqual(made["material"]["modulus_scale"], 1)
+        project = self.read_json("block.esm")
+        self.assertEqual(project["source"]["material"], {"body": "solid", "density": 1020, "youngs_modulus": 20000})
+        self.assertEqual(project["net"]["material"]["modulus_scale"], made["material"]["modulus_scale"])
+        # A cube of 1 cm: the rules' inputs give the density within 1 %.
+        self.assertAlmostEqual(sum(project["net"]["nodes"]["mass"]) / (1020 * made["material"]["volume"]), 1, delta=0.01)
+        self.assertAlmostEqual(made["material"]["volume"], 1e-6, delta=1e-9)
+        why = self.json_of("explain", "block.esm", "--region", "0")
+        modulus = why["parameters"]["youngs_modulus"]
+        self.assertAlmostEqual(modulus / 20e3, 1, delta=0.01)
+        # Edits of the tissue after the import outlive an update, which asks for the fit again.
+        inputs = self.read_json("block.esm")["inputs"]
+        self.assertNotEqual(inputs, self.read_json("plain.esm")["inputs"])
+        self.run_program("import", "--update", "block.esm", "--thickness", "0.001")
+        updated = self.read_json("block.esm")
+        self.assertEqual((updated["tissue"]["thickness"], updated["inputs"]), (0.001, inputs))
+        self.assertIn("nearest", self.refused(*block, "-o", "steel.esm", "--youngs-modulus", "2e11"))
 
     def test_recipe_file_gives_the_same_project(self):
         choices = ["--unit", "inch", "--up", "y", "--weld-tolerance", "0.01", "--polygons", "edges",

@@ -207,6 +207,12 @@ ImportRecipe randomRecipe(Dice& dice)
     recipe.support.anchors = SupportOptions::Anchors::Part;
     recipe.support.anchorPart.centre = dice.points(1);
     recipe.support.anchorLength = dice.notNegative();
+    recipe.material.body = MaterialOptions::Body(dice.below(2));
+    recipe.material.edges = EdgeFormula(dice.below(2));
+    recipe.material.fitModulus = dice.coin();
+    recipe.material.youngsModulus = dice.notNegative();
+    recipe.material.density = dice.notNegative();
+    recipe.material.thickness = dice.notNegative();
   }
   return recipe;
 }

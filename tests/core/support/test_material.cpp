@@ -114,6 +114,43 @@ TEST(Material, BothFormulasAgreeOnRegularTriangles)
   for (Index s = 0; s < a.springCount(); ++s) EXPECT_NEAR(b.stiffness[s] / a.stiffness[s], 1.0, 1e-12);
 }
 
+// A modulus and a density that are asked for come from the rules' inputs, within the 1 % that InputChange
+// promises: from hardness and heaviness, which is what a modeler would move, and from nothing else.
+TEST(Material, NumbersSetTheInputsOfTheRules)
+{
+  const TissueModel usual = defaultTissue();
+  for (const double modulus : {2e3, 30e3, 400e3}) {
+    MaterialOptions options;
+    options.youngsModulus = modulus;
+    options.density = 1020.0;
+    options.thickness = 0.003;
+    const auto wished = tissueOf(options, usual);
+    ASSERT_TRUE(wished) << wished.error().detail;
+    const TissueParameters base = TissueField::create(*wished)->base();
+    EXPECT_NEAR(base.youngsModulus / modulus, 1.0, 0.01);
+    EXPECT_NEAR(base.density / 1020.0, 1.0, 0.01);
+    EXPECT_EQ(wished->thickness, 0.003);
+    for (std::size_t i = 0; i < usual.inputs.size(); ++i) {
+      const std::string& id = usual.rules.inputs[i].id;
+      EXPECT_EQ(wished->inputs[i] != usual.inputs[i], id == "hardness" || id == "heaviness") << id;
+    }
+  }
+}
+
+// What no input reaches is refused with what is near.
+TEST(Material, ImpossibleNumbersAreRefused)
+{
+  MaterialOptions steel;
+  steel.youngsModulus = 210e9;
+  const auto refused = tissueOf(steel, defaultTissue());
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().code, ErrorCode::InvalidValue);
+  EXPECT_NE(refused.error().detail.find("nearest"), std::string::npos);
+  MaterialOptions negative;
+  negative.thickness = -1.0;
+  EXPECT_FALSE(tissueOf(negative, defaultTissue()));
+}
+
 /// Pulls a box along x between rollers at its end faces with the net's own numbers. @return E of the body
 /// [Pa].
 double modulusOfBox(const SpringNet& net, const Eigen::Vector3d& size)
