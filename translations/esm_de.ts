@@ -65,6 +65,48 @@
     </message>
 </context>
 <context>
+    <name>esm::ChangedFilesBar</name>
+    <message>
+        <source>Updated: %1 nodes as before, %2 new, %3 gone</source>
+        <translation>Aktualisiert: %1 Knoten wie zuvor, %2 neu, %3 fort</translation>
+    </message>
+    <message>
+        <source>update the model</source>
+        <translation>Modell aktualisieren</translation>
+    </message>
+    <message>
+        <source>The model is being updated …</source>
+        <translation>Das Modell wird aktualisiert …</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n file(s) of the model changed since the import: %1</source>
+        <translation>
+            <numerusform>%n Datei des Modells wurde seit dem Import geändert: %1</numerusform>
+            <numerusform>%n Dateien des Modells wurden seit dem Import geändert: %1</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Update</source>
+        <translation>Aktualisieren</translation>
+    </message>
+    <message>
+        <source>Import again with the same choices; what can be is carried over</source>
+        <translation>Mit denselben Einstellungen neu importieren; was geht, wird übernommen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Ignore</source>
+        <translation>Ignorieren</translation>
+    </message>
+    <message>
+        <source>Changed files</source>
+        <translation>Geänderte Dateien</translation>
+    </message>
+</context>
+<context>
     <name>esm::Commands</name>
     <message>
         <source>rename</source>
@@ -175,6 +217,10 @@
         <source>No. %1 at %2, %3, %4 mm</source>
         <translation>Nr. %1 bei %2, %3, %4 mm</translation>
     </message>
+    <message>
+        <source>Triangles that run through others: %1</source>
+        <translation>Dreiecke, die andere durchdringen: %1</translation>
+    </message>
 </context>
 <context>
     <name>esm::Document</name>
@@ -228,6 +274,29 @@
     </message>
 </context>
 <context>
+    <name>esm::EmulatorPanel</name>
+    <message>
+        <source>The Falcon of this list is emulated: driver and force loop are real, the device is not. Any file will do as its firmware; with the tool Pull the mouse leads its grip.</source>
+        <translation>Der Falcon dieser Liste ist emuliert: Treiber und Kraftschleife sind echt, das Gerät nicht. Als Firmware taugt jede Datei; mit dem Werkzeug „Ziehen“ führt die Maus den Griff.</translation>
+    </message>
+    <message>
+        <source>Plugged in</source>
+        <translation>Angesteckt</translation>
+    </message>
+    <message>
+        <source>Permitted</source>
+        <translation>Berechtigt</translation>
+    </message>
+    <message>
+        <source>Loose contact</source>
+        <translation>Wackelkontakt</translation>
+    </message>
+    <message>
+        <source>Pull the grip out and push it in</source>
+        <translation>Griff herausziehen und hineinschieben</translation>
+    </message>
+</context>
+<context>
     <name>esm::ErrorText</name>
     <message>
         <source>The file cannot be read.</source>
@@ -272,29 +341,6 @@
     <message>
         <source>An internal error occurred.</source>
         <translation>Ein interner Fehler ist aufgetreten.</translation>
-    </message>
-</context>
-<context>
-    <name>esm::ForceCurve</name>
-    <message>
-        <source>tissue</source>
-        <translation>Gewebe</translation>
-    </message>
-    <message>
-        <source>device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>time [s]</source>
-        <translation>Zeit [s]</translation>
-    </message>
-    <message>
-        <source>force [N]</source>
-        <translation>Kraft [N]</translation>
-    </message>
-    <message>
-        <source>Force over the last four seconds</source>
-        <translation>Kraft der letzten vier Sekunden</translation>
     </message>
 </context>
 <context>
@@ -360,7 +406,401 @@
     </message>
 </context>
 <context>
-    <name>esm::HapticsPanel</name>
+    <name>esm::HapticDevices</name>
+    <message>
+        <source>no permission</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>cannot be used</source>
+        <translation>nicht benutzbar</translation>
+    </message>
+    <message>
+        <source>ready to connect</source>
+        <translation>bereit zum Verbinden</translation>
+    </message>
+    <message>
+        <source>needs your consent</source>
+        <translation>braucht deine Zustimmung</translation>
+    </message>
+    <message>
+        <source>Axes that do not know their place yet: %1</source>
+        <translation>Achsen, die ihre Lage noch nicht kennen: %1</translation>
+    </message>
+    <message>
+        <source>Being opened…</source>
+        <translation>Wird geöffnet …</translation>
+    </message>
+    <message>
+        <source>No firmware file is chosen</source>
+        <translation>Keine Firmware-Datei gewählt</translation>
+    </message>
+    <message>
+        <source>Disconnect</source>
+        <translation>Trennen</translation>
+    </message>
+    <message>
+        <source>Connect</source>
+        <translation>Verbinden</translation>
+    </message>
+    <message>
+        <source>Firmware of your Falcon</source>
+        <translation>Firmware deines Falcon</translation>
+    </message>
+    <message>
+        <source>Firmware (*.bin *.hex *.img)</source>
+        <translation>Firmware (*.bin *.hex *.img)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Force at 100 %, as a spring scale shows it [N]. Holds from the next connection on.</source>
+        <translation>Kraft bei 100 %, wie eine Federwaage sie zeigt [N]. Gilt ab der nächsten Verbindung.</translation>
+    </message>
+    <message>
+        <source>Haptic devices and their state</source>
+        <translation>Haptische Geräte und ihr Zustand</translation>
+    </message>
+    <message>
+        <source>This line in /etc/udev/rules.d/70-esm-haptics.rules permits it; then plug it out and in</source>
+        <translation>Diese Zeile in /etc/udev/rules.d/70-esm-haptics.rules erlaubt es; danach aus- und einstecken</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the udev line</source>
+        <translation>Die udev-Zeile kopieren</translation>
+    </message>
+    <message>
+        <source>Search again</source>
+        <translation>Neu suchen</translation>
+    </message>
+    <message>
+        <source>Look for devices again</source>
+        <translation>Erneut nach Geräten suchen</translation>
+    </message>
+    <message>
+        <source>It is a WoodenHaptics</source>
+        <translation>Es ist ein WoodenHaptics</translation>
+    </message>
+    <message>
+        <source>Its USB numbers are nobody's own: say that what carries them is a WoodenHaptics. Holds until the program ends.</source>
+        <translation>Seine USB-Nummern gehören niemandem: Sage, dass das Gerät damit ein WoodenHaptics ist. Gilt, bis das Programm endet.</translation>
+    </message>
+    <message>
+        <source>Connect or disconnect the device; no force flows by this</source>
+        <translation>Das Gerät verbinden oder trennen; dadurch fließt keine Kraft</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Grundstellung</translation>
+    </message>
+    <message>
+        <source>The grip is at its home position now</source>
+        <translation>Der Griff ist jetzt in seiner Grundstellung</translation>
+    </message>
+    <message>
+        <source>Place on model</source>
+        <translation>Auf Modell legen</translation>
+    </message>
+    <message>
+        <source>Put the middle of the workspace into the middle of the model</source>
+        <translation>Die Mitte des Arbeitsraums in die Mitte des Modells legen</translation>
+    </message>
+    <message>
+        <source>Calibrate…</source>
+        <translation>Kalibrieren …</translation>
+    </message>
+    <message>
+        <source>Say how many newtons the device gives at 100 %</source>
+        <translation>Sagen, wie viele Newton das Gerät bei 100 % gibt</translation>
+    </message>
+    <message>
+        <source>Choose firmware…</source>
+        <translation>Firmware wählen …</translation>
+    </message>
+    <message>
+        <source>The Falcon forgets its firmware with each power-off; its licence forbids us to bring it</source>
+        <translation>Der Falcon vergisst seine Firmware mit jedem Ausschalten; ihre Lizenz verbietet uns, sie mitzuliefern</translation>
+    </message>
+</context>
+<context>
+    <name>esm::HapticPath</name>
+    <message>
+        <source>End recording</source>
+        <translation>Aufnahme beenden</translation>
+    </message>
+    <message>
+        <source>Record</source>
+        <translation>Aufnehmen</translation>
+    </message>
+    <message>
+        <source>Recording: %1 s</source>
+        <translation>Aufnahme läuft: %1 s</translation>
+    </message>
+    <message>
+        <source>Nothing is recorded yet.</source>
+        <translation>Noch nichts aufgenommen.</translation>
+    </message>
+    <message>
+        <source>Recorded: %1 s, largest force %2 N</source>
+        <translation>Aufgenommen: %1 s, größte Kraft %2 N</translation>
+    </message>
+    <message>
+        <source>Lead the hand</source>
+        <translation>Hand führen</translation>
+    </message>
+    <message>
+        <source>Connect the path's hand</source>
+        <translation>Hand des Wegs verbinden</translation>
+    </message>
+    <message>
+        <source>%1: %2 s, %3 points</source>
+        <translation>%1: %2 s, %3 Punkte</translation>
+    </message>
+    <message>
+        <source>No path is loaded.</source>
+        <translation>Kein Weg geladen.</translation>
+    </message>
+    <message>
+        <source>Save the path of the hand</source>
+        <translation>Weg der Hand sichern</translation>
+    </message>
+    <message>
+        <source>Save what the hand felt</source>
+        <translation>Sichern, was die Hand fühlte</translation>
+    </message>
+    <message>
+        <source>hand.csv</source>
+        <translation>hand.csv</translation>
+    </message>
+    <message>
+        <source>felt.csv</source>
+        <translation>gefuehlt.csv</translation>
+    </message>
+    <message>
+        <source>Tables (*.csv)</source>
+        <translation>Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>Path of a hand</source>
+        <translation>Weg einer Hand</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Record the way of the hand and what it feels, ten minutes at most</source>
+        <translation>Den Weg der Hand und was sie fühlt aufnehmen, höchstens zehn Minuten</translation>
+    </message>
+    <message>
+        <source>Save path…</source>
+        <translation>Weg sichern …</translation>
+    </message>
+    <message>
+        <source>Save the way of the hand: t, x, y, z in s and m</source>
+        <translation>Den Weg der Hand sichern: t, x, y, z in s und m</translation>
+    </message>
+    <message>
+        <source>Save log…</source>
+        <translation>Protokoll sichern …</translation>
+    </message>
+    <message>
+        <source>Save what the hand felt, tick by tick: position, velocity, force, work, lateness</source>
+        <translation>Sichern, was die Hand fühlte, Takt für Takt: Lage, Geschwindigkeit, Kraft, Arbeit, Verspätung</translation>
+    </message>
+    <message>
+        <source>Load path…</source>
+        <translation>Weg laden …</translation>
+    </message>
+    <message>
+        <source>Load the way of a hand</source>
+        <translation>Den Weg einer Hand laden</translation>
+    </message>
+    <message>
+        <source>Let the loaded path lead the hand of a device in the computer</source>
+        <translation>Den geladenen Weg die Hand eines Geräts im Rechner führen lassen</translation>
+    </message>
+</context>
+<context>
+    <name>esm::HapticText</name>
+    <message>
+        <source>The device does not know its position yet; move its grip out and in once</source>
+        <translation>Das Gerät kennt seine Lage noch nicht; den Griff einmal heraus- und hineinbewegen</translation>
+    </message>
+    <message>
+        <source>Force waits until it would begin below 0.2 N; move the tool away from the tissue</source>
+        <translation>Die Kraft wartet, bis sie unter 0,2 N beginnen würde; das Werkzeug vom Gewebe wegbewegen</translation>
+    </message>
+    <message>
+        <source>Nothing is held, or the simulation is paused</source>
+        <translation>Nichts wird gehalten, oder die Simulation ist angehalten</translation>
+    </message>
+    <message>
+        <source>The simulation has not answered for 0.1 s</source>
+        <translation>Die Simulation hat 0,1 s lang nicht geantwortet</translation>
+    </message>
+    <message>
+        <source>Stopped by the user; arm again to go on</source>
+        <translation>Vom Benutzer gestoppt; zum Weitermachen die Kraft wieder einschalten</translation>
+    </message>
+    <message>
+        <source>The simulation sent a force that is not a number; reset it, then arm again</source>
+        <translation>Die Simulation hat eine Kraft geschickt, die keine Zahl ist; zurücksetzen, dann die Kraft wieder einschalten</translation>
+    </message>
+    <message>
+        <source>The force gave the hand more energy than the tissue holds; lower the gain or the stiffness, then arm again</source>
+        <translation>Die Kraft gab der Hand mehr Energie, als im Gewebe steckt; Verstärkung oder Steifigkeit senken, dann die Kraft wieder einschalten</translation>
+    </message>
+    <message>
+        <source>The device does not reply; check its cable, then arm again</source>
+        <translation>Das Gerät antwortet nicht; das Kabel prüfen, dann die Kraft wieder einschalten</translation>
+    </message>
+    <message>
+        <source>The device was unplugged; connect it and open it again</source>
+        <translation>Das Gerät wurde abgezogen; anstecken und neu verbinden</translation>
+    </message>
+    <message>
+        <source>The device is closed</source>
+        <translation>Das Gerät ist geschlossen</translation>
+    </message>
+    <message>
+        <source>Asking the device whether it runs already</source>
+        <translation>Das Gerät wird gefragt, ob es schon läuft</translation>
+    </message>
+    <message>
+        <source>Uploading the firmware</source>
+        <translation>Die Firmware wird übertragen</translation>
+    </message>
+    <message>
+        <source>Pull the grip all the way out, then push it all the way in</source>
+        <translation>Den Griff ganz herausziehen, dann ganz hineinschieben</translation>
+    </message>
+    <message>
+        <source>Put the grip to its home position, then press Home</source>
+        <translation>Den Griff in seine Grundstellung bringen, dann „Grundstellung“ drücken</translation>
+    </message>
+    <message>
+        <source>The device was unplugged</source>
+        <translation>Das Gerät wurde abgezogen</translation>
+    </message>
+    <message>
+        <source>The device refuses its serial settings; plug it out and in again</source>
+        <translation>Das Gerät lehnt die seriellen Einstellungen ab; aus- und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>The device took its firmware but does not answer; plug it out and in again</source>
+        <translation>Das Gerät hat die Firmware genommen, antwortet aber nicht; aus- und wieder einstecken</translation>
+    </message>
+    <message>
+        <source>The device needs its firmware: name the file of it in the settings of the device</source>
+        <translation>Das Gerät braucht seine Firmware: die Datei dazu beim Gerät wählen</translation>
+    </message>
+    <message>
+        <source>The device does not take the firmware; switch it off and on, and check the file</source>
+        <translation>Das Gerät nimmt die Firmware nicht; aus- und einschalten und die Datei prüfen</translation>
+    </message>
+    <message>
+        <source>Reading what the device can do</source>
+        <translation>Das Gerät wird gefragt, was es kann</translation>
+    </message>
+    <message>
+        <source>The device does not describe its reports</source>
+        <translation>Das Gerät beschreibt seine Berichte nicht</translation>
+    </message>
+    <message>
+        <source>The device describes its reports in a way that makes no sense</source>
+        <translation>Das Gerät beschreibt seine Berichte so, dass es keinen Sinn ergibt</translation>
+    </message>
+    <message>
+        <source>The device has no constant force that a program can set</source>
+        <translation>Das Gerät hat keine konstante Kraft, die ein Programm setzen kann</translation>
+    </message>
+    <message>
+        <source>The device does not take a force effect</source>
+        <translation>Das Gerät nimmt keinen Krafteffekt an</translation>
+    </message>
+    <message>
+        <source>Looking for it</source>
+        <translation>Wird gesucht</translation>
+    </message>
+    <message>
+        <source>Not plugged in</source>
+        <translation>Nicht angesteckt</translation>
+    </message>
+    <message>
+        <source>No %1 is plugged in</source>
+        <translation>Es ist kein Gerät „%1“ angesteckt</translation>
+    </message>
+    <message>
+        <source>You are not permitted to use it; the udev rule permits it</source>
+        <translation>Du darfst es nicht benutzen; die udev-Zeile erlaubt es</translation>
+    </message>
+    <message>
+        <source>You are not permitted to use the device; this udev rule permits it: %1</source>
+        <translation>Du darfst das Gerät nicht benutzen; diese udev-Zeile erlaubt es: %1</translation>
+    </message>
+    <message>
+        <source>The USB device %1 may not be used by you; put this line into %2 and plug the device out and in: %3</source>
+        <translation>Das USB-Gerät %1 darfst du nicht benutzen; diese Zeile in %2 eintragen und das Gerät aus- und einstecken: %3</translation>
+    </message>
+    <message>
+        <source>The USB device %1 is in use by another program; close that one</source>
+        <translation>Das USB-Gerät %1 wird von einem anderen Programm benutzt; jenes schließen</translation>
+    </message>
+    <message>
+        <source>The USB device %1 cannot be opened: %2</source>
+        <translation>Das USB-Gerät %1 lässt sich nicht öffnen: %2</translation>
+    </message>
+    <message>
+        <source>The device is no longer plugged in</source>
+        <translation>Das Gerät ist nicht mehr angesteckt</translation>
+    </message>
+    <message>
+        <source>USB cannot be used here: %1</source>
+        <translation>USB ist hier nicht verfügbar: %1</translation>
+    </message>
+    <message>
+        <source>Its USB numbers belong to nobody, so another device may carry them; confirm that it is a %1</source>
+        <translation>Seine USB-Nummern gehören niemandem, ein anderes Gerät kann sie auch tragen; bestätige, dass es ein %1 ist</translation>
+    </message>
+    <message>
+        <source>Firmware %1, SHA-256 %2</source>
+        <translation>Firmware %1, SHA-256 %2</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 bytes; a firmware image has 1 to %3</source>
+        <translation>%1 hat %2 Bytes; eine Firmware hat 1 bis %3</translation>
+    </message>
+    <message>
+        <source>A device in the computer, led by the mouse</source>
+        <translation>Ein Gerät im Rechner, mit der Maus geführt</translation>
+    </message>
+    <message>
+        <source>An instrument through a trocar in the computer, led by the mouse</source>
+        <translation>Ein Instrument durch einen Trokar im Rechner, mit der Maus geführt</translation>
+    </message>
+    <message>
+        <source>Novint Falcon (USB); needs your firmware file</source>
+        <translation>Novint Falcon (USB); braucht deine Firmware-Datei</translation>
+    </message>
+    <message>
+        <source>Force-feedback stick or wheel (USB HID PID)</source>
+        <translation>Force-Feedback-Joystick oder -Lenkrad (USB HID PID)</translation>
+    </message>
+    <message>
+        <source>WoodenHaptics (USB)</source>
+        <translation>WoodenHaptics (USB)</translation>
+    </message>
     <message>
         <source>no device</source>
         <translation>kein Gerät</translation>
@@ -371,7 +811,7 @@
     </message>
     <message>
         <source>force fades in</source>
-        <translation>Kraft blendet ein</translation>
+        <translation>Kraft wird eingeblendet</translation>
     </message>
     <message>
         <source>force on</source>
@@ -379,35 +819,82 @@
     </message>
     <message>
         <source>force fades out</source>
-        <translation>Kraft blendet aus</translation>
+        <translation>Kraft wird ausgeblendet</translation>
     </message>
     <message>
         <source>stopped, force off</source>
         <translation>gestoppt, Kraft aus</translation>
     </message>
     <message>
+        <source>is being opened</source>
+        <translation>wird geöffnet</translation>
+    </message>
+    <message>
+        <source>takes its firmware</source>
+        <translation>bekommt seine Firmware</translation>
+    </message>
+    <message>
+        <source>needs home</source>
+        <translation>braucht Grundstellung</translation>
+    </message>
+    <message>
+        <source>connected</source>
+        <translation>verbunden</translation>
+    </message>
+    <message>
+        <source>fault</source>
+        <translation>Störung</translation>
+    </message>
+    <message>
+        <source>unplugged</source>
+        <translation>abgezogen</translation>
+    </message>
+    <message>
+        <source>Simulated device</source>
+        <translation>Simuliertes Gerät</translation>
+    </message>
+    <message>
+        <source>Laparoscope</source>
+        <translation>Laparoskop</translation>
+    </message>
+    <message>
+        <source>Novint Falcon</source>
+        <translation>Novint Falcon</translation>
+    </message>
+    <message>
+        <source>Stick or wheel</source>
+        <translation>Joystick oder Lenkrad</translation>
+    </message>
+    <message>
+        <source>WoodenHaptics</source>
+        <translation>WoodenHaptics</translation>
+    </message>
+    <message>
+        <source>Hand path</source>
+        <translation>Handweg</translation>
+    </message>
+    <message>
+        <source>real-time priority</source>
+        <translation>Echtzeit-Priorität</translation>
+    </message>
+    <message>
+        <source>raised priority</source>
+        <translation>erhöhte Priorität</translation>
+    </message>
+    <message>
+        <source>normal priority</source>
+        <translation>normale Priorität</translation>
+    </message>
+</context>
+<context>
+    <name>esm::HapticsPanel</name>
+    <message>
         <source>%1 N</source>
         <translation>%1 N</translation>
     </message>
     <message>
-        <source>Device</source>
-        <translation>Gerät</translation>
-    </message>
-    <message>
-        <source>Haptic device</source>
-        <translation>Haptisches Gerät</translation>
-    </message>
-    <message>
-        <source>simulated</source>
-        <translation>simuliert</translation>
-    </message>
-    <message>
         <source>Force limit</source>
         <translation>Kraftgrenze</translation>
-    </message>
-    <message>
-        <source>Largest force that pull tool and device may give, in N</source>
-        <translation>Größte Kraft, die Ziehwerkzeug und Gerät ausüben dürfen, in N</translation>
     </message>
     <message>
         <source>Force on</source>
@@ -422,10 +909,6 @@
         <translation>Stopp</translation>
     </message>
     <message>
-        <source>Force zero at once (Esc)</source>
-        <translation>Kraft sofort null (Esc)</translation>
-    </message>
-    <message>
         <source>Force in the hand</source>
         <translation>Kraft in der Hand</translation>
     </message>
@@ -434,12 +917,60 @@
         <translation>Kraft, die ein Gerät spüren würde</translation>
     </message>
     <message>
-        <source>Stopped by the user; arm again to go on</source>
-        <translation>Vom Benutzer gestoppt; „Kraft an“ schaltet wieder ein</translation>
-    </message>
-    <message>
         <source>Direction of the force: x to the right, z up, bar: y; the number is the force at the rim</source>
         <translation>Richtung der Kraft: x nach rechts, z nach oben, Balken: y; die Zahl ist die Kraft am Rand</translation>
+    </message>
+    <message>
+        <source>%1 Hz, %2; late by %3 ms (half), %4 ms (99 %), %5 ms (99.9 %), %6 ms (worst); %7 of %8 ticks missed</source>
+        <translation>%1 Hz, %2; verspätet um %3 ms (Hälfte), %4 ms (99 %), %5 ms (99,9 %), %6 ms (schlimmster); %7 von %8 Takten versäumt</translation>
+    </message>
+    <message>
+        <source>Largest force that pull tool and device may give, in N; never above the device's own</source>
+        <translation>Größte Kraft von Ziehwerkzeug und Gerät in N; nie über der des Geräts</translation>
+    </message>
+    <message>
+        <source>Gain</source>
+        <translation>Verstärkung</translation>
+    </message>
+    <message>
+        <source>Force felt over force of the tissue</source>
+        <translation>Gefühlte Kraft durch Kraft des Gewebes</translation>
+    </message>
+    <message>
+        <source>Force zero at once (Esc, and space while force is on)</source>
+        <translation>Kraft sofort null (Esc; Leertaste, solange die Kraft an ist)</translation>
+    </message>
+    <message>
+        <source>Devices</source>
+        <translation>Geräte</translation>
+    </message>
+    <message>
+        <source>Force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Lage</translation>
+    </message>
+    <message>
+        <source>Energy</source>
+        <translation>Energie</translation>
+    </message>
+    <message>
+        <source>Timing</source>
+        <translation>Takt</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Emulator</source>
+        <translation>Emulator</translation>
+    </message>
+    <message>
+        <source>Parts of the haptics panel</source>
+        <translation>Teile des Haptik-Bereichs</translation>
     </message>
 </context>
 <context>
@@ -702,6 +1233,21 @@
     </message>
 </context>
 <context>
+    <name>esm::JitterPlot</name>
+    <message>
+        <source>lateness [ms]</source>
+        <translation>Verspätung [ms]</translation>
+    </message>
+    <message>
+        <source>ticks</source>
+        <translation>Takte</translation>
+    </message>
+    <message>
+        <source>How late the ticks of the force loop began</source>
+        <translation>Wie verspätet die Takte der Kraftschleife begannen</translation>
+    </message>
+</context>
+<context>
     <name>esm::MainWindow</name>
     <message>
         <source>%1[*] – Elastodynamic Shape Modeler</source>
@@ -888,10 +1434,6 @@
         <translation>Netze importieren</translation>
     </message>
     <message>
-        <source>Meshes (*.obj *.stl *.ply *.off *.dxf *.glb *.gltf *.dae *.3ds *.fbx *.iv *.wrl *.vtk *.vtu *.msh)</source>
-        <translation>Netze (*.obj *.stl *.ply *.off *.dxf *.glb *.gltf *.dae *.3ds *.fbx *.iv *.wrl *.vtk *.vtu *.msh)</translation>
-    </message>
-    <message>
         <source>Drop to open the project</source>
         <translation>Loslassen öffnet das Projekt</translation>
     </message>
@@ -901,6 +1443,22 @@
             <numerusform>Loslassen importiert %n Datei</numerusform>
             <numerusform>Loslassen importiert %n Dateien</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Meshes</source>
+        <translation>Netze</translation>
+    </message>
+    <message>
+        <source>Meshes with a reader of their own</source>
+        <translation>Netze mit eigenem Leser</translation>
+    </message>
+    <message>
+        <source>Foreign formats</source>
+        <translation>Fremde Formate</translation>
+    </message>
+    <message>
+        <source>Update the model</source>
+        <translation>Modell aktualisieren</translation>
     </message>
 </context>
 <context>
@@ -1517,6 +2075,54 @@
     <message>
         <source>A surface alone gives way like a bag; what is inside carries the load. It can be taken away again.</source>
         <translation>Eine Oberfläche allein gibt nach wie ein Beutel; was im Inneren ist, trägt. Es lässt sich wieder entfernen.</translation>
+    </message>
+    <message>
+        <source>Material</source>
+        <translation>Material</translation>
+    </message>
+    <message>
+        <source>Body</source>
+        <translation>Körper</translation>
+    </message>
+    <message>
+        <source>wall of tissue</source>
+        <translation>Wand aus Gewebe</translation>
+    </message>
+    <message>
+        <source>solid</source>
+        <translation>massiv</translation>
+    </message>
+    <message>
+        <source>Wall thickness</source>
+        <translation>Wanddicke</translation>
+    </message>
+    <message>
+        <source>Density</source>
+        <translation>Dichte</translation>
+    </message>
+    <message>
+        <source>Young's modulus</source>
+        <translation>Elastizitätsmodul</translation>
+    </message>
+    <message>
+        <source>Fit the springs to Young's modulus</source>
+        <translation>Federn an den Elastizitätsmodul anpassen</translation>
+    </message>
+    <message>
+        <source>as the tissue says</source>
+        <translation>wie das Gewebe sagt</translation>
+    </message>
+    <message>
+        <source>Sets the inputs of the rules, and scales all springs until the net is as stiff as the body</source>
+        <translation>Stellt die Eingaben der Regeln und skaliert alle Federn, bis das Netz so steif ist wie der Körper</translation>
+    </message>
+    <message>
+        <source>Sets the inputs of the rules</source>
+        <translation>Stellt die Eingaben der Regeln</translation>
+    </message>
+    <message>
+        <source>A virtual tension test: pulled along its longest axis the net becomes as stiff as the body</source>
+        <translation>Ein virtueller Zugversuch: entlang seiner längsten Achse gezogen wird das Netz so steif wie der Körper</translation>
     </message>
 </context>
 <context>
@@ -2537,6 +3143,45 @@
     </message>
 </context>
 <context>
+    <name>esm::TracePlot</name>
+    <message>
+        <source>time [s]</source>
+        <translation>Zeit [s]</translation>
+    </message>
+    <message>
+        <source>tissue</source>
+        <translation>Gewebe</translation>
+    </message>
+    <message>
+        <source>device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>force [N]</source>
+        <translation>Kraft [N]</translation>
+    </message>
+    <message>
+        <source>Force over the last four seconds</source>
+        <translation>Kraft der letzten vier Sekunden</translation>
+    </message>
+    <message>
+        <source>position [mm]</source>
+        <translation>Lage [mm]</translation>
+    </message>
+    <message>
+        <source>Position of the hand over the last four seconds</source>
+        <translation>Lage der Hand in den letzten vier Sekunden</translation>
+    </message>
+    <message>
+        <source>work on the hand [mJ]</source>
+        <translation>Arbeit an der Hand [mJ]</translation>
+    </message>
+    <message>
+        <source>Work done on the hand since the device was connected</source>
+        <translation>An der Hand verrichtete Arbeit, seit das Gerät verbunden ist</translation>
+    </message>
+</context>
+<context>
     <name>esm::WhyPanel</name>
     <message>
         <source>The rules cannot be evaluated now, so nothing can be explained.</source>
@@ -2861,10 +3506,6 @@
         <translation>S&amp;topp</translation>
     </message>
     <message>
-        <source>Force zero at once and let go</source>
-        <translation>Kraft sofort null und loslassen</translation>
-    </message>
-    <message>
         <source>&amp;Keys</source>
         <translation>&amp;Tasten</translation>
     </message>
@@ -2971,6 +3612,10 @@
     <message>
         <source>Region: move, turn and resize the chosen region by its handles</source>
         <translation>Region: die gewählte Region an ihren Griffen verschieben, drehen und in der Größe ändern</translation>
+    </message>
+    <message>
+        <source>Force zero at once and let go; space does it too while force is on</source>
+        <translation>Kraft sofort null und loslassen; die Leertaste tut es auch, solange die Kraft an ist</translation>
     </message>
 </context>
 </TS>

@@ -2,6 +2,16 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="en" sourcelanguage="en">
 <context>
+    <name>esm::ChangedFilesBar</name>
+    <message numerus="yes">
+        <source>%n file(s) of the model changed since the import: %1</source>
+        <translation>
+            <numerusform>%n file of the model changed since the import: %1</numerusform>
+            <numerusform>%n files of the model changed since the import: %1</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>esm::DefectList</name>
     <message numerus="yes">
         <source>Border of %n edge(s), %1 mm long</source>
