@@ -265,6 +265,7 @@ void HapticDevices::showDetails()
   m_home->setVisible(connected && listing->name == "wooden");
   m_home->setEnabled(phase == DevicePhase::NeedsHome || phase == DevicePhase::Running);
   m_calibrate->setVisible(listing->name == "pid");
+  m_place->setEnabled(!m_controller->forceMayFlow()); // the tissue would jump into the hand
   m_place->setVisible(works && m_controller->coupling() == SimulationController::Coupling::Touches);
 }
 

@@ -271,6 +271,8 @@ TEST_F(HapticsPanelTest, TheWorkspaceIsLaidOnTheModel)
   const Eigen::Vector3d middle = 0.5 * (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff());
   EXPECT_TRUE(
     comes([&] { return window->sceneView()->instrument().workspace.center().isApprox(middle, 1e-9); }));
+  ASSERT_NO_FATAL_FAILURE(arm()); // then no more: the tissue would jump into the hand
+  EXPECT_TRUE(comes([&] { return !find<QAbstractButton>("hapticPlace")->isEnabled(); }));
 }
 
 // What the user has measured is kept, and nothing else of his profile is touched.
