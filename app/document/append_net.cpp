@@ -83,6 +83,10 @@ void appendNet(SpringNet& net, const SpringNet& addedAsItIs, double thickness)
   putAtEnd(net.section, added.section);
 
   appendAnchors(net.anchors, added.anchors, offset);
+  for (PressureBody body : added.pressure) {
+    body.triangles.array() += offset;
+    net.pressure.push_back(std::move(body));
+  }
   const Eigen::Index triangles = net.triangles.cols();
   net.triangles.conservativeResize(Eigen::NoChange, triangles + added.triangles.cols());
   net.triangles.rightCols(added.triangles.cols()) = added.triangles.array() + offset;

@@ -177,6 +177,7 @@ void RecipeForm::addSupportGroup()
   m_anchors = addCombo(form, "importAnchors", QT_TR_NOOP("Bands to the cavity"),
                        {QT_TR_NOOP("none"), QT_TR_NOOP("from every node")});
   m_band = addNumber(form, "importBand", QT_TR_NOOP("Length of the bands"), 0.1, 1000.0, 1);
+  m_pressure = addNumber(form, "importPressure", QT_TR_NOOP("Pressure keeps the volume"), 0.0, 1e6, 1);
 }
 
 void RecipeForm::addMaterialGroup()
@@ -210,6 +211,7 @@ ImportRecipe RecipeForm::recipe() const
   recipe.support.strutsPerNode = m_struts->value();
   recipe.support.anchors = static_cast<SupportOptions::Anchors>(m_anchors->currentIndex());
   recipe.support.anchorLength = m_band->value() / 1000.0;
+  recipe.support.bulkModulus = m_pressure->value() * 1000.0;
   recipe.material.body = static_cast<MaterialOptions::Body>(m_body->currentIndex());
   recipe.material.thickness = m_thickness->value() / 1000.0;
   recipe.material.density = m_density->value();
@@ -237,6 +239,7 @@ void RecipeForm::setRecipe(const ImportRecipe& recipe)
   m_struts->setValue(recipe.support.strutsPerNode);
   m_anchors->setCurrentIndex(recipe.support.anchors == SupportOptions::Anchors::None ? 0 : 1);
   m_band->setValue(recipe.support.anchorLength * 1000.0);
+  m_pressure->setValue(recipe.support.bulkModulus / 1000.0);
   m_body->setCurrentIndex(static_cast<int>(recipe.material.body));
   m_thickness->setValue(recipe.material.thickness * 1000.0);
   m_density->setValue(recipe.material.density);
@@ -293,6 +296,10 @@ void RecipeForm::retranslate()
   m_thickness->setSuffix(QStringLiteral(" mm"));
   m_density->setSuffix(QStringLiteral(" kg/m³"));
   m_modulus->setSuffix(QStringLiteral(" kPa"));
+  m_pressure->setSuffix(QStringLiteral(" kPa"));
+  m_pressure->setSpecialValueText(tr("no pressure"));
+  m_pressure->setToolTip(
+    tr("Bulk modulus of what fills a closed surface: the larger, the less its volume gives way"));
   for (QDoubleSpinBox* box : {m_thickness, m_density, m_modulus})
     box->setSpecialValueText(tr("as the tissue says"));
   m_modulus->setToolTip(

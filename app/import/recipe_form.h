@@ -65,7 +65,7 @@ private:
   QCheckBox *m_weld = nullptr, *m_useless = nullptr, *m_orientation = nullptr, *m_junctions = nullptr,
             *m_fit = nullptr;
   QDoubleSpinBox *m_tolerance = nullptr, *m_smallParts = nullptr, *m_band = nullptr, *m_thickness = nullptr,
-                 *m_density = nullptr, *m_modulus = nullptr;
+                 *m_density = nullptr, *m_modulus = nullptr, *m_pressure = nullptr;
   QSpinBox *m_holes = nullptr, *m_triangles = nullptr, *m_struts = nullptr;
 };
 

@@ -28,6 +28,13 @@ Lanes unit(int axis, double length) noexcept
   return lanes;
 }
 
+double sumOfProducts(const NodeArray& a, const NodeArray& b) noexcept
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
+  return sum;
+}
+
 void addScalar(NodeBlock& block, double amount) noexcept
 {
   for (int axis = 0; axis < 3; ++axis) block.column[axis] += unit(axis, amount);
@@ -92,8 +99,42 @@ bool ImplicitMatrix::factor(const System& system, const NodeArray& x, const Node
 {
   fill(system, x, v, shares, convex);
   m_metNegative = 0;
-  if (m_isIterative) return m_gradients.setMatrix(m_diagonal.data(), m_coupling.data());
-  return m_cholesky.factor(m_diagonal.data(), m_coupling.data());
+  const bool exists = m_isIterative ? m_gradients.setMatrix(m_diagonal.data(), m_coupling.data())
+                                    : m_cholesky.factor(m_diagonal.data(), m_coupling.data());
+  if (exists) fillPressure(system, x, shares);
+  return exists;
+}
+
+/// Columns and update of the pressure, by the factor at hand.
+void ImplicitMatrix::fillPressure(const System& system, const NodeArray& x, const Shares& shares)
+{
+  const Pressure& pressure = system.forces().pressure();
+  m_pressure.resize(shares.stiffness > 0.0 ? pressure.bodyCount() : 0);
+  m_negativesGone = 0;
+  if (m_pressure.empty()) return;
+  const auto rank = static_cast<Eigen::Index>(m_pressure.size());
+  Eigen::VectorXd stiffness(rank);
+  NodeArray gradient(system.nodeCount());
+  for (std::size_t body = 0; body < m_pressure.size(); ++body) {
+    PressureColumn& column = m_pressure[body];
+    column.stiffness = shares.stiffness * pressure.stiffness(body);
+    stiffness[static_cast<Eigen::Index>(body)] = column.stiffness;
+    std::fill(gradient.begin(), gradient.end(), Lanes{0, 0, 0, 0});
+    pressure.addGradient(body, x.data(), gradient.data());
+    for (std::size_t block = 0; block < m_nodeOf.size(); ++block)
+      m_vector[block] =
+        m_isFree[block] ? gradient[static_cast<std::size_t>(m_nodeOf[block])] : Lanes{0, 0, 0, 0};
+    column.gradient = m_vector;
+    solveBlocks();
+    column.solved = m_vector;
+  }
+  Eigen::MatrixXd gram(rank, rank);
+  for (Eigen::Index i = 0; i < rank; ++i)
+    for (Eigen::Index j = 0; j < rank; ++j)
+      gram(i, j) = sumOfProducts(m_pressure[static_cast<std::size_t>(i)].gradient,
+                                 m_pressure[static_cast<std::size_t>(j)].solved);
+  m_update.set(gram, stiffness);
+  m_negativesGone = m_update.negativesGone();
 }
 
 double ImplicitMatrix::stiffestRate(const System& system, const NodeArray& x, const NodeArray& v)
@@ -175,6 +216,22 @@ void ImplicitMatrix::solve(NodeArray& vector)
 {
   for (std::size_t block = 0; block < m_nodeOf.size(); ++block)
     m_vector[block] = m_isFree[block] ? vector[static_cast<std::size_t>(m_nodeOf[block])] : Lanes{0, 0, 0, 0};
+  solveBlocks();
+  if (!m_pressure.empty()) {
+    Eigen::VectorXd seen(static_cast<Eigen::Index>(m_pressure.size()));
+    for (std::size_t body = 0; body < m_pressure.size(); ++body)
+      seen[static_cast<Eigen::Index>(body)] = sumOfProducts(m_pressure[body].gradient, m_vector);
+    const Eigen::VectorXd shares = m_update.shares(seen);
+    for (std::size_t body = 0; body < m_pressure.size(); ++body)
+      for (std::size_t block = 0; block < m_vector.size(); ++block)
+        m_vector[block] -= m_pressure[body].solved[block] * shares[static_cast<Eigen::Index>(body)];
+  }
+  scatter(vector);
+}
+
+/// m_vector = (A without pressure)^-1 m_vector.
+void ImplicitMatrix::solveBlocks()
+{
   if (m_isIterative) {
     const auto result = m_gradients.solve(m_vector.data(), kReduction, kMostIterations);
     m_metNegative = m_metNegative != 0 || result == PreconditionedCg::Result::Indefinite;
@@ -186,7 +243,6 @@ void ImplicitMatrix::solve(NodeArray& vector)
   } else {
     m_cholesky.solve(m_vector.data());
   }
-  scatter(vector);
 }
 
 /// The vector at hand, solved as far as the gradients came, is still a direction of descent. If the factor
@@ -228,6 +284,13 @@ void ImplicitMatrix::multiply(const NodeArray& vector, NodeArray& product) const
     const std::size_t a = node(m_pairs[pair].a), b = node(m_pairs[pair].b);
     product[a] += times(m_coupling[pair], vector[b]);
     product[b] += times(m_coupling[pair], vector[a]);
+  }
+  for (const PressureColumn& column : m_pressure) {
+    double along = 0.0;
+    for (const Index block : m_free)
+      along += dot(column.gradient[static_cast<std::size_t>(block)], vector[node(block)]);
+    for (const Index block : m_free)
+      product[node(block)] += column.gradient[static_cast<std::size_t>(block)] * (column.stiffness * along);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/block_cholesky.h"
+#include "core/dynamics/low_rank.h"
 #include "core/dynamics/preconditioned_cg.h"
 #include "core/dynamics/system.h"
 
@@ -13,7 +14,8 @@ namespace esm {
 ///     A = m M + s D + q K,   D = - dF/dv,   K = - sym dF/dx
 ///
 /// D and K are sums of 3 x 3 blocks (SpringTangent, anchors, tools, mass damping), both symmetric. The
-/// pattern is laid out and analysed once; afterwards nothing allocates.
+/// pattern is laid out and analysed once; afterwards nothing allocates. Pressure, which joins all nodes of a
+/// body, comes as a column of its own beside the blocks (LowRankUpdate); one more solve for each factor.
 ///
 /// In a net of more than kManyNodes nodes systems are solved by conjugate gradients, to a thousandth, which
 /// is enough for Newton's method; once they have cost as much as a factor would have, the factor is made
@@ -51,7 +53,7 @@ public:
   /// Of the last factor(); 0: positive definite, as far as known.
   std::int64_t negativePivots() const noexcept
   {
-    return m_isIterative ? m_metNegative : m_cholesky.negativePivots();
+    return m_isIterative ? m_metNegative : m_cholesky.negativePivots() - m_negativesGone;
   }
   /// Costs in spring evaluations of the force pass.
   double factorCost() const noexcept;
@@ -61,6 +63,8 @@ private:
   void layOut(const System& system);
   void fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares, bool convex);
   void addSprings(const System& system, const Shares& shares, bool convex) noexcept;
+  void fillPressure(const System& system, const NodeArray& x, const Shares& shares);
+  void solveBlocks();
   void giveUpIterating();
   void scatter(NodeArray& vector) const noexcept;
 
@@ -73,6 +77,14 @@ private:
   NodeBlocks m_diagonal, m_coupling;
   std::vector<SpringTangent> m_tangents;
   NodeArray m_vector; ///< by blocks
+  struct PressureColumn {
+    NodeArray gradient; ///< g by blocks, 0 at held nodes [m^2]
+    NodeArray solved;   ///< (A without pressure)^-1 g
+    double stiffness;   ///< of g g^T
+  };
+  std::vector<PressureColumn> m_pressure; ///< one per body
+  LowRankUpdate m_update;
+  std::int64_t m_negativesGone = 0; ///< by the pressure
   BlockCholesky m_cholesky;
   PreconditionedCg m_gradients;
   bool m_mayIterate = false, m_isIterative = false, m_isTooLarge = false;

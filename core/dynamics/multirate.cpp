@@ -71,7 +71,7 @@ ESM_CPU_CLONES void lastKick(const RateClass& rate, double h, const double* inve
 /// it, one third new, widens the viscous limit from h g < 1 to 5/3. All due classes see the same p before
 /// any of them changes v, else the viscous error were of first order.
 ///
-/// Where all springs need about the same rate, it is plain Verlet.
+/// Where all springs need about the same rate, and where pressure joins all of them, it is plain Verlet.
 ///
 /// All rates scale with the base step, so that halving it quarters the whole error.
 class Multirate final : public Integrator {
@@ -81,6 +81,7 @@ public:
     for (NodeArray* array : {&m_x, &m_v, &m_p, &m_force})
       array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_plan = MultirateLayout::plan(system);
+    m_plan.pays = m_plan.pays && system.forces().pressure().isEmpty();
     m_built = m_started = false;
     if (!m_plan.pays) m_verlet->prepare(system);
   }

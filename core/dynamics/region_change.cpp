@@ -38,7 +38,7 @@ double squareOf(const Lanes& a) noexcept
 
 bool RegionDriver::isDivisible() const noexcept
 {
-  return m_region.freeCount() >= kSmallestDivisible;
+  return m_region.freeCount() >= kSmallestDivisible && m_body.net.pressure.empty();
 }
 
 void RegionDriver::begin()

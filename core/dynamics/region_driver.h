@@ -40,7 +40,7 @@ struct Body {
 /// **Sleeping.** RestWatch says who is slow: within a quarter of the budget in all. Slow nodes that are some
 /// layers away from faster ones fall asleep, if they are enough to make the change worth while. Their
 /// kinetic energy, which is negligible, counts as heat. Nets of less than two thousand nodes sleep as a whole
-/// or not at all: there a part would hardly be cheaper.
+/// or not at all: there a part would hardly be cheaper. So do nets with pressure, which acts on all at once.
 class RegionDriver {
 public:
   /// @param body  not owned, outlives this.

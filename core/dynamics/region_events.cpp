@@ -17,7 +17,7 @@ bool flagTouched(const SpringNet& before, const SpringNet& now, std::vector<std:
 {
   const AnchorSet &old = before.anchors, &anchors = now.anchors;
   if (before.fixed != now.fixed || old.node != anchors.node || before.tables != now.tables ||
-      before.massDamping.size() != now.massDamping.size())
+      before.massDamping.size() != now.massDamping.size() || before.pressure != now.pressure)
     return false;
   for (Index i = 0; i < now.nodeCount(); ++i) {
     const bool drag = now.massDamping.size() > 0 && before.massDamping[i] != now.massDamping[i];

@@ -23,6 +23,27 @@ void StepBound::prepare(const System& system)
   m_stiffnessSharpness = m_dampingSharpness = Sharpness{};
 }
 
+/// Nothing is done without pressure.
+void StepBound::sumPressure(const System& system, const NodeArray& x)
+{
+  const Pressure& pressure = system.forces().pressure();
+  m_pressureStiffness = 0.0;
+  m_pressure.resize(pressure.bodyCount());
+  m_turning.assign(pressure.isEmpty() ? 0 : m_nodes.size(), 0.0);
+  for (std::size_t body = 0; body < m_pressure.size(); ++body) {
+    NodeArray& column = m_pressure[body];
+    column.assign(m_nodes.size(), Lanes{0, 0, 0, 0});
+    pressure.addGradient(body, x.data(), column.data());
+    const double root = std::sqrt(pressure.stiffness(body));
+    for (std::size_t i = 0; i < m_nodes.size(); ++i) {
+      column[i] *= root * std::sqrt(system.inverseMass()[i]);
+      m_pressureStiffness += dot(column[i], column[i]);
+    }
+    pressure.boundTurning(
+      body, x.data(), [this](Index node, double most) { m_turning[static_cast<std::size_t>(node)] += most; });
+  }
+}
+
 /// Row sums over nodes, scaled by the masses' roots: sum k (1/m_i + 1/sqrt(m_i m_j)).
 void StepBound::sumNodes(const System& system)
 {
@@ -38,6 +59,7 @@ void StepBound::sumNodes(const System& system)
     node.stiffness += tool.stiffness;
     node.damping += tool.viscosity;
   }
+  for (std::size_t i = 0; i < m_turning.size(); ++i) m_nodes[i].stiffness += m_turning[i];
   const auto& massDrag = system.forces().massDrag();
   for (std::size_t i = 0; i < m_nodes.size(); ++i) {
     m_nodes[i].total = m_nodes[i].stiffness;
@@ -113,7 +135,9 @@ void StepBound::weighDamping(const System& system, FastestMode& mode)
   for (const Anchor& anchor : system.forces().anchors())
     single(anchor.node, anchor.stiffness, anchor.viscosity);
   for (const ToolSpring& tool : system.tools()) single(tool.node, tool.stiffness, tool.viscosity);
+  for (std::size_t i = 0; i < m_turning.size(); ++i) m_undamped[i] += m_turning[i] * inverseMass[i];
   for (const double undamped : m_undamped) mode.undamped = std::max(mode.undamped, undamped);
+  mode.undamped += m_pressureStiffness;
   mode.leastDamping = std::isfinite(least) ? least : 0.0;
 }
 
@@ -140,6 +164,11 @@ double StepBound::measure(const System& system, Blend blend)
       const Lanes pull = u * (dot(u, d) * (axial - lateral)) + d * lateral;
       y[a] -= pull * m_rootInverseMass[a];
       y[b] += pull * m_rootInverseMass[b];
+    }
+    for (const NodeArray& column : m_pressure) {
+      double along = 0.0;
+      for (std::size_t i = 0; i < m_nodes.size(); ++i) along += dot(column[i], z[i]);
+      for (std::size_t i = 0; i < m_nodes.size(); ++i) y[i] += column[i] * (blend.stiffness * along);
     }
   };
   return kMargin * m_lanczos.largestEigenvalue(m_nodes.size(), kProducts, multiply);
@@ -181,6 +210,7 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
 FastestMode StepBound::compute(const System& system, const NodeArray& x, const NodeArray& v)
 {
   system.forces().springTangents(x.data(), v.data(), m_tangents);
+  sumPressure(system, x);
   sumNodes(system);
   sumSprings(system);
   double axial = 0.0, viscous = 0.0, lateral = 0.0, anchored = 0.0, drag = 0.0;
@@ -203,7 +233,7 @@ FastestMode StepBound::compute(const System& system, const NodeArray& x, const N
       mode.springStiffness = node.total;
     }
   }
-  mode.stiffness = std::min(nodeStiffness, axial + lateral + anchored);
+  mode.stiffness = std::min(nodeStiffness, axial + lateral + anchored) + m_pressureStiffness;
   mode.damping = std::min(nodeDamping, viscous + drag);
   weighDamping(system, mode);
   sharpen(system, mode);

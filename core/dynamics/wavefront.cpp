@@ -211,10 +211,11 @@ private:
       if (m_order.isAhead(static_cast<std::size_t>(neighbour.node), i)) visit(neighbour);
   }
 
-  /// Weight, nodal forces and tools, as they are at the start of a propagation.
+  /// Weight, pressure, nodal forces and tools, as they are at the start of a propagation.
   void gatherOutside(System& system, double t) noexcept
   {
     m_outside = system.forces().weight(); // same size: no allocation
+    system.forces().pressure().addForces(m_x.data(), m_outside.data());
     m_outsidePower = system.schedule().addForces(t, m_v.data(), m_outside.data());
     m_outsideHeat = 0.0;
     for (std::size_t k = 0; k < system.tools().size(); ++k) {

@@ -12,6 +12,9 @@
 namespace esm {
 namespace {
 
+/// Time of a triangle's pressure, in units of passCost().
+constexpr double kTriangleCost = 3.0;
+
 /// b = 0 makes the exponential law linear, and a = 0 the cubic one; the linear kernel is cheaper and does not
 /// divide by b. Below 1e-9 the two laws differ by less than rounding for strains up to 1e-7/b.
 SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept
@@ -77,6 +80,8 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
   }
   m_passCost += 0.1 * static_cast<double>(net.nodeCount());
   m_nodeForces = NodeForces(net, gravity, m_anchors, m_massDrag, division.ranges);
+  m_pressure = Pressure(net);
+  m_passCost += kTriangleCost * static_cast<double>(m_pressure.triangleCount());
 }
 
 /// The springs of one part, by kind.
@@ -136,6 +141,7 @@ SpringSums ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* forc
       degenerate[p] += sums.degenerate;
     }
   });
+  m_pressure.addForces(x, force);
   return {std::accumulate(heat, heat + m_parts.size(), 0.0),
           std::accumulate(degenerate, degenerate + m_parts.size(), std::int64_t{0})};
 }
@@ -175,6 +181,7 @@ double ForceModel::elasticEnergy(const Lanes* x) const noexcept
     const Lanes away = x[anchor.node] - anchor.point;
     energy += 0.5 * anchor.stiffness * dot(away, away);
   }
+  if (!m_pressure.isEmpty()) energy += m_pressure.energy(x);
   return energy;
 }
 

@@ -4,6 +4,7 @@
 
 #include "core/base/worker_pool.h"
 #include "core/forces/node_forces.h"
+#include "core/forces/pressure.h"
 #include "core/forces/spring_law.h"
 
 #include <array>
@@ -26,10 +27,10 @@ struct SpringTangent {
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();     ///< c (w - u (u.w)) / l [N/m]
 };
 
-/// All forces that a net has by itself: springs, anchors, weight and mass damping, compiled from a SpringNet
-/// for speed. Springs are sorted by law (see SpringBatch); what is absent costs nothing: a law without
-/// springs, springs with neither stiffness nor viscosity, viscosity that is zero, gravity, mass damping.
-/// Holds no state; any thread may call the const functions at the same time.
+/// All forces that a net has by itself: springs, anchors, pressure, weight and mass damping, compiled from a
+/// SpringNet for speed. Springs are sorted by law (see SpringBatch); what is absent costs nothing: a law
+/// without springs, springs with neither stiffness nor viscosity, viscosity that is zero, gravity, mass
+/// damping. Holds no state; any thread may call the const functions at the same time.
 ///
 /// Large nets are divided (NetDivision), and where a function takes workers they do the parts:
 /// with the same bits as one thread, since the parts depend on the net alone and their sums are added in
@@ -63,7 +64,7 @@ public:
   std::size_t damperSize() const noexcept { return m_damperSize; }
   const std::vector<double>& nodeViscosity() const noexcept { return m_nodeForces.viscosity(); }
 
-  double elasticEnergy(const Lanes* x) const noexcept; ///< springs and anchors [J]
+  double elasticEnergy(const Lanes* x) const noexcept; ///< springs, anchors and pressure [J]
   double gravityEnergy(const Lanes* x) const noexcept; ///< - sum m g.p [J]
   /// Elastic + viscous tension of every spring of the net [N]; `tension` has S entries.
   void springTensions(const Lanes* x, const Lanes* v, double* tension) const noexcept;
@@ -78,6 +79,8 @@ public:
 
   /// The active springs in that order, for methods that step parts of them.
   const std::vector<SpringBatch>& batches() const noexcept { return m_batches; }
+
+  const Pressure& pressure() const noexcept { return m_pressure; }
 
   // What acts on single nodes, as the implicit solver and the step bound need it.
   using Anchor = esm::Anchor;
@@ -110,6 +113,7 @@ private:
   NodeForces m_nodeForces;
   std::vector<Anchor> m_anchors;
   std::vector<double> m_massDrag;
+  Pressure m_pressure;
 };
 
 } // namespace esm

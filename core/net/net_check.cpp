@@ -3,6 +3,8 @@
 #include "core/base/text_number.h"
 #include "core/net/net_builder.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -204,6 +206,50 @@ Status checkMaterial(const SpringNet& net)
   return {};
 }
 
+/// Of what a closed surface encloses [m^3].
+double sixfoldVolume(const SpringNet& net, const TriangleMatrix& triangles)
+{
+  double sum = 0.0;
+  const Eigen::Vector3d origin = net.restPosition.col(triangles(0, 0));
+  for (const auto& triangle : triangles.colwise()) {
+    Eigen::Vector3d corner[3];
+    for (int k = 0; k < 3; ++k) corner[k] = net.restPosition.col(triangle[k]) - origin;
+    sum += corner[0].dot(corner[1].cross(corner[2]));
+  }
+  return sum;
+}
+
+Status checkPressure(const SpringNet& net)
+{
+  for (std::size_t i = 0; i < net.pressure.size(); ++i) {
+    const PressureBody& body = net.pressure[i];
+    const std::string owner = "pressure body " + std::to_string(i);
+    if (!(std::isfinite(body.bulkModulus) && body.bulkModulus > 0.0))
+      return badNumber(owner, "bulk modulus", body.bulkModulus, "Pa", "> 0");
+    if (body.triangles.cols() == 0) return invalid(owner + ": it has no triangles");
+    std::vector<std::pair<Index, Index>> sides;
+    for (Eigen::Index t = 0; t < body.triangles.cols(); ++t)
+      for (int k = 0; k < 3; ++k) {
+        const Index a = body.triangles(k, t), b = body.triangles((k + 1) % 3, t);
+        if (a < 0 || a >= net.nodeCount() || a == b)
+          return invalid(owner + ": triangle " + std::to_string(t) + " uses node " + std::to_string(a) +
+                         ", its corners must be three nodes of the net's " + std::to_string(net.nodeCount()));
+        sides.emplace_back(a, b);
+      }
+    std::sort(sides.begin(), sides.end());
+    const auto isAlone = [&sides](const std::pair<Index, Index>& side) {
+      return !std::binary_search(sides.begin(), sides.end(), std::pair(side.second, side.first));
+    };
+    if (std::adjacent_find(sides.begin(), sides.end()) != sides.end() ||
+        std::any_of(sides.begin(), sides.end(), isAlone))
+      return invalid(owner + ": its surface must be closed, with normals to the same side across each edge");
+    if (const double volume = sixfoldVolume(net, body.triangles) / 6.0;
+        !(std::isfinite(volume) && volume > 0.0))
+      return badNumber(owner, "volume", volume, "m^3", "> 0; the normals must look outwards");
+  }
+  return {};
+}
+
 Status checkTriangles(const SpringNet& net)
 {
   for (Index t = 0; t < net.triangleCount(); ++t)
@@ -218,8 +264,8 @@ Status checkTriangles(const SpringNet& net)
 
 Status checkNet(const SpringNet& net)
 {
-  for (const auto check :
-       {checkShapes, checkNodes, checkTables, checkSprings, checkAnchors, checkTriangles, checkMaterial})
+  for (const auto check : {checkShapes, checkNodes, checkTables, checkSprings, checkAnchors, checkTriangles,
+                           checkMaterial, checkPressure})
     if (Status status = check(net); !status) return status;
   return {};
 }

@@ -131,10 +131,13 @@ std::vector<Index> shrinkNet(SpringNet& net, const NetCut& cut)
   for (Eigen::ArrayXd* array : {&net.anchors.stiffness, &net.anchors.viscosity, &net.anchors.bandLength})
     keepOnly(*array, anchors);
   keepColumns(net.triangles, staying(triangle));
+  std::erase_if(net.pressure,
+                [&isGone](const PressureBody& body) { return body.triangles.unaryExpr(isGone).any(); });
 
   net.ends = net.ends.unaryExpr(newOfNode);
   net.triangles = net.triangles.unaryExpr(newOfNode);
   for (Index& node : net.anchors.node) node = newOfNode(node);
+  for (PressureBody& body : net.pressure) body.triangles = body.triangles.unaryExpr(newOfNode);
   return newOf;
 }
 

@@ -19,7 +19,8 @@ struct NetCut {
   std::vector<std::uint8_t> node, spring;
 };
 /// Removes the marked nodes, with their anchors and triangles, and the marked springs and those whose end
-/// goes. Ids of what stays stay. @return old-to-new map of the nodes, kNoIndex for those that are gone.
+/// goes. A pressure body that loses a node is open, and goes as a whole. Ids of what stays stay. @return
+/// old-to-new map of the nodes, kNoIndex for those that are gone.
 std::vector<Index> shrinkNet(SpringNet& net, const NetCut& cut);
 
 } // namespace esm

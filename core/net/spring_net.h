@@ -61,6 +61,22 @@ struct AnchorSet {
   Index count() const noexcept { return static_cast<Index>(node.size()); }
 };
 
+/// A closed surface that keeps its volume V: a change of it meets the pressure
+///
+///     p = - K (V/V0 - 1)
+///
+/// on all its nodes, V0 the volume at rest. For organs that are filled, and for tissue, which is mostly
+/// water. Made by the support layer, and taken away with it.
+struct PressureBody {
+  TriangleMatrix triangles; ///< normals outwards; each edge has two triangles, one to either side
+  double bulkModulus = 0.0; ///< K [Pa], > 0
+  bool operator==(const PressureBody& other) const
+  {
+    return bulkModulus == other.bulkModulus && triangles.cols() == other.triangles.cols() &&
+           triangles == other.triangles;
+  }
+};
+
 /// Topology and parameters of a spring-mass net, one array per property (struct of arrays).
 /// Plain data: copyable, no pointers, no locks. While a simulation runs it works on its own copy.
 /// checkNet() says whether the arrays fit together; everything downstream may assume that they do.
@@ -93,6 +109,7 @@ struct SpringNet {
   AnchorSet anchors;
   TriangleMatrix triangles; ///< 3 x F, the surface: for shading, dual areas and contact
   NetMaterial material;
+  std::vector<PressureBody> pressure; ///< empty: nothing keeps its volume
 
   Index nodeCount() const noexcept { return static_cast<Index>(restPosition.cols()); }
   Index springCount() const noexcept { return static_cast<Index>(ends.cols()); }

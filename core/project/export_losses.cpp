@@ -34,6 +34,7 @@ std::vector<std::string> lostInLinearSprings(const Frame& frame)
     if (count > 0) lost.push_back("the " + counted(count, what) + "; " + instead);
   };
   tell(net.anchors.count(), "anchor", "nothing holds these nodes to their places");
+  tell(static_cast<Index>(net.pressure.size()), "closed surface under pressure", "nothing keeps its volume");
   tell(countOf(net.law, [](SpringLaw law) { return law != SpringLaw::Linear; }), "nonlinear spring law",
        "these springs become linear, as they are for small strains");
   tell(countOf(net.tensionOnly, isSet), "tension-only flag", "these springs also push");
@@ -70,14 +71,16 @@ std::vector<std::string> lostInExport(const Frame& frame, const std::filesystem:
     return lost;
   }
   if (ending == ".obj" || ending == ".glb" || ending == ".gltf")
-    return {"masses, fixed nodes, anchors, the springs' numbers and loads: it is the shape alone"};
+    return {"masses, fixed nodes, anchors, pressure, the springs' numbers and loads: it is the shape alone"};
   if (ending == ".stl") {
-    std::vector<std::string> lost{"masses, fixed nodes, anchors, springs and loads: it is the surface alone"};
+    std::vector<std::string> lost{
+      "masses, fixed nodes, anchors, pressure, springs and loads: it is the surface alone"};
     if (const auto struts = static_cast<Index>(springsWithoutTriangle(net).size()); struts > 0)
       lost.push_back("the " + counted(struts, "spring") + " that are no triangle's edge");
     return lost;
   }
-  if (ending == ".ply" || ending == ".vtu" || ending == ".csv") return {"spring laws, anchors and loads"};
+  if (ending == ".ply" || ending == ".vtu" || ending == ".csv")
+    return {"spring laws, anchors, pressure and loads"};
   return {};
 }
 

@@ -136,6 +136,7 @@ std::vector<std::string> lostInPlainNet(const Project& project)
     lost.push_back("the tension-only flags; these springs also push");
   if (anyOf(net.law, [](SpringLaw law) { return law == SpringLaw::Table; }))
     lost.push_back("the force tables; these springs become linear");
+  if (!net.pressure.empty()) lost.push_back("the pressure in closed surfaces; nothing keeps their volume");
   bool places = true;
   for (std::size_t i = 0; i < net.nodeId.size(); ++i) places &= static_cast<std::size_t>(net.nodeId[i]) == i;
   for (std::size_t i = 0; i < net.springId.size(); ++i)

@@ -136,6 +136,16 @@ void readMaterial(const View& object, SpringNet& net)
   net.material.modulusScale = object["modulus_scale"].number(Range::Positive);
 }
 
+void readPressure(const View& list, SpringNet& net)
+{
+  for (std::size_t i = 0; i < list.size() && list.sound(); ++i) {
+    const View body = list[i];
+    body.expectKeys({"bulk_modulus", "triangles"});
+    net.pressure.push_back({readCorners<TriangleMatrix>(body["triangles"], net.nodeCount()),
+                            body["bulk_modulus"].number(Range::Positive)});
+  }
+}
+
 void readTables(const View& list, SpringNet& net)
 {
   for (std::size_t i = 0; i < list.size() && list.sound(); ++i) {
@@ -280,13 +290,15 @@ Json netOf(const SpringNet& net)
   if (net.material != NetMaterial{})
     object["material"] = {{"edges", kEdgeFormulas[static_cast<std::size_t>(net.material.edges)]},
                           {"modulus_scale", net.material.modulusScale}};
+  for (const PressureBody& body : net.pressure)
+    object["pressure"].push_back({{"bulk_modulus", body.bulkModulus}, {"triangles", listOf(body.triangles)}});
   return object;
 }
 
 SpringNet readNet(const View& geometry, const View& block)
 {
   geometry.expectKeys({"position", "triangles"});
-  block.expectKeys({"nodes", "springs", "anchors", "tables"}, {"material"});
+  block.expectKeys({"nodes", "springs", "anchors", "tables"}, {"material", "pressure"});
   SpringNet net;
   const Eigen::Matrix3Xd position = geometry["position"].points();
   const auto nodes = static_cast<Index>(position.cols());
@@ -300,6 +312,7 @@ SpringNet readNet(const View& geometry, const View& block)
   readTables(block["tables"], net);
   readAnchors(block["anchors"], net);
   if (block.has("material")) readMaterial(block["material"], net);
+  if (block.has("pressure")) readPressure(block["pressure"], net);
   return net;
 }
 

@@ -54,6 +54,8 @@ void visitSupportOptions(Options& options, Visitor&& visit)
   visit.choice("anchors", options.anchors, kAnchorNames, "nodes tied to the cavity around them");
   visit.ellipsoid("anchor_part", options.anchorPart, "for anchors part: the nodes in this ellipsoid");
   visit.number("anchor_length", options.anchorLength, "m", "length of the bands to the cavity");
+  visit.number("bulk_modulus", options.bulkModulus, "Pa",
+               "closed surfaces keep their volume by a pressure of this bulk modulus (0: none)");
 }
 
 inline constexpr const char* kBodyNames[] = {"wall", "solid"};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/support/linear_net.h"
 
+#include "core/forces/pressure.h"
 #include "core/geometry/union_find.h"
 
 #include <Eigen/Dense>
@@ -68,6 +69,17 @@ LinearNet::LinearNet(const SpringNet& net, const Eigen::ArrayXd& stiffness, bool
   for (Index i = 0; withAnchors && i < net.anchors.count(); ++i)
     m_diagonal[static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(i)])] +=
       net.anchors.stiffness[i] * Eigen::Matrix3d::Identity();
+  const Pressure pressure(net);
+  NodeArray rest(static_cast<std::size_t>(net.nodeCount()));
+  copyNodes(net.restPosition, rest);
+  for (std::size_t body = 0; body < pressure.bodyCount(); ++body) {
+    NodeArray gradient(rest.size(), Lanes{0, 0, 0, 0});
+    pressure.addGradient(body, rest.data(), gradient.data());
+    PressureColumn& column = m_pressure.emplace_back();
+    column.gradient.resize(3, net.nodeCount());
+    copyNodes(gradient, column.gradient);
+    column.stiffness = pressure.stiffness(body);
+  }
 }
 
 void LinearNet::addSupport(Index node, const Eigen::Vector3d& axis, double k)
@@ -87,7 +99,20 @@ bool LinearNet::factor(double shift)
   if (m_isIterative) return shift >= 0.0;
   NodeBlocks diagonal;
   for (const Index node : m_nodeOf) diagonal.push_back(blockOf(blockAt(node)));
-  return m_cholesky.factor(diagonal.data(), m_coupling.data());
+  if (!m_cholesky.factor(diagonal.data(), m_coupling.data())) return false;
+  if (m_pressure.empty()) return true;
+  const auto rank = static_cast<Eigen::Index>(m_pressure.size());
+  Eigen::MatrixXd gram(rank, rank);
+  Eigen::VectorXd stiffness(rank);
+  for (PressureColumn& column : m_pressure) column.solved = solveByFactor(column.gradient);
+  for (Eigen::Index i = 0; i < rank; ++i) {
+    const PressureColumn& column = m_pressure[static_cast<std::size_t>(i)];
+    stiffness[i] = column.stiffness;
+    for (Eigen::Index j = 0; j < rank; ++j)
+      gram(i, j) = dotOf(column.gradient, m_pressure[static_cast<std::size_t>(j)].solved);
+  }
+  m_update.set(gram, stiffness);
+  return true;
 }
 
 Eigen::Matrix3d LinearNet::blockAt(Index node) const
@@ -134,6 +159,19 @@ Eigen::Matrix3Xd LinearNet::solveByGradients(const Eigen::Matrix3Xd& force) cons
 Eigen::Matrix3Xd LinearNet::solve(const Eigen::Matrix3Xd& force)
 {
   if (m_isIterative) return solveByGradients(force);
+  Eigen::Matrix3Xd displacement = solveByFactor(force);
+  if (m_pressure.empty()) return displacement;
+  Eigen::VectorXd seen(static_cast<Eigen::Index>(m_pressure.size()));
+  for (std::size_t i = 0; i < m_pressure.size(); ++i)
+    seen[static_cast<Eigen::Index>(i)] = dotOf(m_pressure[i].gradient, displacement);
+  const Eigen::VectorXd shares = m_update.shares(seen);
+  for (std::size_t i = 0; i < m_pressure.size(); ++i)
+    displacement -= shares[static_cast<Eigen::Index>(i)] * m_pressure[i].solved;
+  return displacement;
+}
+
+Eigen::Matrix3Xd LinearNet::solveByFactor(const Eigen::Matrix3Xd& force)
+{
   m_vector.resize(m_nodeOf.size());
   for (std::size_t i = 0; i < m_nodeOf.size(); ++i) m_vector[i] = toLanes(force.col(m_nodeOf[i]));
   m_cholesky.solve(m_vector.data());
@@ -154,6 +192,8 @@ Eigen::Matrix3Xd LinearNet::multiply(const Eigen::Matrix3Xd& displacement) const
     product.col(a) -= m_stiffness[s] * u.dot(displacement.col(b)) * u;
     product.col(b) -= m_stiffness[s] * u.dot(displacement.col(a)) * u;
   }
+  for (const PressureColumn& column : m_pressure)
+    product += column.stiffness * dotOf(column.gradient, displacement) * column.gradient;
   return product;
 }
 

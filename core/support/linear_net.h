@@ -4,6 +4,7 @@
 
 #include "core/base/work_control.h"
 #include "core/dynamics/block_cholesky.h"
+#include "core/dynamics/low_rank.h"
 #include "core/net/spring_net.h"
 
 #include <Eigen/Core>
@@ -13,7 +14,7 @@
 namespace esm {
 
 /// A net for small motions about its rest shape: K of its springs (along their axes, at their stiffness at
-/// rest) and anchors, M of its masses. Fixed nodes are held. Springs count as stress-free.
+/// rest), anchors and pressure, M of its masses. Fixed nodes are held. Springs count as stress-free.
 ///
 /// A skin has a sparse factor. Struts join everything to everything, so that the factor of a fat body is
 /// nearly full; but then the matrix is well conditioned, and conjugate gradients take its place.
@@ -36,7 +37,10 @@ public:
   } ///< of the last factor(): no factor, no modesBelow()
   void watch(WorkControl* control) noexcept { m_control = control; } ///< that ends long solves early
   /// Modes with K u = w2 M u, w2 < -shift, of the last factor(); Sylvester's law of inertia.
-  std::int64_t modesBelow() const noexcept { return m_cholesky.negativePivots(); }
+  std::int64_t modesBelow() const noexcept
+  {
+    return m_cholesky.negativePivots() - (m_pressure.empty() ? 0 : m_update.negativesGone());
+  }
   /// (K + shift M)^-1 force, 3 x N; held nodes stay at 0. @pre factor() was true
   Eigen::Matrix3Xd solve(const Eigen::Matrix3Xd& force);
   Eigen::Matrix3Xd multiply(const Eigen::Matrix3Xd& displacement) const; ///< K u, also at held nodes
@@ -47,6 +51,7 @@ public:
 
 private:
   Eigen::Matrix3Xd solveByGradients(const Eigen::Matrix3Xd& force) const;
+  Eigen::Matrix3Xd solveByFactor(const Eigen::Matrix3Xd& force);
   Eigen::Matrix3d blockAt(Index node) const;
 
   const SpringNet& m_net;
@@ -61,6 +66,13 @@ private:
   NodeBlocks m_coupling;
   BlockCholesky m_cholesky;
   NodeArray m_vector;
+  struct PressureColumn {
+    Eigen::Matrix3Xd gradient; ///< dV/dx at rest [m^2]
+    double stiffness;          ///< K/V0 [Pa/m^3]
+    Eigen::Matrix3Xd solved;   ///< of the last factor()
+  };
+  std::vector<PressureColumn> m_pressure;
+  LowRankUpdate m_update; ///< of the springs' factor by the pressure
 };
 
 /// The slowest motions of a net.

@@ -35,7 +35,8 @@ bool removeBands(AnchorSet& anchors)
 
 bool removeSupport(SpringNet& net, std::vector<Index>* newOfOld)
 {
-  const bool hadBands = removeBands(net.anchors);
+  const bool hadBands = removeBands(net.anchors), hadPressure = !net.pressure.empty();
+  net.pressure.clear();
   NetCut cut{net.supportNode, {}};
   cut.node.resize(static_cast<std::size_t>(net.nodeCount()), 0);
   for (const SpringKind kind : net.kind) cut.spring.push_back(kind == SpringKind::Strut ? 1 : 0);
@@ -47,7 +48,7 @@ bool removeSupport(SpringNet& net, std::vector<Index>* newOfOld)
       newOfOld->resize(static_cast<std::size_t>(net.nodeCount()));
       std::iota(newOfOld->begin(), newOfOld->end(), 0);
     }
-    return hadBands;
+    return hadBands || hadPressure;
   }
   std::vector<Index> map = shrinkNet(net, cut);
   net.supportNode.clear();

@@ -38,6 +38,8 @@ Status checkOptions(const SupportOptions& options)
   if (!(options.anchorPart.centre.allFinite() && options.anchorPart.semiAxes.allFinite() &&
         options.anchorPart.semiAxes.minCoeff() > 0.0))
     return wrong("the anchored part must be an ellipsoid with half axes above 0 m");
+  if (!(std::isfinite(options.bulkModulus) && options.bulkModulus >= 0.0))
+    return wrong("the bulk modulus of the pressure must not be below 0 Pa");
   if (!(std::isfinite(options.timeLimit) && options.timeLimit > 0.0))
     return wrong("the program's time limit must be above 0 s");
   return {};
@@ -168,6 +170,14 @@ Result<SupportReport> addSupport(SpringNet& net, const SupportOptions& options, 
     if (report.anchors == 0)
       return Error{ErrorCode::EmptyResult,
                    "no node of the surface lies in the part that is to be anchored; move or enlarge it"};
+  }
+  if (options.bulkModulus > 0.0) {
+    report.pressureBodies = support::addPressure(made, options.bulkModulus, control);
+    if (stopWanted(control)) return cancelledError();
+    if (report.pressureBodies == 0)
+      return Error{ErrorCode::EmptyResult,
+                   "no part of the surface is closed, so there is no volume that pressure could keep; fill "
+                   "its holes, or leave the pressure out"};
   }
   report.stepAfter = predictCost(made).step;
   net = std::move(made);

@@ -15,8 +15,8 @@ namespace esm {
 
 /// What a net gets so that it holds its shape. A surface alone is a skin without anything in it: pressed, it
 /// gives way like a bag, whatever its stiffness (docs/IMPORT.md has figures). Everything made here is marked
-/// as such (SpringKind::Strut, SpringNet::supportNode, AnchorSet::bandLength), so that it can be taken away
-/// and made anew without touching the rest. The defaults add nothing.
+/// as such (SpringKind::Strut, SpringNet::supportNode, AnchorSet::bandLength, SpringNet::pressure), so that
+/// it can be taken away and made anew without touching the rest. The defaults add nothing.
 struct SupportOptions {
   /// What goes inside:
   ///
@@ -40,13 +40,20 @@ struct SupportOptions {
   Ellipsoid anchorPart;       ///< for Part: the nodes inside
   double anchorLength = 0.02; ///< of the bands [m], > 0: k = E A / length, A the surface of the node
 
+  /// Closed surfaces keep their volume by a pressure of this bulk modulus [Pa], see PressureBody; 0: none.
+  double bulkModulus = 0.0;
+
   bool operator==(const SupportOptions&) const = default;
-  bool isNone() const noexcept { return interior == Interior::None && anchors == Anchors::None; }
+  bool isNone() const noexcept
+  {
+    return interior == Interior::None && anchors == Anchors::None && bulkModulus == 0.0;
+  }
 };
 
 /// What was added, and what it costs.
 struct SupportReport {
   Index springs = 0, nodes = 0, anchors = 0; ///< added
+  Index pressureBodies = 0;                  ///< added
   double shortest = 0.0, longest = 0.0;      ///< of the added springs [m]; 0 without any
   /// Nodes of the surface that got no strut: nothing opposite, or only neighbours.
   std::vector<NodeId> unsupported;

@@ -56,6 +56,10 @@ Result<Layer> makeLattice(const SpringNet& net, const SupportOptions& options, W
 /// Appends bands to `net` for the nodes that the options name. @return how many.
 Index addBands(SpringNet& net, const SupportOptions& options);
 
+/// Appends a pressure body for each closed part of the surface; a cavity belongs to the part that it lies in,
+/// since what keeps its volume is the tissue between. @return how many; 0 also if cancelled.
+Index addPressure(SpringNet& net, double bulkModulus, WorkControl* control);
+
 /// The mean of two nodes' surface, each shared among its struts, which makes all struts together as wide as
 /// the surface; of a strut with one end off the surface the other's share.
 void shareSections(const SpringNet& net, std::vector<Strut>& struts);

@@ -108,6 +108,7 @@ Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isS
   SpringNet free = net;
   std::fill(free.fixed.begin(), free.fixed.end(), std::uint8_t{0});
   free.mass.setOnes();
+  free.pressure.clear(); // the springs alone are what is scaled
   LinearNet linear(free, places.perModulus, false);
   linear.watch(control);
   const double roller = kRoller * linear.stiffestRate();

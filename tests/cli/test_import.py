@@ -80,6 +80,21 @@ class Recipes(ProgramTest):
         # Without choices it speaks of the file, in its own unit.
         self.assertEqual(self.json_of("inspect", "cube.obj")["bbox_max"], [1, 1, 1])
 
+    def test_pressure_is_saved_and_kept_apart(self):
+        self.run_program("import", "cube.obj", "--unit", "cm", "-o", "a.esm")
+        self.assertNotIn("pressure", self.read_json("a.esm")["net"])
+        self.run_program("import", "cube.obj", "--unit", "cm", "--bulk-modulus", "50e3", "-o", "b.esm")
+        project = self.read_json("b.esm")
+        body, = project["net"]["pressure"]
+        self.assertEqual((body["bulk_modulus"], len(body["triangles"])), (50000, 36))
+        self.assertEqual(project["source"]["support"], {"bulk_modulus": 50000})
+        for name in ("net.xsp", "net.scn", "net.json"):
+            self.assertIn("volume", self.run_program("export", "b.esm", "-o", name).stderr)
+        self.run_program("import", "--update", "b.esm", "--bulk-modulus", "0")
+        self.assertNotIn("pressure", self.read_json("b.esm")["net"])
+        self.write("open.obj", "\n".join(CUBE.splitlines()[:-1]) + "\n")
+        self.assertIn("closed", self.refused("import", "open.obj", "--bulk-modulus", "5e4", "-o", "c.esm"))
+
     def test_triangles_through_others_are_listed(self):
         self.write("cross.obj", "v 0 0 0\nv 2 0 0\nv 0 2 0\nv .5 .5 -1\nv .5 .5 1\nv 3 3 .2\nf 1 2 3\nf 4 5 6\n")
         for more in ([], ["--intersections"]):

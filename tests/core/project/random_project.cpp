@@ -131,6 +131,16 @@ SpringNet randomNet(Dice& dice)
     for (Index i = 0; i < nodes; ++i) net.supportNode.push_back(dice.coin());
   if (dice.coin()) net.material = {EdgeFormula(dice.below(2)), dice.positive()};
   net.triangles = TriangleMatrix::NullaryExpr(3, dice.below(20), [&] { return dice.below(nodes); });
+  if (dice.coin() && nodes >= 4) { // a tetrahedron, turned outwards
+    const auto edge = [&net](Index node) {
+      return Eigen::Vector3d(net.restPosition.col(node) - net.restPosition.col(0));
+    };
+    const double sixfold = edge(1).dot(edge(2).cross(edge(3)));
+    TriangleMatrix faces(3, 4);
+    faces << 0, 0, 0, 1, /* b */ 2, 1, 3, 2, /* c */ 1, 3, 2, 3;
+    if (sixfold < 0.0) faces.row(1).swap(faces.row(2));
+    if (std::isfinite(sixfold) && sixfold != 0.0) net.pressure = {{faces, dice.positive()}};
+  }
   return net;
 }
 
@@ -207,6 +217,7 @@ ImportRecipe randomRecipe(Dice& dice)
     recipe.support.anchors = SupportOptions::Anchors::Part;
     recipe.support.anchorPart.centre = dice.points(1);
     recipe.support.anchorLength = dice.notNegative();
+    recipe.support.bulkModulus = dice.notNegative();
     recipe.material.body = MaterialOptions::Body(dice.below(2));
     recipe.material.edges = EdgeFormula(dice.below(2));
     recipe.material.fitModulus = dice.coin();
