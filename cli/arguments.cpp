@@ -86,17 +86,4 @@ CLI::Option* addJsonFlag(CLI::App& command, bool& json)
   return command.add_flag("--json", json, "print one JSON object as the last line on stdout");
 }
 
-void addWeldOptions(CLI::App& command, ImportOptions& options)
-{
-  const auto read = [&options](const std::string& text) {
-    options.weldTolerance = numberArgument("--weld-tolerance", text, NumberRange::NotNegative);
-  };
-  auto* tolerance = command.add_option_function<std::string>(
-    "--weld-tolerance", read,
-    "join vertices within this distance, in the file's unit (default 0: "
-    "only those at equal places)");
-  tolerance->type_name("NUMBER");
-  command.add_flag("!--no-weld", options.weld, "keep vertices at the same place apart")->excludes(tolerance);
-}
-
 } // namespace esm::cli

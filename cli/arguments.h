@@ -38,7 +38,4 @@ std::filesystem::path folderOf(const std::filesystem::path& file);
 
 CLI::Option* addJsonFlag(CLI::App& command, bool& json);
 
-/// --weld-tolerance and --no-weld, for commands that read a mesh.
-void addWeldOptions(CLI::App& command, ImportOptions& options);
-
 } // namespace esm::cli

@@ -197,6 +197,7 @@ std::vector<WhyRow> WhyTree::rows(const TissueExplanation& why, const TissueMode
 void WhyTree::show(const std::vector<WhyRow>& rows, QTreeWidget* tree)
 {
   put(rows, tree->invisibleRootItem());
+  tree->viewport()->update(); // Qt 6.4 leaves the old picture where rows have been exchanged
 }
 
 } // namespace esm

@@ -2124,6 +2124,18 @@
         <source>A virtual tension test: pulled along its longest axis the net becomes as stiff as the body</source>
         <translation>Ein virtueller Zugversuch: entlang seiner längsten Achse gezogen wird das Netz so steif wie der Körper</translation>
     </message>
+    <message>
+        <source>Pressure keeps the volume</source>
+        <translation>Druck hält das Volumen</translation>
+    </message>
+    <message>
+        <source>no pressure</source>
+        <translation>kein Druck</translation>
+    </message>
+    <message>
+        <source>Bulk modulus of what fills a closed surface: the larger, the less its volume gives way</source>
+        <translation>Kompressionsmodul dessen, was eine geschlossene Oberfläche füllt: je größer, desto weniger gibt ihr Volumen nach</translation>
+    </message>
 </context>
 <context>
     <name>esm::RegionFields</name>

@@ -123,6 +123,7 @@ def journey():
     while not looks_like(surface_picture(), before_surface) and time.monotonic() < deadline:
         time.sleep(0.2)
     assert looks_like(surface_picture(), before_surface), "the surface is what it was"
+    picture("end")
     print("ok   the surface is what it was")
 
 
