@@ -337,8 +337,8 @@ void ImportDialog::showReport()
   for (const QualityFinding& finding : m_preview->quality.findings) {
     const bool bad = finding.severity == QualityFinding::Severity::Warning;
     const QString text = textOf(finding, m_preview->quality);
-    auto* item = new QListWidgetItem(bad ? QStringLiteral("⚠ ") + text : text, m_notes);
-    if (bad) item->setForeground(signalColours(palette()).warning);
+    m_notes->addItem(bad ? QStringLiteral("⚠ ") + text : text);
+    if (bad) m_notes->item(m_notes->count() - 1)->setForeground(signalColours(palette()).warning);
   }
   for (const std::string& note : m_preview->made.notes) m_notes->addItem(QString::fromStdString(note));
   m_notes->setVisible(m_notes->count() > 0);

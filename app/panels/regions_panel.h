@@ -8,6 +8,7 @@
 #include <QWidget>
 
 #include <optional>
+#include <utility>
 
 class QScrollArea;
 class QToolButton;
@@ -25,7 +26,7 @@ public:
   explicit RegionsPanel(Document* document, QWidget* parent = nullptr);
 
   /// Where a new region begins [m]: the node picked last, or none.
-  void setPlaceOfNew(std::optional<Eigen::Vector3d> place) { m_placeOfNew = place; }
+  void setPlaceOfNew(std::optional<Eigen::Vector3d> place) { m_placeOfNew = std::move(place); }
   void setSelection(const std::vector<Index>& nodes); ///< that a new region can be laid around
   void addRegion();
   void addFromSelection();
