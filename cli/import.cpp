@@ -108,12 +108,7 @@ JsonLine jsonOf(const ImportArguments& arguments, const Outcome& outcome)
   line.add("triangles", net.triangleCount());
   line.add("parameters_from_tissue", outcome.project.parametersFromTissue);
   if (!outcome.imported) return line;
-  line.add("before", meshReportJson(outcome.imported->before));
-  line.add("after", meshReportJson(outcome.imported->after));
-  if (outcome.imported->recipe.material.concernsNet())
-    line.add("material", materialJson(outcome.imported->material));
-  line.add("cost", costJson(predictCost(outcome.project.net)));
-  line.add("notes", outcome.imported->notes);
+  addImported(line, *outcome.imported, predictCost(net));
   return line;
 }
 

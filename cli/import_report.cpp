@@ -4,8 +4,23 @@
 
 namespace esm::cli {
 
-void addMeshReport(JsonLine& line, const MeshReport& report)
+namespace {
+
+JsonLine materialJson(const MaterialReport& report)
 {
+  JsonLine line;
+  line.add("volume", report.volume);
+  line.add("wall_area", report.wallArea);
+  line.add("modulus_scale", report.scale);
+  line.add("measured_stiffness", report.measured);
+  return line;
+}
+
+} // namespace
+
+JsonLine meshReportJson(const MeshReport& report)
+{
+  JsonLine line;
   line.add("nodes", report.nodes);
   line.add("springs", report.springs);
   line.add("triangles", report.triangles);
@@ -21,22 +36,6 @@ void addMeshReport(JsonLine& line, const MeshReport& report)
   line.add("bbox_max", report.boxMax);
   line.add("finite", report.finite);
   line.add("sum_rest_length", report.sumRestLength);
-}
-
-JsonLine meshReportJson(const MeshReport& report)
-{
-  JsonLine line;
-  addMeshReport(line, report);
-  return line;
-}
-
-JsonLine materialJson(const MaterialReport& report)
-{
-  JsonLine line;
-  line.add("volume", report.volume);
-  line.add("wall_area", report.wallArea);
-  line.add("modulus_scale", report.scale);
-  line.add("measured_stiffness", report.measured);
   return line;
 }
 
@@ -48,11 +47,15 @@ void addCost(JsonLine& line, const NetCost& cost)
   line.add("stable_step", cost.step);
 }
 
-JsonLine costJson(const NetCost& cost)
+void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cost)
 {
-  JsonLine line;
-  addCost(line, cost);
-  return line;
+  JsonLine predicted;
+  addCost(predicted, cost);
+  line.add("before", meshReportJson(imported.before));
+  line.add("after", meshReportJson(imported.after));
+  if (imported.recipe.material.concernsNet()) line.add("material", materialJson(imported.material));
+  line.add("cost", predicted);
+  line.add("notes", imported.notes);
 }
 
 } // namespace esm::cli

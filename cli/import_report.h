@@ -4,21 +4,19 @@
 
 #include "core/base/json_line.h"
 #include "core/geometry/mesh_report.h"
-#include "core/support/material.h"
 #include "core/support/net_cost.h"
+#include "meshimport/net_import.h"
 
 /// What `esm import` and `esm inspect` tell of meshes and of what becomes of them.
 namespace esm::cli {
 
 /// The counts of a mesh under the keys of `esm inspect --json`.
-void addMeshReport(JsonLine& line, const MeshReport& report);
 JsonLine meshReportJson(const MeshReport& report);
 
 /// "nodes", "springs", "shortest_spring" [m], "stable_step" [s]
 void addCost(JsonLine& line, const NetCost& cost);
-JsonLine costJson(const NetCost& cost);
 
-/// {"volume", "wall_area", "modulus_scale", "measured_stiffness"}
-JsonLine materialJson(const MaterialReport& report);
+/// "before" and "after" of the mesh, "material" if it concerned the net, "cost" and "notes".
+void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cost);
 
 } // namespace esm::cli

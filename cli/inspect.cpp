@@ -9,6 +9,7 @@
 #include "core/base/text_number.h"
 #include "core/geometry/mesh_defects.h"
 #include "core/geometry/self_intersections.h"
+#include "core/net/net_edit.h"
 #include "core/project/project_io.h"
 #include "core/support/quality.h"
 #include "meshimport/net_import.h"
@@ -111,19 +112,12 @@ Result<ImportedNet> netOfRecipe(const InspectOptions& options, ImportRecipe reci
 }
 
 /// What tissue's bed holds says nothing of the net; bands of the recipe do.
-AnchorSet onlyBands(const AnchorSet& anchors)
+void keepOnlyBands(AnchorSet& anchors)
 {
   std::vector<Index> bands;
   for (Index i = 0; i < anchors.count(); ++i)
     if (anchors.isBand(i)) bands.push_back(i);
-  if (bands.empty()) return {};
-  AnchorSet left;
-  for (const Index band : bands) left.node.push_back(anchors.node[static_cast<std::size_t>(band)]);
-  left.point = anchors.point(Eigen::all, bands);
-  left.stiffness = anchors.stiffness(bands);
-  left.viscosity = anchors.viscosity(bands);
-  left.bandLength = anchors.bandLength(bands);
-  return left;
+  keepAnchors(anchors, bands);
 }
 
 /// The net of a project as it is; of a mesh what the choices make of it, or without any the bare net in mm.
@@ -138,7 +132,7 @@ Result<SpringNet> netToJudge(const InspectOptions& options, ImportRecipe recipe)
   if (isPlain(recipe)) recipe.unit = LengthUnit::Millimetre;
   Result<ImportedNet> made = netOfRecipe(options, std::move(recipe));
   if (!made) return made.error();
-  made->net.anchors = onlyBands(made->net.anchors);
+  keepOnlyBands(made->net.anchors);
   return std::move(made->net);
 }
 
@@ -171,11 +165,7 @@ Exit inspectRecipe(const InspectOptions& options, const ImportRecipe& recipe)
     line.add("nodes", made->net.nodeCount());
     line.add("springs", made->net.springCount());
     line.add("triangles", made->net.triangleCount());
-    line.add("before", meshReportJson(made->before));
-    line.add("after", meshReportJson(made->after));
-    if (recipe.material.concernsNet()) line.add("material", materialJson(made->material));
-    line.add("cost", costJson(cost));
-    line.add("notes", made->notes);
+    addImported(line, *made, cost);
     print(line.text());
     return Exit::Done;
   }

@@ -5,6 +5,7 @@
 #include "app/haptics/haptic_text.h"
 #include "app/haptics/user_profile.h"
 #include "app/icons.h"
+#include "app/panels/describe.h"
 #include "app/theme.h"
 
 #include <QCheckBox>
@@ -31,12 +32,6 @@
 namespace esm {
 
 namespace {
-
-void describe(QWidget* widget, const QString& text)
-{
-  widget->setAccessibleName(text);
-  widget->setToolTip(text);
-}
 
 SimulationController::Coupling couplingOf(const std::string& name)
 {

@@ -3,6 +3,7 @@
 #include "app/panels/haptic_path.h"
 
 #include "app/error_text.h"
+#include "app/panels/describe.h"
 #include "core/base/file_io.h"
 #include "haptics/emulator/emulated_falcon.h"
 #include "haptics/simulated_device.h"
@@ -20,12 +21,6 @@
 namespace esm {
 
 namespace {
-
-void describe(QWidget* widget, const QString& text)
-{
-  widget->setAccessibleName(text);
-  widget->setToolTip(text);
-}
 
 QString number(double value, int decimals)
 {

@@ -4,6 +4,7 @@
 
 #include "app/haptics/haptic_text.h"
 #include "app/icons.h"
+#include "app/panels/describe.h"
 #include "app/panels/emulator_panel.h"
 #include "app/panels/force_display.h"
 #include "app/panels/haptic_devices.h"
@@ -25,12 +26,6 @@ namespace esm {
 namespace {
 
 constexpr qint64 kStateEvery = 150, kForceEvery = 30; // [ms]
-
-void describe(QWidget* widget, const QString& text)
-{
-  widget->setAccessibleName(text);
-  widget->setToolTip(text);
-}
 
 QColor stateColour(DeviceState state, const QPalette& palette)
 {

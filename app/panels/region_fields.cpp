@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/region_fields.h"
 
+#include "app/panels/describe.h"
 #include "app/panels/falloff_curve.h"
 
 #include <QCheckBox>
@@ -24,12 +25,6 @@ namespace {
 constexpr double kMetre = 1000.0; // [mm]
 constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr int kNoMirror = 0, kOwnPlane = 4; ///< rows of the choice; between them the planes x, y and z
-
-void describe(QWidget* widget, const QString& text)
-{
-  widget->setAccessibleName(text);
-  widget->setToolTip(text);
-}
 
 /// The row that shows a mirror.
 int mirrorChoice(const std::optional<MirrorPlane>& mirror)

@@ -3,6 +3,7 @@
 #include "app/panels/regions_panel.h"
 
 #include "app/icons.h"
+#include "app/panels/describe.h"
 #include "app/panels/region_list.h"
 
 #include <QEvent>
@@ -16,16 +17,6 @@
 #include <cmath>
 
 namespace esm {
-
-namespace {
-
-void describe(QWidget* widget, const QString& text)
-{
-  widget->setAccessibleName(text);
-  widget->setToolTip(text);
-}
-
-} // namespace
 
 RegionsPanel::RegionsPanel(Document* document, QWidget* parent) : QWidget(parent), m_document(document)
 {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/tissue_panel.h"
 
+#include "app/panels/describe.h"
 #include "core/tissue/tissue_model.h"
 
 #include <QCheckBox>
@@ -16,12 +17,6 @@ namespace esm {
 namespace {
 
 constexpr double kMetre = 1000.0; // [mm]
-
-void describe(QWidget* widget, const QString& text, const QString& help)
-{
-  widget->setAccessibleName(text);
-  widget->setToolTip(help);
-}
 
 } // namespace
 

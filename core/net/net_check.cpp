@@ -207,7 +207,7 @@ Status checkMaterial(const SpringNet& net)
 }
 
 /// Of what a closed surface encloses [m^3].
-double sixfoldVolume(const SpringNet& net, const TriangleMatrix& triangles)
+double enclosedVolume(const SpringNet& net, const TriangleMatrix& triangles)
 {
   double sum = 0.0;
   const Eigen::Vector3d origin = net.restPosition.col(triangles(0, 0));
@@ -216,7 +216,7 @@ double sixfoldVolume(const SpringNet& net, const TriangleMatrix& triangles)
     for (int k = 0; k < 3; ++k) corner[k] = net.restPosition.col(triangle[k]) - origin;
     sum += corner[0].dot(corner[1].cross(corner[2]));
   }
-  return sum;
+  return sum / 6.0;
 }
 
 Status checkPressure(const SpringNet& net)
@@ -243,8 +243,7 @@ Status checkPressure(const SpringNet& net)
     if (std::adjacent_find(sides.begin(), sides.end()) != sides.end() ||
         std::any_of(sides.begin(), sides.end(), isAlone))
       return invalid(owner + ": its surface must be closed, with normals to the same side across each edge");
-    if (const double volume = sixfoldVolume(net, body.triangles) / 6.0;
-        !(std::isfinite(volume) && volume > 0.0))
+    if (const double volume = enclosedVolume(net, body.triangles); !(std::isfinite(volume) && volume > 0.0))
       return badNumber(owner, "volume", volume, "m^3", "> 0; the normals must look outwards");
   }
   return {};

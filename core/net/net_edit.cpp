@@ -65,6 +65,14 @@ void keepColumns(Matrix& matrix, const std::vector<Index>& stay)
 
 } // namespace
 
+void keepAnchors(AnchorSet& anchors, const std::vector<Index>& stay)
+{
+  keepOnly(anchors.node, stay);
+  keepColumns(anchors.point, stay);
+  for (Eigen::ArrayXd* array : {&anchors.stiffness, &anchors.viscosity, &anchors.bandLength})
+    keepOnly(*array, stay);
+}
+
 void growNet(SpringNet& net, Index nodes, Index springs)
 {
   appendColumns(net.restPosition, nodes);
@@ -125,11 +133,7 @@ std::vector<Index> shrinkNet(SpringNet& net, const NetCut& cut)
   keepOnly(net.kind, springs);
   keepOnly(net.springId, springs);
 
-  const std::vector<Index> anchors = staying(anchor);
-  keepOnly(net.anchors.node, anchors);
-  keepColumns(net.anchors.point, anchors);
-  for (Eigen::ArrayXd* array : {&net.anchors.stiffness, &net.anchors.viscosity, &net.anchors.bandLength})
-    keepOnly(*array, anchors);
+  keepAnchors(net.anchors, staying(anchor));
   keepColumns(net.triangles, staying(triangle));
   std::erase_if(net.pressure,
                 [&isGone](const PressureBody& body) { return body.triangles.unaryExpr(isGone).any(); });

@@ -23,4 +23,7 @@ struct NetCut {
 /// old-to-new map of the nodes, kNoIndex for those that are gone.
 std::vector<Index> shrinkNet(SpringNet& net, const NetCut& cut);
 
+/// Leaves those anchors alone. @param stay their numbers, rising.
+void keepAnchors(AnchorSet& anchors, const std::vector<Index>& stay);
+
 } // namespace esm

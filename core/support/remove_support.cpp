@@ -13,22 +13,13 @@ namespace {
 bool removeBands(AnchorSet& anchors)
 {
   if (anchors.bandLength.size() == 0) return false;
-  Index kept = 0;
-  for (Index i = 0; i < anchors.count(); ++i) {
-    if (anchors.isBand(i)) continue;
-    anchors.node[static_cast<std::size_t>(kept)] = anchors.node[static_cast<std::size_t>(i)];
-    anchors.point.col(kept) = anchors.point.col(i).eval();
-    anchors.stiffness[kept] = anchors.stiffness[i];
-    anchors.viscosity[kept] = anchors.viscosity[i];
-    ++kept;
-  }
-  const bool any = kept < anchors.count();
-  anchors.node.resize(static_cast<std::size_t>(kept));
-  anchors.point.conservativeResize(Eigen::NoChange, kept);
-  anchors.stiffness.conservativeResize(kept);
-  anchors.viscosity.conservativeResize(kept);
+  const Index before = anchors.count();
+  std::vector<Index> others;
+  for (Index i = 0; i < before; ++i)
+    if (!anchors.isBand(i)) others.push_back(i);
+  keepAnchors(anchors, others);
   anchors.bandLength.resize(0);
-  return any;
+  return anchors.count() < before;
 }
 
 } // namespace
