@@ -54,12 +54,17 @@ endfunction()
 
 # esm_fuzzer(NAME SOURCES... LINK dependencies...)
 # One libFuzzer target (LLVMFuzzerTestOneInput) and a ctest of it that looks for 60 s, label slow. It starts from
-# tests/fuzz/seeds/NAME if there is such a folder, and keeps what it finds in its own build folder.
+# tests/fuzz/seeds/NAME if there is such a folder, and keeps what it finds in its own build folder. The target
+# "fuzzers" builds them all, and nothing that they do not need.
 function(esm_fuzzer name)
   cmake_parse_arguments(arg "" "" "SOURCES;LINK" ${ARGN})
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} esm_warnings)
   target_link_options(${name} PRIVATE -fsanitize=fuzzer)
+  if(NOT TARGET fuzzers)
+    add_custom_target(fuzzers)
+  endif()
+  add_dependencies(fuzzers ${name})
   set(seeds ${PROJECT_SOURCE_DIR}/tests/fuzz/seeds/${name})
   if(NOT EXISTS ${seeds})
     set(seeds "")
