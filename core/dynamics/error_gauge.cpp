@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace esm {
 namespace {
@@ -12,7 +13,11 @@ constexpr double kErrorHorizon = 2.0; ///< motion over which errors add up at le
 constexpr double kShortestHorizon = 0.1; ///< [s]
 constexpr double kMemory = 0.2;          ///< over which the net's damping is averaged [s]
 constexpr double kSafety = 0.8;          ///< share of the tolerance that is spent on purpose
-constexpr double kUnfolding = 0.1;       ///< in which a displacement becomes what the motion makes of it [s]
+constexpr double kUnfolding = 0.03;      ///< in which a displacement becomes what the motion makes of it [s]
+/// What earlier stretches have left goes at this rate [s], and to no stretch more than some times its even
+/// share: errors of lively motion are the least sure.
+constexpr double kSpending = 0.3, kMostShare = 3.0;
+constexpr double kForGood = 10.0; ///< lifetime of an error that is spent for good [s]
 
 double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
 {
@@ -70,13 +75,16 @@ double ErrorGauge::shareOfWhole(std::size_t nodes) const noexcept
   return std::sqrt(static_cast<double>(m_count) / std::max(static_cast<double>(nodes), 1.0));
 }
 
-ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start,
-                                  const MotionState& end) const noexcept
+ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start, const MotionState& end,
+                                  double error, double power) const noexcept
 {
   const double length = end.time - start.time, fade = std::exp(-length / kMemory);
   ErrorScale next = m_scale;
   next.calm += length;
   next.displacement = displacementOf(end.x);
+  const double alive = std::pow(m_scale.spent, 1.0 / power) * std::exp(-length / horizon(start.time));
+  next.spent = std::min(std::pow(alive + std::pow(error, 1.0 / power), power),
+                        std::max(next.displacement, floor())); // no error is larger than that for long
   next.squareOverTime += next.displacement * next.displacement * length;
   next.speed = speedOf(end.v);
   next.topSpeed = std::max(next.topSpeed, next.speed);
@@ -94,8 +102,12 @@ double ErrorGauge::budget(double tolerance, const MotionState& state, double len
   // In the first moments the displacement is not yet what the motion will make of it.
   if (state.time < kUnfolding)
     scale = std::max(scale, std::max(m_scale.speed, speedOf(state.v)) * kUnfolding);
-  return kSafety * tolerance * std::max(scale, floor()) *
-         std::min(1.0, std::pow(length / horizon(state.time), power));
+  const double all = kSafety * tolerance * std::max(scale, floor());
+  const double even = all * std::min(1.0, std::pow(length / horizon(state.time), power));
+  if (lifetime() > kForGood) return even;
+  const double left = std::max(std::pow(all, 1.0 / power) - std::pow(m_scale.spent, 1.0 / power), 0.0);
+  const double lively = std::pow(left * std::min(1.0, length / kSpending), power);
+  return std::clamp(lively, even, std::min(all, kMostShare * even));
 }
 
 /// A random walk has 1/2, and an error that fades has less. But slow modes err as well, unseen beside the
@@ -122,17 +134,23 @@ double ErrorGauge::distance(const NodeArray& otherX, const NodeArray& otherV, co
   return x * std::max(1.0, time * (v / x) * std::min(1.0, slow * slow));
 }
 
-/// How long an error lives [s]. It fades as the motion itself does. Amplitudes of what oscillates fade by the
-/// rate heat / (4 kinetic energy); slow modes, where errors gather, by a quarter of that. What creeps fades
-/// in the time that it takes to its goal, displacement over speed. Both are averaged over the last fifth of a
-/// second. Without damping errors add up from the start on.
-double ErrorGauge::horizon(double time) const noexcept
+/// How long an error lives [s]; infinity without damping. It fades as the motion itself does. Amplitudes of
+/// what oscillates fade by the rate heat / (4 kinetic energy); slow modes, where errors gather, by a quarter
+/// of that. What creeps fades in the time that it takes to its goal, displacement over speed. Both are
+/// averaged over the last fifth of a second.
+double ErrorGauge::lifetime() const noexcept
 {
-  const double longest = std::max(kErrorHorizon, time);
-  if (!(m_scale.recentHeat > 0.0) || !(m_scale.recentPath > 0.0)) return longest;
+  if (!(m_scale.recentHeat > 0.0) || !(m_scale.recentPath > 0.0))
+    return std::numeric_limits<double>::infinity();
   const double creeping = 2.0 * m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath);
   const double fading = 16.0 * m_scale.recentKinetic / m_scale.recentHeat;
-  return std::clamp(std::max(fading, creeping), kShortestHorizon, longest);
+  return std::max(fading, creeping);
+}
+
+/// Time over which errors add up [s]: without damping from the start on.
+double ErrorGauge::horizon(double time) const noexcept
+{
+  return std::clamp(lifetime(), kShortestHorizon, std::max(kErrorHorizon, time));
 }
 
 } // namespace esm

@@ -12,6 +12,7 @@ struct ErrorScale {
   double squareOverTime = 0.0;        ///< integral of its square [m^2 s]
   double speed = 0.0, topSpeed = 0.0; ///< now and so far [m/s]
   double calm = 0.0;                  ///< since the start or the last event [s]
+  double spent = 0.0;                 ///< error that stretches have added and that still lives [m]
   // Of the last fifth of a second:
   double recentHeat = 0.0;    ///< [J]
   double recentKinetic = 0.0; ///< integral [J s]
@@ -25,7 +26,8 @@ struct ErrorScale {
 /// stretch could have only its share of that time; those of fast waves do not, but lose their direction or
 /// fade within milliseconds, and add up like the steps of a random walk. Which it is shows inside a stretch:
 /// its error grows with a power of time (errorPower()), and the share of the budget goes with the same power.
-/// Distances are RMS over the nodes of the whole net, of which a System may be a part.
+/// Motion errs unevenly: what calm stretches leave of their shares, a lively one may have
+/// (ErrorScale::spent). Distances are RMS over the nodes of the whole net, of which a System may be a part.
 class ErrorGauge {
 public:
   void begin(const NodeArray& x, double extent);
@@ -36,8 +38,10 @@ public:
   const ErrorScale& scale() const noexcept { return m_scale; }
   void setScale(const ErrorScale& scale) noexcept { m_scale = scale; }
   /// The scale with one more stretch.
-  ErrorScale scaleAfter(const System& system, const MotionState& start,
-                        const MotionState& end) const noexcept;
+  /// @param error  that it has added [m]
+  /// @param power  with which errors grow over time, see errorPower()
+  ErrorScale scaleAfter(const System& system, const MotionState& start, const MotionState& end, double error,
+                        double power) const noexcept;
   /// Loads have jumped or bent.
   void markEvent() noexcept { m_scale.calm = 0.0; }
 
@@ -58,6 +62,7 @@ public:
   double shareOfWhole(std::size_t nodes) const noexcept;
 
 private:
+  double lifetime() const noexcept;
   double horizon(double time) const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]

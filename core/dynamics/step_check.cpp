@@ -23,6 +23,10 @@ constexpr double kSuspicious = 1.5;
 constexpr double kMostTransfer = 1.5;  ///< of what one method learned to others of lower order
 constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
 constexpr int kLongestCheckGap = 24;   ///< stretches
+/// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
+/// and of parts, that make cutting the stretch worth while.
+constexpr double kOnsetError = 20.0, kOnsetParts = 16.0;
+constexpr double kOnsetShare = 1.0 / 16.0; ///< of a frame: what each part may err as much as
 
 } // namespace
 
@@ -64,10 +68,22 @@ StepDriver::Run StepDriver::runAgain(System& system, MotionState& state, double 
 bool StepDriver::checkDue(const MotionState& state) const noexcept
 {
   if (m_untilCheck <= 0 || !(m_gauge.speedOf(state.v) <= 2.0 * m_gauge.scale().topSpeed)) return true;
+  return expectedError(state) > kSuspicious * budget(state, state.time - m_start.time);
+}
+
+/// Error that the stretch up to here has added if the dampers tell what has changed since the last check [m].
+double StepDriver::expectedError(const MotionState& state) const noexcept
+{
   const double length = state.time - m_start.time, power = (state.heat - m_start.heat) / length;
   const double grown = m_checkedPower > 0.0 ? std::sqrt(std::max(power, 0.0) / m_checkedPower) : 1.0;
-  return m_checkedError * length * grown >
-         kSuspicious * m_gauge.budget(m_settings.tolerance, state, length, m_errorPower);
+  return m_checkedError * length * grown;
+}
+
+/// Error that a stretch may add [m]. The parts of an onset share what one stretch would have.
+double StepDriver::budget(const MotionState& state, double length) const noexcept
+{
+  const double counted = m_onset.longest > 0.0 ? std::max(length, kOnsetShare * kFrame) : length;
+  return m_gauge.budget(m_settings.tolerance, state, counted, m_errorPower);
 }
 
 /// After a stretch has been done in `steps` and again in `finer` steps: whether the second run may be kept;
@@ -80,7 +96,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   const double apart = m_gauge.distance(m_coarse, m_coarseV, state, length);
   const double coarseError = apart * ratio / (ratio - 1.0);
   if (m_look.steps > 0) m_errorPower = ErrorGauge::errorPower(m_look.error, apart, m_look.share);
-  const double allowed = m_gauge.budget(m_settings.tolerance, state, length, m_errorPower);
+  const double allowed = budget(state, length);
   const bool isFine = coarseError / ratio <= allowed;
   // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
   const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
@@ -93,16 +109,60 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   m_roughAtCheck = !isFine;
   report.rough = report.rough || m_roughAtCheck;
   if (m_roughAtCheck) sayToleranceGivenUp(system);
-  keep(system, state);
+  keep(system, state, coarseError / ratio);
   reconsider(system);
   return true;
+}
+
+/// What is known before the first stretch after an event.
+void StepDriver::rememberBeforeOnset()
+{
+  if (m_onset.longest > 0.0 || m_gauge.scale().calm > 0.0) return;
+  m_onset.method = m_method;
+  for (Method method = 0; method < m_candidates.size(); ++method) {
+    const Candidate& candidate = m_candidates[method];
+    m_onset.known[method] = {candidate.accurateStep, candidate.estimate, candidate.isMeasured};
+  }
+}
+
+/// After a check that failed.
+/// @return length of the next attempt, of which `count` steps would have made the present one [s]
+double StepDriver::beginOnset(double length, double count) noexcept
+{
+  const bool isFirst = m_gauge.scale().calm <= 0.0 && m_onset.longest <= 0.0;
+  if (!m_auto || !isFirst || !(m_checkedShare > kOnsetError) || count < kOnsetParts) return length;
+  m_onset.longest = length / kOnsetParts;
+  return m_onset.longest;
+}
+
+/// Before each stretch: doubles its length, looks at each, and ends the onset with what was known before it.
+void StepDriver::continueOnset(System& system)
+{
+  if (m_onset.longest <= 0.0) return;
+  m_onset.longest *= 2.0;
+  m_untilCheck = 0;
+  if (m_onset.longest < kFrame) return;
+  m_onset.longest = 0.0;
+  if (m_method == m_implicit) return;
+  for (Method method = 0; method < m_candidates.size(); ++method) {
+    Candidate& candidate = m_candidates[method];
+    candidate.accurateStep = m_onset.known[method].accurateStep;
+    candidate.estimate = m_onset.known[method].estimate;
+    candidate.isMeasured = m_onset.known[method].isMeasured;
+  }
+  m_settled = 0;
+  m_checkGap = 1;
+  if (m_method == m_onset.method) return;
+  use(m_onset.method, system);
+  m_candidates[m_method].isMeasured = m_onset.known[m_method].isMeasured;
+  explain(system);
 }
 
 /// From the error of steps of size `step` to the step that would just spend the budget. A step whose error is
 /// near the budget stays: to follow every wave of the error would mean to check for ever.
 void StepDriver::learn(const MotionState& state, double error, double budget, double step)
 {
-  const double order = current().order(), share = error / budget;
+  const double order = current().order(), share = m_checkedShare = error / budget;
   const double mostGrowth = std::min(kMostGrowth, std::pow(kMostErrorGrowth, 1.0 / order));
   const bool isImplicit = !isExplicit(m_candidates[m_method]);
   const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
@@ -113,16 +173,21 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
   const double length = state.time - m_start.time;
   m_checkedError = std::min(error, budget) / length; // the next step will not err more
   m_checkedPower = (state.heat - m_start.heat) / length;
+  bool grows = false;
   if (!(share <= kMostShareKept)) {
     m_checkGap = std::max(1, m_checkGap / 4);
-  } else { // a step that has grown is looked at soon; so is motion that unfolds, where no damper tells of it
-    const bool grows = 0.8 * std::min(accurate, 0.95 * current().stableStep(m_mode)) > step;
+  } else { // motion that unfolds is looked at soon where no damper tells of it, a step that has grown at once
+    grows = 0.8 * std::min(accurate, stableStep(m_candidates[m_method])) > step;
     const bool unfolds = m_gauge.scale().calm < kSettlingTime && !(m_checkedPower > 0.0);
     m_checkGap = std::min(2 * m_checkGap, grows || unfolds ? 2 : kLongestCheckGap);
   }
-  m_untilCheck = m_checkGap;
+  m_untilCheck = grows ? 1 : m_checkGap;
   if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
+  m_shareAtLimit = std::numeric_limits<double>::infinity();
   if (isImplicit) return;
+  if (m_candidates[m_method].typicalError > 0.0)
+    m_shareAtLimit = share * std::pow(stableStep(m_candidates[m_method]) / step, order) /
+                     m_candidates[m_method].typicalError;
   // Motion that is easier or harder for this method is so for the others. Methods of low order err in slower
   // motion, which changes less: they gain little more than this one, although their order promises it.
   Candidate& here = m_candidates[m_method];

@@ -53,6 +53,7 @@ StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings)
     if (entry.name == m_settings.solver) m_method = place;
     m_candidates.push_back({entry.make(), entry.role, entry.typicalError, 0.0, 0.0, false, false});
   }
+  m_onset.known.resize(m_candidates.size());
 }
 
 void StepDriver::begin(System& system, const MotionState& state)
@@ -75,6 +76,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_errorPower = 1.0;
   m_settled = m_descents = m_descentTerm = 0;
   m_grown = 0.0;
+  m_onset.longest = 0.0;
   m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
@@ -117,6 +119,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
 {
   m_gauge.setPart(part.rest, part.wholeCount, part.squareElsewhere);
   m_names = std::move(part.nodes);
+  m_onset.longest = 0.0;
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system);
@@ -131,6 +134,7 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
   const double change = tolerance / m_settings.tolerance;
   m_settings.tolerance = tolerance;
   m_settings.effort = effort;
+  m_onset.longest = 0.0;
   for (Candidate& candidate : m_candidates) { // what the error's order says, until the next check
     if (!candidate.integrator) continue;
     const double gain = std::pow(change, 1.0 / candidate.integrator->order());
@@ -177,8 +181,7 @@ double StepDriver::cost(Method method, const System& system)
 {
   if (method == m_implicit) layOut(method, system);
   Candidate& candidate = m_candidates[method];
-  const double step =
-    std::min({0.95 * candidate.integrator->stableStep(m_mode), candidate.accurateStep, kFrame});
+  const double step = std::min({stableStep(candidate), candidate.accurateStep, kFrame});
   return candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step);
 }
 
@@ -215,15 +218,18 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
 /// Trials that fail grow rare.
 StepDriver::Method StepDriver::worthATrial(const System& system)
 {
-  constexpr double kGain = 0.6, kReach = 2.5;
+  constexpr double kGain = 0.6, kReach = 2.5, kTypicalMargin = 5.0;
   double least = kGain * cost(m_method, system);
   Method best = m_method;
   double bestStep = 0.0;
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     if (candidate.role != MethodRole::Explicit || method == m_method || --candidate.untilTrial > 0) continue;
-    const double stable = 0.95 * candidate.integrator->stableStep(m_mode);
-    const double step = std::min(stable, kReach * candidate.accurateStep);
+    const double stable = stableStep(candidate);
+    // What is typical of both methods tells more where the present one errs far less than it may.
+    const double typical = stable * std::pow(1.0 / (kTypicalMargin * m_shareAtLimit * candidate.typicalError),
+                                             1.0 / candidate.integrator->order());
+    const double step = std::min(stable, std::max(typical, kReach * candidate.accurateStep));
     const double hoped = candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step);
     if (hoped >= least) continue;
     least = hoped;

@@ -38,8 +38,10 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     if (std::abs(event - end) <= 1e-9 * interval) end = event;
     const double target = std::min(event, end);
     const bool isFixed = m_settings.fixedStep > 0.0;
-    const double longest =
-      m_untilCheck <= 0 && controlledStep(kFrame) < kCheckLength / 8.0 ? kCheckLength : kFrame;
+    continueOnset(system);
+    const double longest = m_onset.longest > 0.0 ? m_onset.longest
+                           : m_untilCheck <= 0 && controlledStep(kFrame) < kCheckLength / 8.0 ? kCheckLength
+                                                                                              : kFrame;
     const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / longest * (1.0 - 1e-9));
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
     const bool done = isFixed ? stretchFixed(system, state, stretchEnd, report)
@@ -92,15 +94,15 @@ bool StepDriver::stretchFixed(System& system, MotionState& state, double end, St
 /// The step that is both stable and accurate.
 double StepDriver::controlledStep(double length) noexcept
 {
-  // The bound is exact only for a frozen net; stiffening springs get a margin until the next look.
-  const double stable = 0.95 * current().stableStep(m_mode);
-  return std::min({stable, std::max(m_candidates[m_method].accurateStep, floorStep()), length});
+  const Candidate& candidate = m_candidates[m_method];
+  return std::min({stableStep(candidate), std::max(candidate.accurateStep, floorStep()), length});
 }
 
 bool StepDriver::stretchControlled(System& system, MotionState& state, double end, StepReport& report)
 {
-  const double length = end - state.time;
+  double length = end - state.time;
   refreshBound(system, state);
+  rememberBeforeOnset();
   m_start = state;
   m_startEnergies.reset();
   m_growth = m_grown;
@@ -108,7 +110,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
     const Run result = run(system, state, end, 1, report);
     if (result != Run::Done) return giveUp(result, report), false;
-    keep(system, state);
+    keep(system, state, expectedError(state));
     return true;
   }
   if (m_auto) {
@@ -160,7 +162,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       if (!isDue || isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system, step))) {
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
-        keep(system, state);
+        keep(system, state, expectedError(state));
         if (unchecked) reconsider(system);
         return true;
       }
@@ -179,6 +181,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     }
     if (accept(system, state, steps, finer, report)) return true;
     report.rejectedSteps += steps + finer;
+    length = beginOnset(length, count);
+    end = m_start.time + length;
     state = m_start;
     m_settled = 0;
     reconsider(system, false);
@@ -232,7 +236,7 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   report.rough = true;
   m_untilCheck = 0;
   m_checkGap = 1;
-  keep(system, state);
+  keep(system, state, expectedError(state));
   if (--m_descents <= 0) reconsider(system);
   return true;
 }
@@ -291,9 +295,10 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, StepRe
 }
 
 /// The stretch is done.
-void StepDriver::keep(const System& system, const MotionState& state) noexcept
+/// @param error  that it has added [m]
+void StepDriver::keep(const System& system, const MotionState& state, double error) noexcept
 {
-  m_gauge.setScale(m_gauge.scaleAfter(system, m_start, state));
+  m_gauge.setScale(m_gauge.scaleAfter(system, m_start, state, error, m_errorPower));
   m_grown = m_growth;
 }
 

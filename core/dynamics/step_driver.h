@@ -7,6 +7,7 @@
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/simulation.h"
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -29,6 +30,10 @@ struct NetPart {
 /// error dies out before the next frame; whole stretches say what a frame shows. The second result is kept.
 /// How much error a stretch may add is told by ErrorGauge, which also takes a look at the two runs early in
 /// the stretch: it tells whether errors add up.
+///
+/// Where loads jump, fast waves start that die out soon. If the first stretch errs far too much, it is cut
+/// into short ones that double (Onset), so that their small steps are not taken any longer than these waves
+/// live.
 ///
 /// `auto` compares costs: explicit steps at their limit against implicit ones at the accurate step. If even
 /// explicit steps would be too many, it goes implicit with a smallest step and says that the tolerance may
@@ -81,10 +86,26 @@ private:
     int untilTrial = kFirstTrial; ///< checks until it may be tried at more than is known of it
     int trialGap = kFirstTrial;
   };
+  /// The first moments after an event, while stretches are shorter than usual.
+  struct Onset {
+    double longest = 0.0; ///< stretch now [s]; 0: there is no onset
+    Method method = 0;    ///< before it
+    struct Known {
+      double accurateStep, estimate;
+      bool isMeasured;
+    };
+    std::vector<Known> known; ///< of each candidate before it: what is learned in it holds in it
+  };
 
   static bool isExplicit(const Candidate& candidate) noexcept
   {
     return candidate.role == MethodRole::Explicit || candidate.role == MethodRole::Local;
+  }
+  /// The largest stable step [s]. The bound is exact only for a frozen net; stiffening springs get a margin
+  /// until the next look.
+  double stableStep(const Candidate& candidate) const noexcept
+  {
+    return 0.95 * candidate.integrator->stableStep(m_mode);
   }
   Integrator& current() noexcept { return *m_candidates[m_method].integrator; }
   void use(Method method, const System& system);
@@ -120,10 +141,15 @@ private:
   void learn(const MotionState& state, double error, double budget, double step);
   double controlledStep(double length) noexcept;
   void giveToleranceUp(const System& system, bool yes);
+  void rememberBeforeOnset();
+  double beginOnset(double length, double count) noexcept;
+  void continueOnset(System& system);
+  double budget(const MotionState& state, double length) const noexcept;
+  double expectedError(const MotionState& state) const noexcept;
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
   void sayDescent(const System& system);
-  void keep(const System& system, const MotionState& state) noexcept;
+  void keep(const System& system, const MotionState& state, double error) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(Run failure, StepReport& report);
   void explain(const System& system);
@@ -153,6 +179,10 @@ private:
   double m_checkedError = 0.0; ///< that the present steps add, by the last check [m/s]
   double m_checkedPower = 0.0; ///< of the dampers then [W]
   double m_errorPower = 1.0;   ///< with which errors grow over time, by the last check
+  double m_checkedShare = 0.0; ///< of the budget, that the last check found
+  /// The share that the present method would have at its stability limit, over its typical error.
+  double m_shareAtLimit = std::numeric_limits<double>::infinity();
+  Onset m_onset;
   std::int64_t m_maxSteps = 0;
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
