@@ -350,9 +350,10 @@ void ImportDialog::showReport()
   text +=
     tr("; about %1 MB of memory").arg(locale.toString(static_cast<double>(prediction.bytes) / 1e6, 'f', 1));
   if (prediction.step > 0.0)
-    text +=
-      tr("; time step %1 ms, explicit steps then reach about %2 times real time on one core")
-        .arg(locale.toString(prediction.step * 1000.0, 'g', 2), locale.toString(prediction.realTime, 'g', 2));
+    text += tr("; time step %1 ms, explicit steps then reach about %2 times real time on one core")
+              .arg(locale.toString(prediction.step * 1000.0, 'g', 2),
+                   locale.toString(prediction.realTime, prediction.realTime < 10.0 ? 'g' : 'f',
+                                   prediction.realTime < 10.0 ? 2 : 0));
   m_prediction->setText(text);
 }
 

@@ -43,13 +43,21 @@ void DefectList::fill()
     return;
   }
   for (const DefectGroup& group : m_groups) {
-    auto* head = new QTreeWidgetItem(this, {textOf(group.kind).arg(group.count)});
+    const QString count = QString::number(group.count);
+    auto* head = new QTreeWidgetItem(
+      this, {textOf(group.kind).arg(group.isComplete ? count : tr("at least %1").arg(count))});
     if (group.kind != DefectKind::Hole && group.kind != DefectKind::LoosePart) // which may be meant
       head->setForeground(0, signalColours(palette()).warning);
     for (std::size_t i = 0; i < group.defects.size(); ++i)
       new QTreeWidgetItem(head, {textOf(group.kind, i + 1, group.defects[i])});
     if (group.count > group.defects.size())
       new QTreeWidgetItem(head, {tr("... and %1 more").arg(group.count - group.defects.size())});
+    if (!group.isComplete) {
+      const QString why = tr("The search ended early: there may be more");
+      new QTreeWidgetItem(head, {why});
+      head->setToolTip(0, why + QStringLiteral(". ") +
+                            tr("“esm inspect --defects --intersections” looks at all triangles"));
+    }
     head->setExpanded(m_groups.size() <= 3);
   }
 }

@@ -10,11 +10,12 @@ namespace {
 
 /// Makes a group of `items`, each of which `defectOf` turns into a Defect.
 template <class Items, class DefectOf>
-void addGroup(std::vector<DefectGroup>& groups, DefectKind kind, const Items& items, DefectOf defectOf)
+void addGroup(std::vector<DefectGroup>& groups, DefectKind kind, const Items& items, DefectOf defectOf,
+              bool isComplete = true)
 {
   const auto count = static_cast<std::size_t>(std::size(items));
-  if (count == 0) return;
-  DefectGroup group{kind, count, {}};
+  if (count == 0 && isComplete) return;
+  DefectGroup group{kind, count, isComplete, {}};
   for (std::size_t i = 0; i < std::min(count, kMostDefects); ++i) group.defects.push_back(defectOf(items[i]));
   groups.push_back(std::move(group));
 }
@@ -61,8 +62,9 @@ std::vector<DefectGroup> defectPlaces(const Mesh& mesh, const MeshDefects& defec
   addGroup(groups, DefectKind::DuplicateFace, defects.duplicateFaces, face);
   addGroup(groups, DefectKind::TurnedFace, defects.turnedFaces, face);
   addGroup(groups, DefectKind::UnorientableEdge, edges(defects.unorientableEdges), edge);
-  addGroup(groups, DefectKind::SelfIntersection, crossings.pairs,
-           [&](const SelfIntersection& crossing) { return Defect{crossing.place}; });
+  addGroup(
+    groups, DefectKind::SelfIntersection, crossings.pairs,
+    [&](const SelfIntersection& crossing) { return Defect{crossing.place}; }, crossings.isComplete);
   addGroup(groups, DefectKind::IsolatedVertex, defects.isolatedVertices, vertex);
   addGroup(groups, DefectKind::LoosePart, looseParts(defects.parts), [&](const MeshPart& part) {
     return Defect{mesh.position.col(part.firstVertex), part.triangles + part.segments + part.tetrahedra};

@@ -33,12 +33,14 @@ struct DefectGroup {
     double length = 0.0;     ///< of a hole's rim [m]; else 0
   };
   DefectKind kind = DefectKind::Hole;
-  std::size_t count = 0;       ///< in all
+  std::size_t count = 0;       ///< in all, as far as they were looked for
+  bool isComplete = true;      ///< false: the search has ended early, there may be more
   std::vector<Defect> defects; ///< the first kMostDefects of them
 };
 inline constexpr std::size_t kMostDefects = 500;
 
-/// The kinds that occur, in the order of DefectKind. Of several parts all but the largest are loose.
+/// The kinds that occur, in the order of DefectKind; also a kind of which nothing was found before the search
+/// for it ended early. Of several parts all but the largest are loose.
 /// @param mesh in the scene [m]. @param defects of that mesh, or of it before it was scaled and turned.
 /// @param crossings of that mesh
 std::vector<DefectGroup> defectPlaces(const Mesh& mesh, const MeshDefects& defects,

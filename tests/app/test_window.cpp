@@ -8,6 +8,7 @@
 #include "app/state_dump.h"
 #include "app/window_actions.h"
 #include "core/base/file_io.h"
+#include "core/net/net_builder.h"
 #include "core/project/project_io.h"
 #include "tests/app/sheet.h"
 
@@ -282,6 +283,78 @@ TEST_F(WindowTest, ImportDialogBringsTheMaterial)
   document->undoStack()->undo();
   EXPECT_EQ(document->project().tissue.thickness, before.thickness);
   EXPECT_EQ(document->project().tissue.inputs, before.inputs);
+}
+
+// What is added comes beside the model with its own lines, struts and bands, in one step of undo; nothing of
+// the model moves, its tissue and recipe stay, and the whole can be simulated and saved.
+TEST_F(WindowTest, ImportDialogAddsToTheModel)
+{
+  const QString path = folder.filePath("bar.added");
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(),
+                                  "v 0 0 0\nv 9 0 0\nv 0 30 0\nv 0 0 9\nv 0 0 40\nv 20 0 40\n"
+                                  "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\nl 4 5 6\n"));
+  Document* document = window->document();
+  const Project before = document->project();
+  const Index nodes = before.net.nodeCount(), springs = before.net.springCount();
+  ASSERT_GT(nodes, 0);
+  JobRunner jobs;
+  ImportDialog dialog({path}, &jobs, false, before.tissue);
+  dialog.findChild<QComboBox*>("importAnchors")->setCurrentIndex(1);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
+  EXPECT_TRUE(dialog.replaces());
+  auto* add = dialog.findChild<QAbstractButton*>("importAdd");
+  ASSERT_TRUE(add->isEnabled());
+  add->click();
+  EXPECT_FALSE(dialog.replaces());
+  dialog.accept();
+  ASSERT_TRUE(document->importModel(dialog.takeModel(), dialog.replaces()));
+  const Project& after = document->project();
+  EXPECT_EQ(after.net.nodeCount(), nodes + 6);
+  EXPECT_EQ(after.net.springCount(), springs + 6 + 2);
+  EXPECT_EQ(std::count(after.net.kind.begin() + springs, after.net.kind.end(), SpringKind::Line), 2);
+  EXPECT_EQ((after.net.anchors.bandLength > 0.0).count(), 4); // from the surface, not from the lines
+  EXPECT_EQ(after.net.restPosition.leftCols(nodes), before.net.restPosition);
+  EXPECT_NEAR(after.net.restPosition(1, nodes + 2), 0.03, 1e-15);
+  EXPECT_TRUE((after.net.stiffness.head(springs) == before.net.stiffness).all());
+  EXPECT_TRUE(checkNet(after.net));
+  EXPECT_EQ(after.name, before.name);
+  EXPECT_EQ(after.source, before.source);
+  EXPECT_EQ(after.tissue.inputs, before.tissue.inputs);
+  const auto file = folder.filePath("both.esm");
+  ASSERT_TRUE(document->saveAs(file));
+  const auto read = loadProject(file.toStdString());
+  ASSERT_TRUE(read) << read.error().detail;
+  EXPECT_EQ(read->net.nodeCount(), nodes + 6);
+  document->undoStack()->undo();
+  EXPECT_EQ(document->project().net.nodeCount(), nodes);
+}
+
+// 600 triangles, one above the other, and one that pierces them all: more than are listed. The list says so,
+// instead of passing what it shows for all there is.
+TEST_F(WindowTest, ImportDialogSaysThatMoreTrianglesMayRunThroughOthers)
+{
+  std::string text = "v 1 1 -1\nv 2 1 -1\nv 1 1 601\nf 1 2 3\n";
+  for (int i = 0; i < 600; ++i) {
+    const std::string z = std::to_string(i) + ".5";
+    text += "v 0 0 " + z + "\nv 9 0 " + z + "\nv 0 9 " + z + "\nf -3 -2 -1\n";
+  }
+  const QString path = folder.filePath("stack.pierced");
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), text));
+  JobRunner jobs;
+  ImportDialog dialog({path}, &jobs, true, defaultTissue());
+  ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
+  auto* list = dialog.findChild<QTreeWidget*>("importDefects");
+  const auto found = list->findItems("Triangles that run through others: at least ", Qt::MatchStartsWith);
+  ASSERT_EQ(found.size(), 1);
+  QTreeWidgetItem* head = found.front();
+  const int last = head->childCount() - 1;
+  EXPECT_EQ(head->child(last)->text(0), "The search ended early: there may be more");
+  EXPECT_FALSE(head->toolTip(0).isEmpty());
+  list->setCurrentItem(head->child(last)); // a remark has no place
+  EXPECT_EQ(dialog.view()->marks().cols(), 0);
+  language.set(Language::German);
+  EXPECT_TRUE(
+    QTest::qWaitFor([&] { return list->findItems("Triangles that run", Qt::MatchStartsWith).isEmpty(); }));
 }
 
 // A mesh file that changes on disk shows a bar; Update takes it in one step of undo, and the bar goes.
