@@ -12,7 +12,7 @@ esm_build_packages=(g++ cmake ninja-build ccache libeigen3-dev libassimp-dev zli
   qt6-base-dev libqt6opengl6-dev qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n libgl-dev
   libqcustomplot-dev libgl1-mesa-dri libmeshoptimizer-dev libcoin-dev libusb-1.0-0-dev libgtest-dev libgmock-dev libbenchmark-dev python3)
 esm_show_packages=(xvfb xauth fonts-dejavu-core)
-esm_test_packages=(libfuzzylite-dev python3-jsonschema xdotool imagemagick x11-apps locales git
+esm_test_packages=(libfuzzylite-dev python3-jsonschema xdotool imagemagick x11-apps assimp-utils locales git
   tetgen gmsh python3-vtk9 pkg-config libumockdev-dev umockdev qemu-system-x86 busybox-static) # driven by tests, or compared with
 esm_bench_packages=(libfuzzylite-dev libsundials-dev libsuitesparse-dev libopenblas0-serial python3-matplotlib) # competitors, pictures
 esm_check_packages=(clang-format clang-tidy clang libclang-rt-14-dev) # the last two for libFuzzer

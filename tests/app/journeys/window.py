@@ -10,6 +10,7 @@ state dump (app/state_dump.h). A journey is a script `NAME.py` beside this file,
 Arguments of every journey: MODELER SAMPLES OUT; OUT holds start.esm and takes the pictures.
 """
 import json
+import os
 import pathlib
 import re
 import subprocess
@@ -82,6 +83,21 @@ def drag(start, end, steps=12, hold=False):
         time.sleep(0.05)
     if not hold:
         xdo("mouseup", 1)
+
+
+def carry_files(target, *paths):
+    """Takes files out of another program's window, as out of a file manager, and holds them over `target`, the button
+    still down. let_go(), with what this returns, drops them."""
+    source = subprocess.Popen([os.environ["ESM_DRAG_SOURCE"], "8", "900", *map(str, paths)])
+    focus("Files to drag")
+    drag((60, 930), place(target), hold=True)
+    return source
+
+
+def let_go(source):
+    xdo("mouseup", 1)
+    if source.wait(timeout=PATIENCE) != 0:
+        fail("the files were not taken")
 
 
 def keys(*names):
