@@ -12,6 +12,8 @@ namespace esm {
 namespace {
 
 constexpr double kLeastRate = 1.0, kMostRate = 1000.0;     ///< frames per second
+constexpr double kLeadTime = 0.004;                        ///< between two places of a led hand [s]
+constexpr double kFastestHand = 2.0;                       ///< what goes further was placed anew [m/s]
 constexpr double kMostSlices = 256.0;                      ///< of a frame
 constexpr double kSliceTime = 0.02, kMostSliceTime = 0.25; ///< wanted, and never longer [s]
 constexpr std::int64_t kFewSteps = 4;                      ///< too few to be worth dividing
@@ -189,11 +191,10 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
 {
   if (!wantsFrame()) return 0.0;
   m_stepPending = false;
-  applyTools();
-  const StepReport report = enough ? advanceSliced(m_period, enough) : m_simulation->advance(m_period);
+  if (m_grip && !deviceLeads()) pull();
+  const StepReport report = deviceLeads() ? advanceLed(enough) : advance(m_period, enough);
   judge(report);
   keepPicture();
-  if (deviceTouches()) m_tip->update(m_simulation->state());
   if ((m_grip || m_tip) && m_followDevice && m_playing) publishContact();
   return report.simulatedTime;
 }
@@ -210,23 +211,64 @@ void SimRunner::applyAccuracy()
     m_message = "The accuracy was not taken, the former one holds: " + status.error().detail;
 }
 
-void SimRunner::applyTools()
+bool SimRunner::deviceLeads()
+{
+  return (m_grip || m_tip) && m_followDevice && m_tool.latest().sequence != 0;
+}
+
+/// Along the way that the hand went since the last frame, a piece at a time: led in one leap, light tissue
+/// would ring, and be felt in whatever phase of it the frame ends. A frame that was broken off has left the
+/// hand behind; then the leap is what catches up.
+StepReport SimRunner::advanceLed(const std::function<bool()>& enough)
+{
+  const ToolState& tool = m_tool.latest();
+  const Eigen::Vector3d from = m_grip ? m_grip->target() : m_tip->hand(), way = tool.position - from;
+  const bool leaps =
+    !m_handIsThere || way.norm() > kFastestHand * m_period || (deviceTouches() && !m_tip->isLed());
+  const bool isFree = deviceTouches() && m_tip->gap() > way.norm();
+  const int pieces = leaps || isFree ? 1 : static_cast<int>(std::ceil(m_period / kLeadTime));
+  m_handIsThere = false;
+  StepReport sum;
+  for (int i = 1; i <= pieces; ++i) {
+    moveTool(from + way * (static_cast<double>(i) / pieces), leaps ? tool.velocity : way / m_period);
+    // Tissue that is held comes after the hand first, and is then asked whether it still touches.
+    if (deviceTouches() && (leaps || !m_tip->pulls())) m_tip->update(m_simulation->state());
+    pull();
+    const StepReport piece = advance(m_period / pieces, enough);
+    sum.add(piece);
+    if (!piece.good()) return sum;
+    if (deviceTouches()) m_tip->update(m_simulation->state());
+    if (i < pieces && enough && enough()) return sum;
+  }
+  m_handIsThere = true;
+  return sum;
+}
+
+void SimRunner::moveTool(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity)
+{
+  if (m_grip)
+    m_grip->moveTo(hand, velocity);
+  else
+    m_tip->moveTo(hand, velocity);
+}
+
+/// At the net as it is now, with whichever tool there is.
+void SimRunner::pull()
 {
   const NetState& state = m_simulation->state();
-  const ToolState& tool = m_tool.latest();
-  const bool leads = m_followDevice && tool.sequence != 0;
   if (m_grip) {
-    if (leads) m_grip->moveTo(tool.position, tool.velocity);
     const ToolSpring spring = m_grip->spring(state);
     m_simulation->setTools({&spring, 1});
-  } else if (deviceTouches() && leads) {
-    m_tip->moveTo(tool.position, tool.velocity);
-    m_tip->update(state);
-    if (m_tip->pulls())
-      m_simulation->setTools(m_tip->springs(state));
-    else
-      m_simulation->setTools({});
+  } else if (deviceTouches() && m_tip->pulls()) {
+    m_simulation->setTools(m_tip->springs(state));
+  } else {
+    m_simulation->setTools({});
   }
+}
+
+StepReport SimRunner::advance(double interval, const std::function<bool()>& enough)
+{
+  return enough ? advanceSliced(interval, enough) : m_simulation->advance(interval);
 }
 
 /// In slices that each take a small part of the frame's allowance, so that it can be broken off between them.

@@ -69,7 +69,11 @@ private:
   void applyAccuracy();
   Stability stability() const;
   bool deviceTouches() const noexcept { return m_tip && m_followDevice && !m_grip; }
-  void applyTools();
+  bool deviceLeads();
+  StepReport advanceLed(const std::function<bool()>& enough);
+  void moveTool(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity);
+  void pull();
+  StepReport advance(double interval, const std::function<bool()>& enough);
   StepReport advanceSliced(double interval, const std::function<bool()>& enough);
   void judge(const StepReport& report);
   void keepPicture();
@@ -89,9 +93,10 @@ private:
   std::uint64_t m_contactSequence = 0;
   double m_period;
   bool m_playing = false, m_stepPending = false, m_followDevice = false, m_contactActive = false;
-  bool m_failed = false;    ///< numerics; stays until a command gives hope
-  double m_slice;           ///< simulated time between two questions whether it is enough [s]
-  std::int64_t m_stepLimit; ///< of a slice
+  bool m_handIsThere = false; ///< the last led frame came to its end, and the tool to where the hand was
+  bool m_failed = false;      ///< numerics; stays until a command gives hope
+  double m_slice;             ///< simulated time between two questions whether it is enough [s]
+  std::int64_t m_stepLimit;   ///< of a slice
   StepReport m_report;
   std::string m_why;        ///< the simulation's own, but for the limits that slices set it
   bool m_brokenOff = false; ///< the last slice by such a limit

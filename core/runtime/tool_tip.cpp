@@ -259,6 +259,12 @@ void ToolTip::place()
     m_lift = 0.5 * (m_surface.pointAt(*wall) - m_place).norm();
 }
 
+double ToolTip::gap() const noexcept
+{
+  if (m_touches) return 0.0;
+  return isNear() ? std::max(0.0, (m_hand - m_place).norm() - m_radius) : kReach;
+}
+
 NodeCombination ToolTip::point() const noexcept
 {
   const SurfacePoint& point = m_touches ? m_contact : m_near;

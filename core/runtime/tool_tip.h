@@ -42,9 +42,12 @@ public:
   /// after kFollowTime of simulated time: tissue let go of at once would snap back into the ball before the
   /// next frame holds it; so it follows the hand, without force on it, until it stays behind by itself.
   void update(const NetState& state);
+  bool isLed() const noexcept { return m_hasLast; } ///< by the last update(), to where hand() is
   bool touches() const noexcept { return m_touches && !m_wasOut; }
   bool pulls() const noexcept { return m_touches; } ///< touches, or tissue still follows a hand that came out
   bool isNear() const noexcept { return m_touches || m_near.triangle != kNoIndex; }
+  /// From the ball to the surface, kReach at most; 0 while it pulls [m].
+  double gap() const noexcept;
   /// The contact, or the point next to it. @pre isNear()
   NodeCombination point() const noexcept;
 

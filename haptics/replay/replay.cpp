@@ -82,8 +82,10 @@ void Replay::makeDevice(HandPath path, ReplayDevice kind)
     m_look = [model = twin.model] { return ReplayTick{0.0, model->grip().position(), model->force(), {}}; };
     device = std::move(twin.device);
   } else {
+    const Eigen::Vector3d start = path.position.col(0);
     auto simulated = std::make_unique<SimulatedDevice>(SimulatedDeviceSettings{},
                                                        std::make_unique<RecordedHand>(std::move(path)));
+    simulated->setMotion(start, Eigen::Vector3d::Zero());
     m_look = [grip = simulated.get()] { return ReplayTick{0.0, grip->position(), grip->force(), {}}; };
     device = std::move(simulated);
   }

@@ -13,8 +13,6 @@ namespace esm {
 
 namespace {
 
-constexpr int kStepsPerTick = 5; ///< of a tick of 1 ms: 5 kHz
-
 /// A held node or a ball on the surface, whichever the scene has.
 class Tool {
 public:
@@ -54,7 +52,8 @@ private:
 
 } // namespace
 
-Result<Eigen::Matrix3Xd> trueForce(const ReplayScene& scene, const std::vector<ReplayTick>& ticks)
+Result<Eigen::Matrix3Xd> trueForce(const ReplayScene& scene, const std::vector<ReplayTick>& ticks,
+                                   int stepsPerTick)
 {
   Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, static_cast<Eigen::Index>(ticks.size()));
   if (ticks.empty()) return force;
@@ -62,9 +61,9 @@ Result<Eigen::Matrix3Xd> trueForce(const ReplayScene& scene, const std::vector<R
   if (!simulation) return simulation.error();
   Tool tool(scene, ticks.front().grip);
   for (std::size_t i = 1; i < ticks.size(); ++i) {
-    const double step = (ticks[i].time - ticks[i - 1].time) / kStepsPerTick;
-    const Eigen::Vector3d way = (ticks[i].grip - ticks[i - 1].grip) / kStepsPerTick;
-    for (int k = 1; k <= kStepsPerTick; ++k) {
+    const double step = (ticks[i].time - ticks[i - 1].time) / stepsPerTick;
+    const Eigen::Vector3d way = (ticks[i].grip - ticks[i - 1].grip) / stepsPerTick;
+    for (int k = 1; k <= stepsPerTick; ++k) {
       tool.pull(*simulation, ticks[i - 1].grip + k * way, way / step);
       const StepReport report = simulation->advance(step);
       if (!report.good()) return Error{ErrorCode::Numerics, simulation->why()};

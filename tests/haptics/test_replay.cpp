@@ -68,47 +68,83 @@ private:
 
 struct Played {
   std::vector<ReplayTick> ticks;
+  Eigen::Matrix3Xd truth;
   ForceError error;
 };
 
-Played play(double frameRate)
+Played play(double frameRate, const HandPath& path = press())
 {
   const ReplayScene scene = uterus();
-  auto replay = valueOf(Replay::create(scene, press(), ReplayDevice::Falcon, frameRate));
+  auto replay = valueOf(Replay::create(scene, path, ReplayDevice::Falcon, frameRate));
   replay->arm();
   Played played;
-  while (replay->now() < 3.7) {
+  while (replay->now() < path.duration() - 0.1) {
     replay->tick();
     played.ticks.push_back(replay->last());
   }
-  played.error = forceError(played.ticks, valueOf(trueForce(scene, played.ticks)));
+  played.truth = valueOf(trueForce(scene, played.ticks));
+  played.error = forceError(played.ticks, played.truth);
+  EXPECT_GT(played.error.peak, 0.3); // it was pressed
+  EXPECT_EQ(played.ticks.back().state, DeviceState::Active);
   return played;
+}
+
+/// The same way at twice the pace, from where the force has faded in.
+HandPath pressTwiceAsFast()
+{
+  constexpr double kArmed = 2.6; // [s]
+  HandPath path = press();
+  for (double& time : path.time) time = time > kArmed ? kArmed + 0.5 * (time - kArmed) : time;
+  return path;
+}
+
+double largestForce(const Played& played)
+{
+  double largest = 0.0;
+  for (const ReplayTick& tick : played.ticks) largest = std::max(largest, tick.force.norm());
+  return largest;
 }
 
 } // namespace
 
-// 1 Hz, 15 mm, with a tremor: what the Falcon's motors do to the grip against what the net does at 5 kHz to a
-// tool that goes the same way. A7 at 125 frames per second: 6 % at most, 1.2 % root mean square.
+// 15 mm, with a tremor: what the Falcon's motors do to the grip against what the net does at 5 kHz to a tool
+// that goes the same way. The bounds are those of A7: 6 % and 1.2 % root mean square at 125 frames per
+// second, 8 % and 2 % at 60, 13 % and 2.5 % at 60 and 2 Hz.
 TEST(Replay, AtOneHundredAndTwentyFiveFramesTheFalconFeelsTheUterusAsItIs)
 {
   const Played played = play(125.0);
-  EXPECT_GT(played.error.peak, 0.3);
   EXPECT_LE(played.error.most, 0.06);
   EXPECT_LE(played.error.rms, 0.012);
-  EXPECT_EQ(played.ticks.back().state, DeviceState::Active);
 }
 
-// At 60 the touch itself is met a frame late, by a twentieth of a newton (18 % of the 0.34 N; A7 is for a
-// tool that holds on): that sets both bounds. Before the hold of ToolTip the same press gave 4.9 N on its way
-// out.
-TEST(Replay, AtSixtyFramesOnlyTheFirstTouchIsFeltLate)
+// And what it is measured by has converged: four times as many steps change the true force by less than a
+// fifth of what is allowed.
+TEST(Replay, AtSixtyFramesTheFalconFeelsTheUterusAsItIs)
 {
   const Played played = play(60.0);
-  EXPECT_LE(played.error.most * played.error.peak, 0.07); // [N]
-  EXPECT_LE(played.error.rms, 0.035);
-  double largest = 0.0;
-  for (const ReplayTick& tick : played.ticks) largest = std::max(largest, tick.force.norm());
-  EXPECT_LE(largest, 1.1 * played.error.peak);
+  EXPECT_LE(played.error.most, 0.08);
+  EXPECT_LE(played.error.rms, 0.02);
+  const Eigen::Matrix3Xd finer = valueOf(trueForce(uterus(), played.ticks, 20));
+  EXPECT_LE((finer - played.truth).colwise().norm().maxCoeff(), 0.016 * played.error.peak);
+}
+
+TEST(Replay, AtSixtyFramesAHandAtTwoHertzFeelsTheUterusAsItIs)
+{
+  const Played played = play(60.0, pressTwiceAsFast());
+  EXPECT_LE(played.error.most, 0.13);
+  EXPECT_LE(played.error.rms, 0.025);
+}
+
+// Once a hand that left the tissue was kicked with 4.9 N: let go of within a frame, light tissue snapped back
+// into the ball. Now nothing is felt above what is true, at whichever rate and pace it leaves, and nothing at
+// all once it is out.
+TEST(Replay, TissueDoesNotKickAHandThatLeavesIt)
+{
+  for (const double frameRate : {30.0, 60.0, 90.0}) {
+    const Played played = play(frameRate, pressTwiceAsFast());
+    EXPECT_LE(largestForce(played), 1.1 * played.error.peak) << frameRate << " frames per second";
+    EXPECT_TRUE(played.ticks.back().force.isZero(0.0)) << frameRate << " frames per second";
+  }
 }
 
 // 15 frames per second come every 67 ms, before a model is old at 100: the force stays, and without jumps.
