@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <ctime>
 #include <exception>
+#include <utility>
 
 #include <sys/eventfd.h>
 #include <unistd.h>
@@ -34,6 +35,24 @@ struct LastBreath {
 };
 thread_local LastBreath t_lastBreath;
 
+struct Words {
+  std::atomic<void (*)(void*) noexcept> say{nullptr};
+  std::atomic<void*> context{nullptr}; ///< null: nothing to say
+  std::atomic<bool> taken{false};
+  std::atomic<int> speaking{0};
+};
+std::array<Words, 8> s_words;
+thread_local bool t_dying = false;
+
+void speakLastWords() noexcept
+{
+  for (Words& words : s_words) {
+    words.speaking.fetch_add(1);
+    if (void* context = words.context.load()) words.say.load()(context);
+    words.speaking.fetch_sub(1);
+  }
+}
+
 void request(int signal) noexcept
 {
   s_signal.store(signal, std::memory_order_relaxed);
@@ -46,7 +65,9 @@ void request(int signal) noexcept
 /// On the thread that is dying: the servo threads are alive, unless it is one of them.
 void silenceAll() noexcept
 {
+  if (std::exchange(t_dying, true)) return; // it died again, of its last words
   request(0);
+  speakLastWords();
   const LastBreath& own = t_lastBreath;
   if (own.sendZero != nullptr)
     for (int i = 0; i < kZeroPackets; ++i) own.sendZero(own.context);
@@ -56,6 +77,7 @@ void silenceAll() noexcept
   for (int i = 0; i < kLongestWait && s_liveServos.load(std::memory_order_acquire) > mine; ++i)
     nanosleep(&millisecond, nullptr);
   for (int i = 0; i < kDriverTime; ++i) nanosleep(&millisecond, nullptr);
+  speakLastWords(); // whatever the servos' last ticks have brought to the devices
 }
 
 /// exit() may be called by any thread while force flows. Handlers run in reverse order: registered with the
@@ -148,6 +170,28 @@ LiveServo::~LiveServo()
 {
   t_lastBreath = {};
   s_liveServos.fetch_sub(1, std::memory_order_acq_rel);
+}
+
+LastWords::LastWords(void (*say)(void*) noexcept, void* context) noexcept : m_place(-1)
+{
+  for (int i = 0; i < static_cast<int>(s_words.size()); ++i) {
+    Words& words = s_words[static_cast<std::size_t>(i)];
+    if (words.taken.exchange(true)) continue;
+    m_place = i;
+    words.say.store(say);
+    words.context.store(context);
+    return;
+  }
+}
+
+LastWords::~LastWords()
+{
+  if (m_place < 0) return;
+  Words& words = s_words[static_cast<std::size_t>(m_place)];
+  words.context.store(nullptr);
+  const std::timespec millisecond{0, 1000000};
+  while (words.speaking.load() != 0) nanosleep(&millisecond, nullptr);
+  words.taken.store(false);
 }
 
 } // namespace esm

@@ -13,7 +13,9 @@ namespace esm {
 ///     std::terminate            itself, it sends zero with its last breath.
 ///     exit()                    the same wait, wherever it is called.
 ///
-/// After the last servo is silent, drivers get 20 ms more to bring its zero to the device.
+/// After the last servo is silent, drivers get 20 ms more to bring its zero to the device. Before and after
+/// all that, each device's LastWords are spoken on the dying thread itself: a driver whose own thread crashed
+/// will bring nothing any more.
 /// Each servo loop looks at requested() every tick: it lets its force fall to zero, sends zero three times
 /// and is silent, whatever the rest of the program does. Handlers touch nothing but atomics and a descriptor.
 /// @note One per program, made by main(). Signals that the caller ignores (nohup) or that somebody else
@@ -40,6 +42,20 @@ public:
   ~LiveServo();
   LiveServo(const LiveServo&) = delete;
   LiveServo& operator=(const LiveServo&) = delete;
+};
+
+/// What takes the force from a device when nobody but a dying thread is left, for as long as this lives.
+/// @note Any thread; eight at a time, more are not heard.
+class LastWords {
+public:
+  /// @param say  for a signal handler on any thread: without locks or allocation, noexcept, may wait 0.1 s.
+  LastWords(void (*say)(void*) noexcept, void* context) noexcept;
+  ~LastWords(); ///< waits while they are being spoken
+  LastWords(const LastWords&) = delete;
+  LastWords& operator=(const LastWords&) = delete;
+
+private:
+  int m_place;
 };
 
 } // namespace esm

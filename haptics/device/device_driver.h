@@ -36,6 +36,9 @@ public:
   virtual void step(double now, const Eigen::Vector3d& force, bool fresh) noexcept = 0;
   /// Sends zero force at least three times and lets the device go.
   virtual void close(double now) noexcept = 0;
+  /// From a signal handler, on whatever thread is dying while step() may be anywhere: brings zero force to
+  /// the device by UsbHandle::sendAtLast(), three times.
+  virtual void sendLastZero() noexcept = 0;
   virtual void requestHome() noexcept {} ///< on the same thread
   const DriverState& state() const noexcept { return m_state; }
   Wakeup& wakeup() noexcept { return *m_wakeup; } ///< posted when a transfer has ended

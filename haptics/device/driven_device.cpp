@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/device/driven_device.h"
 
-#include "haptics/servo_clock.h"
+#include "haptics/exit_guard.h"
 #include "haptics/thread_priority.h"
 
 #include <algorithm>
@@ -51,6 +51,14 @@ void DrivenDevice::run(const std::stop_token& stop) noexcept
 {
   raiseThreadPriority();
   SteadyClock clock;
+  runUntil(stop, clock);
+  m_driver->close(clock.now());
+}
+
+void DrivenDevice::runUntil(const std::stop_token& stop, SteadyClock& clock) noexcept
+{
+  const LastWords words([](void* driver) noexcept { static_cast<DeviceDriver*>(driver)->sendLastZero(); },
+                        m_driver.get());
   std::uint64_t seen = 0;
   double commandAt = clock.now();
   while (!stop.stop_requested()) {
@@ -63,7 +71,6 @@ void DrivenDevice::run(const std::stop_token& stop) noexcept
     const bool silent = now - commandAt > kCommandTimeout;
     step(now, silent ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : newest.newtons, fresh);
   }
-  m_driver->close(clock.now());
 }
 
 DeviceLink DrivenDevice::read(double time, DeviceSample& sample) noexcept

@@ -5,6 +5,7 @@
 #include "core/base/triple_buffer.h"
 #include "haptics/device/device_driver.h"
 #include "haptics/haptic_device.h"
+#include "haptics/servo_clock.h"
 
 #include <atomic>
 #include <cstdint>
@@ -45,6 +46,7 @@ private:
   };
 
   void run(const std::stop_token& stop) noexcept;
+  void runUntil(const std::stop_token& stop, SteadyClock& clock) noexcept;
   void step(double now, const Eigen::Vector3d& force, bool fresh) noexcept;
 
   std::unique_ptr<DeviceDriver> m_driver;

@@ -277,4 +277,15 @@ void FalconDriver::close(double now) noexcept
   m_state.report.reason = "Closed";
 }
 
+void FalconDriver::sendLastZero() noexcept
+{
+  const DevicePhase phase = m_state.report.phase;
+  if (phase != DevicePhase::NeedsHome && phase != DevicePhase::Running) return; // no motor moves yet
+  falcon::Command zero;
+  zero.homing = true;
+  zero.leds = falcon::kRed;
+  const falcon::Packet packet = falcon::encode(zero);
+  for (int i = 0; i < kZeroPackets; ++i) m_handle->sendAtLast({}, packet);
+}
+
 } // namespace esm

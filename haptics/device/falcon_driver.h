@@ -43,6 +43,7 @@ public:
   const DeviceProfile& profile() const noexcept override { return m_profile.device; }
   void step(double now, const Eigen::Vector3d& force, bool fresh) noexcept override;
   void close(double now) noexcept override;
+  void sendLastZero() noexcept override;
   std::uint64_t exchanges() const noexcept { return m_exchanges; }
   std::uint64_t protocolErrors() const noexcept { return m_parser.dropped(); }
 

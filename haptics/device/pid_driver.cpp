@@ -17,6 +17,7 @@ constexpr int kInTransfers = 2, kMostOut = 3;
 constexpr double kOutTimeout = 0.02; ///< [s]; a device that takes no force for so long does not reply
 constexpr int kOutWaits = 100;       ///< of kOutWait each, while opening and closing
 constexpr double kOutWait = 0.001;   ///< [s]
+constexpr int kZeroReports = 3;
 
 } // namespace
 
@@ -67,14 +68,18 @@ bool PidDriver::getFeature(std::uint8_t id, std::span<std::uint8_t> report) noex
   return control({0xa1, kGetReport, value, m_interface, static_cast<std::uint16_t>(report.size())}, report);
 }
 
+UsbSetup PidDriver::outputSetup(std::span<const std::uint8_t> report) const noexcept
+{
+  const auto value = static_cast<std::uint16_t>(2 << 8 | (m_layout.numbered ? report[0] : 0));
+  return {0x21, kSetReport, value, m_interface, static_cast<std::uint16_t>(report.size())};
+}
+
 bool PidDriver::output(std::span<const std::uint8_t> report) noexcept
 {
   if (m_handle->endpoints().out == 0) { // by control, then
     std::array<std::uint8_t, hid::ReportDescriptor::kMostReportBytes> bytes{};
     std::copy(report.begin(), report.end(), bytes.begin());
-    const auto value = static_cast<std::uint16_t>(2 << 8 | (m_layout.numbered ? report[0] : 0));
-    return control({0x21, kSetReport, value, m_interface, static_cast<std::uint16_t>(report.size())},
-                   {bytes.data(), report.size()});
+    return control(outputSetup(report), {bytes.data(), report.size()});
   }
   if (m_outUnderWay >= kMostOut || !m_handle->submitOut(report)) return false;
   if (m_outUnderWay++ == 0) m_outSince = m_now;
@@ -178,6 +183,17 @@ void PidDriver::close(double now) noexcept
   m_handle.reset();
   lose();
   m_state.report.reason = "Closed";
+}
+
+void PidDriver::sendLastZero() noexcept
+{
+  if (m_state.report.phase != DevicePhase::Running) return;
+  std::array<std::uint8_t, hid::ReportDescriptor::kMostReportBytes> bytes{};
+  for (int i = 0; i < kZeroReports; ++i)
+    for (int axis = 0; axis < m_session->axes(); ++axis) {
+      const std::span<const std::uint8_t> report = m_session->zeroReport(axis, bytes);
+      m_handle->sendAtLast(outputSetup(report), report);
+    }
 }
 
 } // namespace esm

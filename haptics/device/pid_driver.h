@@ -23,6 +23,7 @@ public:
   const DeviceProfile& profile() const noexcept override { return m_profile.device; }
   void step(double now, const Eigen::Vector3d& force, bool fresh) noexcept override;
   void close(double now) noexcept override;
+  void sendLastZero() noexcept override;
   const pid::Layout& layout() const noexcept { return m_layout; }
 
 private:
@@ -35,6 +36,7 @@ private:
   void take(std::span<const std::uint8_t> report, double now) noexcept;
   void keepListening() noexcept;
   bool waitForOut() noexcept;
+  UsbSetup outputSetup(std::span<const std::uint8_t> report) const noexcept;
   bool control(const UsbSetup& setup, std::span<std::uint8_t> data) noexcept;
   void fail(const char* reason) noexcept;
   void lose() noexcept;

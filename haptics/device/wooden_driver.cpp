@@ -110,4 +110,10 @@ void WoodenDriver::close(double now) noexcept
   m_state.report.reason = "Closed";
 }
 
+void WoodenDriver::sendLastZero() noexcept
+{
+  const wooden::Report zero{};
+  for (int i = 0; i < kZeroReports; ++i) m_handle->sendAtLast({}, zero);
+}
+
 } // namespace esm

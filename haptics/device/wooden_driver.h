@@ -25,6 +25,7 @@ public:
   const DeviceProfile& profile() const noexcept override { return m_profile.device; }
   void step(double now, const Eigen::Vector3d& force, bool fresh) noexcept override;
   void close(double now) noexcept override;
+  void sendLastZero() noexcept override;
   void requestHome() noexcept override { m_homeWanted = true; }
 
 private:

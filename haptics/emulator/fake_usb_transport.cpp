@@ -53,6 +53,16 @@ public:
     return true;
   }
 
+  bool sendAtLast(const UsbSetup& setup, std::span<const std::uint8_t> bytes) noexcept override
+  {
+    const std::unique_lock lock(m_bus->mutex, std::try_to_lock);
+    if (!lock || gone() || m_bus->mute) return false;
+    if (endpoints().out != 0) return m_bus->model->out(bytes);
+    std::array<std::uint8_t, UsbCompletion::kMostBytes> data{};
+    std::copy(bytes.begin(), bytes.end(), data.begin());
+    return m_bus->model->control(setup, {data.data(), bytes.size()}) >= 0;
+  }
+
   bool submitIn(std::size_t bytes) noexcept override
   {
     const std::lock_guard lock(m_bus->mutex);

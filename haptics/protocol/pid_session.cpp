@@ -24,14 +24,20 @@ std::int64_t timeValue(const hid::Slot& slot, double seconds) noexcept
   return std::llround(seconds * std::pow(10.0, -exponent));
 }
 
+std::span<std::uint8_t> blankIn(std::span<std::uint8_t> room, bool numbered, std::uint8_t id,
+                                std::size_t bytes) noexcept
+{
+  const std::span<std::uint8_t> report = room.first(std::min(bytes, room.size()));
+  std::fill(report.begin(), report.end(), std::uint8_t{0});
+  if (numbered && !report.empty()) report[0] = id;
+  return report;
+}
+
 } // namespace
 
 std::span<std::uint8_t> Session::blank(const hid::Slot& any, std::size_t bytes) noexcept
 {
-  const std::span<std::uint8_t> report(m_bytes.data(), std::min(bytes, m_bytes.size()));
-  std::fill(report.begin(), report.end(), std::uint8_t{0});
-  if (m_layout.numbered && !report.empty()) report[0] = any.reportId;
-  return report;
+  return blankIn(m_bytes, m_layout.numbered, any.reportId, bytes);
 }
 
 bool Session::control(hid::Usage what) noexcept
@@ -131,12 +137,24 @@ bool Session::setEffect(int axis) noexcept
   return m_port.output(report);
 }
 
-bool Session::sendMagnitude(int axis, std::int32_t value) noexcept
+std::span<std::uint8_t> Session::magnitudeReport(int axis, std::int32_t value,
+                                                 std::span<std::uint8_t> bytes) const noexcept
 {
-  const auto report = blank(m_layout.constant.magnitude, m_layout.constantBytes);
+  const auto report =
+    blankIn(bytes, m_layout.numbered, m_layout.constant.magnitude.reportId, m_layout.constantBytes);
   hid::putValue(report, m_layout.constant.block, m_effects[static_cast<std::size_t>(axis)].block);
   hid::putValue(report, m_layout.constant.magnitude, value);
-  return m_port.output(report);
+  return report;
+}
+
+std::span<const std::uint8_t> Session::zeroReport(int axis, std::span<std::uint8_t> bytes) const noexcept
+{
+  return magnitudeReport(axis, 0, bytes);
+}
+
+bool Session::sendMagnitude(int axis, std::int32_t value) noexcept
+{
+  return m_port.output(magnitudeReport(axis, value, m_bytes));
 }
 
 bool Session::operate(int axis, hid::Usage what, int loops) noexcept

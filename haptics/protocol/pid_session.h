@@ -58,6 +58,9 @@ public:
   bool setForce(double now, const Eigen::Vector2d& share) noexcept;
   void close() noexcept;
   int axes() const noexcept { return m_axes; }
+  /// The report that takes an axis' force away, written into `bytes`; touches nothing else. @pre axis <
+  /// axes()
+  std::span<const std::uint8_t> zeroReport(int axis, std::span<std::uint8_t> bytes) const noexcept;
 
 private:
   struct Effect {
@@ -70,6 +73,8 @@ private:
   const char* createEffect(int axis) noexcept;
   bool pollBlock(int axis) noexcept;
   bool setEffect(int axis) noexcept;
+  std::span<std::uint8_t> magnitudeReport(int axis, std::int32_t value,
+                                          std::span<std::uint8_t> bytes) const noexcept;
   bool sendMagnitude(int axis, std::int32_t value) noexcept;
   bool operate(int axis, hid::Usage what, int loops) noexcept;
   bool control(hid::Usage what) noexcept;

@@ -62,6 +62,10 @@ public:
   virtual bool submitIn(std::size_t bytes) noexcept = 0;
   /// The next transfer that has ended. @param now [s]; only an emulated device cares.
   virtual bool take(double now, UsbCompletion& completion) noexcept = 0;
+  /// For a thread that is dying, from its signal handler: sends `bytes` to the OUT endpoint, or by `setup`
+  /// where there is none. Needs no lock that another thread or this one may hold, allocates nothing, waits
+  /// 20 ms at most. False: it did not leave.
+  virtual bool sendAtLast(const UsbSetup& setup, std::span<const std::uint8_t> bytes) noexcept = 0;
   virtual UsbEndpoints endpoints() const noexcept = 0;
   virtual bool lost() const noexcept = 0; ///< unplugged
 };

@@ -62,6 +62,7 @@ public:
   bool submitOut(std::span<const std::uint8_t> bytes) noexcept override;
   bool submitIn(std::size_t bytes) noexcept override;
   bool take(double now, UsbCompletion& completion) noexcept override;
+  bool sendAtLast(const UsbSetup& setup, std::span<const std::uint8_t> bytes) noexcept override;
   UsbEndpoints endpoints() const noexcept override { return m_endpoints; }
   bool lost() const noexcept override { return m_lost.load(std::memory_order_acquire); }
 
@@ -88,6 +89,7 @@ private:
   libusb_device_handle* m_device;
   int m_interface;
   UsbEndpoints m_endpoints;
+  int m_descriptor; ///< libusb's own of the device file, for sendAtLast(); -1: not found
   bool m_interrupt;
   Wakeup& m_wakeup;
   std::atomic<bool> m_lost{false};

@@ -2,10 +2,19 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/usb/libusb_bus.h"
 
+#include <linux/usbdevice_fs.h>
+
 #include <algorithm>
+#include <charconv>
 #include <chrono>
+#include <cstdio>
+#include <filesystem>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
+
+#include <sys/ioctl.h>
 
 namespace esm {
 
@@ -13,7 +22,30 @@ namespace {
 
 constexpr unsigned kControlTimeout = 250; ///< [ms]
 constexpr unsigned kOutTimeout = 200;     ///< [ms]; drivers call a device silent long before
+constexpr unsigned kLastTimeout = 20;     ///< [ms]
 constexpr int kEndWaits = 1000;           ///< of 1 ms, for cancelled transfers to come back
+
+/// libusb keeps the descriptor of a device file to itself, but the system tells: the last one of that name,
+/// which is the one opened last.
+int descriptorOf(libusb_device_handle* handle)
+{
+  namespace fs = std::filesystem;
+  libusb_device* device = libusb_get_device(handle);
+  std::array<char, 24> name{};
+  std::snprintf(name.data(), name.size(), "/bus/usb/%03d/%03d", libusb_get_bus_number(device),
+                libusb_get_device_address(device));
+  int found = -1;
+  std::error_code error;
+  for (fs::directory_iterator at("/proc/self/fd", error), end; !error && at != end; at.increment(error)) {
+    std::error_code noLink;
+    if (!fs::read_symlink(at->path(), noLink).string().ends_with(name.data())) continue;
+    const std::string number = at->path().filename().string();
+    int descriptor = -1;
+    std::from_chars(number.data(), number.data() + number.size(), descriptor);
+    found = std::max(found, descriptor);
+  }
+  return found;
+}
 
 UsbStatus statusOf(libusb_transfer_status status) noexcept
 {
@@ -41,6 +73,7 @@ LibusbHandle::LibusbHandle(std::shared_ptr<LibusbTransport::Bus> bus, libusb_dev
     m_device(device),
     m_interface(interface),
     m_endpoints(endpoints),
+    m_descriptor(descriptorOf(device)),
     m_interrupt(interrupt),
     m_wakeup(wakeup),
     m_transfers(std::make_unique<std::array<Transfer, kTransfers>>())
@@ -131,6 +164,24 @@ bool LibusbHandle::submitOut(std::span<const std::uint8_t> bytes) noexcept
 bool LibusbHandle::submitIn(std::size_t bytes) noexcept
 {
   return submit(m_endpoints.in, {}, bytes, 0);
+}
+
+/// Past libusb, whose locks the thread that dies may hold: the system queues it behind what is under way.
+bool LibusbHandle::sendAtLast(const UsbSetup& setup, std::span<const std::uint8_t> bytes) noexcept
+{
+  if (m_descriptor < 0 || lost()) return false;
+  std::array<std::uint8_t, UsbCompletion::kMostBytes> data{};
+  if (bytes.size() > data.size()) return false;
+  std::copy(bytes.begin(), bytes.end(), data.begin());
+  if (m_endpoints.out != 0) { // an interrupt endpoint too
+    usbdevfs_bulktransfer out{m_endpoints.out, static_cast<unsigned>(bytes.size()), kLastTimeout,
+                              data.data()};
+    return ioctl(m_descriptor, USBDEVFS_BULK, &out) >= 0;
+  }
+  usbdevfs_ctrltransfer control{
+    setup.requestType, setup.request, setup.value, setup.index, static_cast<std::uint16_t>(bytes.size()),
+    kLastTimeout,      data.data()};
+  return ioctl(m_descriptor, USBDEVFS_CONTROL, &control) >= 0;
 }
 
 void LIBUSB_CALL LibusbHandle::onEnd(libusb_transfer* usb)

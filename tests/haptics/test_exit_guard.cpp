@@ -77,6 +77,7 @@ public:
     m_device.write(force);
   }
   void close(double) noexcept override {}
+  void sendLastZero() noexcept override { m_device.write(Eigen::Vector3d::Zero()); }
 
 private:
   RecordingDevice m_device;

@@ -5,9 +5,12 @@
 #include "haptics/device/driven_device.h"
 #include "haptics/device/falcon_driver.h"
 #include "haptics/device_registry.h"
+#include "haptics/exit_guard.h"
 #include "haptics/servo_clock.h"
 #include "haptics/usb/libusb_transport.h"
 
+#include <algorithm>
+#include <array>
 #include <chrono>
 #include <csignal>
 #include <cstdarg>
@@ -16,10 +19,14 @@
 #include <fstream>
 #include <functional>
 #include <memory>
+#include <numeric>
 #include <string>
 #include <thread>
 #include <vector>
 
+#include <fcntl.h>
+#include <linux/usbdevice_fs.h>
+#include <sys/ioctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -131,12 +138,50 @@ DeviceOptions withFirmware()
   return options;
 }
 
+/// How long a round trip takes [s], from its repetitions.
+struct RoundTrips {
+  std::vector<double> took;
+  double perSecond() const
+  {
+    return static_cast<double>(took.size()) / std::accumulate(took.begin(), took.end(), 1e-9);
+  }
+  double half()
+  {
+    if (took.empty()) return 0.0;
+    std::nth_element(took.begin(), took.begin() + std::ssize(took) / 2, took.end());
+    return took[took.size() / 2];
+  }
+};
+
+/// What an exchange costs this guest when nobody works on it: one system call to the emulated device's
+/// process and back, without libusb and its threads, 18 bytes.
+RoundTrips bareRoundTrips()
+{
+  std::string path;
+  for (const auto& entry : std::filesystem::recursive_directory_iterator("/dev/bus/usb"))
+    if (entry.is_character_file() && entry.path().filename() != "001") path = entry.path(); // 001: the hub
+  const int file = open(path.c_str(), O_RDWR | O_CLOEXEC);
+  RoundTrips trips;
+  SteadyClock clock;
+  for (int i = 0; i < 1000 && file >= 0; ++i) {
+    const double begin = clock.now();
+    std::array<std::uint8_t, 18> descriptor{};
+    usbdevfs_ctrltransfer get{0x80, 6, 0x0100, 0, descriptor.size(), 1000, descriptor.data()};
+    if (ioctl(file, USBDEVFS_CONTROL, &get) == 18) trips.took.push_back(clock.now() - begin);
+  }
+  if (file >= 0) close(file);
+  return trips;
+}
+
 void cycles()
 {
   Plugged device({"falcon", "--homed"});
   const auto usb = busWith(kFalconVendor);
   check(usb != nullptr, "the Falcon is enumerated");
   if (!usb) return;
+  RoundTrips bare = bareRoundTrips();
+  check(bare.took.size() == 1000, "bare round trips per second: %.0f, half of them within %.2f ms",
+        bare.perSecond(), 1000.0 * bare.half());
   auto opened = openDriver("falcon", {}, *usb);
   check(bool(opened), "the Falcon is opened and claimed%s", opened ? "" : opened.error().detail.c_str());
   if (!opened) return;
@@ -153,17 +198,75 @@ void cycles()
         1000.0 * (clock.now() - started));
   const auto errors = driver->protocolErrors(), before = driver->exchanges();
   const double begin = clock.now();
-  while (driver->exchanges() - before < 2000 && clock.now() - begin < 30.0) step({0.0, 0.0, 1.0});
+  RoundTrips force;
+  double last = begin;
+  for (auto seen = before; seen - before < 2000 && last - begin < 30.0;) {
+    step({0.0, 0.0, 1.0});
+    if (driver->exchanges() == seen) continue;
+    const double now = clock.now();
+    for (; seen < driver->exchanges(); ++seen) force.took.push_back(now - last);
+    last = now;
+  }
   const double rate = static_cast<double>(driver->exchanges() - before) / (clock.now() - begin);
   check(driver->exchanges() - before >= 2000, "2000 force cycles");
   // A figure, and only far below it a fault: how busy the machine around the guest is cannot be known here.
-  check(rate >= 50.0, "force cycles per second: %.0f (500 wanted on an idle machine)", rate);
+  check(rate >= 50.0,
+        "force cycles per second: %.0f (500 wanted on an idle machine), half of them within %.2f ms", rate,
+        1000.0 * force.half());
   check(driver->protocolErrors() == errors, "no protocol error");
   driver->close(clock.now());
-  const std::string last = device.detach();
+  const std::string heard = device.detach();
   int zeros = 0;
-  check(std::sscanf(last.c_str(), "falcon commands %*u zeros %d", &zeros) == 1 && zeros >= 3,
-        "closing left zero force: %s", last.c_str());
+  check(std::sscanf(heard.c_str(), "falcon commands %*u zeros %d", &zeros) == 1 && zeros >= 3,
+        "closing left zero force: %s", heard.c_str());
+}
+
+/// Works as the driver within does, until it dies in the middle of it.
+class DyingDriver final : public DeviceDriver {
+public:
+  explicit DyingDriver(std::unique_ptr<DeviceDriver> inner) : m_inner(std::move(inner)) {}
+  const DeviceProfile& profile() const noexcept override { return m_inner->profile(); }
+  void step(double now, const Eigen::Vector3d& force, bool fresh) noexcept override
+  {
+    m_inner->step(now, force, fresh);
+    m_state = m_inner->state();
+    if (m_state.report.phase == DevicePhase::Running && !force.isZero(0.0) && ++m_steps == 200)
+      raise(SIGSEGV);
+  }
+  void close(double now) noexcept override { m_inner->close(now); }
+  void sendLastZero() noexcept override { m_inner->sendLastZero(); }
+
+private:
+  std::unique_ptr<DeviceDriver> m_inner;
+  int m_steps = 0;
+};
+
+/// A16 where nobody is left to speak to the device: the driver's own thread crashes under force.
+void crash(const char* name, std::uint16_t vendor, std::vector<const char*> words)
+{
+  Plugged device(std::move(words));
+  std::fflush(stdout);
+  const pid_t child = fork();
+  if (child == 0) {
+    const ExitGuard guard;
+    const auto usb = busWith(vendor);
+    auto driver = usb ? openDriver(name, {}, *usb) : Result<std::unique_ptr<DeviceDriver>>(Error{});
+    if (!driver) _exit(2);
+    DrivenDevice held(std::make_unique<DyingDriver>(std::move(*driver)));
+    for (int i = 0; i < 20000; ++i) {
+      held.write({i % 2 ? 1.0 : 0.5, 0.0, 0.0});
+      nap(1);
+    }
+    _exit(3);
+  }
+  int status = 0;
+  waitpid(child, &status, 0);
+  check(WIFSIGNALED(status) && WTERMSIG(status) == SIGSEGV, "the driver of the %s crashes (%x)", name,
+        static_cast<unsigned>(status));
+  const std::string last = device.detach();
+  const auto at = last.find("zeros ");
+  check(at != std::string::npos && last[at + 6] != '0', "and the last that it heard is zero force: %s",
+        last.c_str());
 }
 
 void unplugIn(DevicePhase phase, std::vector<const char*> words, const DeviceOptions& options,
@@ -294,8 +397,11 @@ int main()
   unplugIn(DevicePhase::Upload, {"falcon"}, image, "uploading");
   unplugIn(DevicePhase::NeedsHome, {"falcon"}, image, "waiting for home");
   unplugIn(DevicePhase::Running, {"falcon", "--homed"}, {}, "running");
+  crash("falcon", kFalconVendor, {"falcon", "--homed"});
+  busWithout(kFalconVendor);
   replugs();
   stick();
+  crash("pid", kPidVendor, {"pid"});
   asStranger();
   std::printf(failures == 0 ? "GUEST: ALL HOLDS\n" : "GUEST: %d FAILED\n", failures);
   std::fflush(stdout);
