@@ -79,14 +79,18 @@ void Replay::makeDevice(HandPath path, ReplayDevice kind)
   std::unique_ptr<HapticDevice> device;
   if (kind == ReplayDevice::Falcon) {
     FalconTwin twin = falconAlong(std::move(path));
-    m_look = [model = twin.model] { return ReplayTick{0.0, model->grip().position(), model->force(), {}}; };
+    m_look = [model = twin.model] {
+      return ReplayTick{0.0, model->grip().position(), model->force(), {}, model->grip().handWork()};
+    };
     device = std::move(twin.device);
   } else {
     const Eigen::Vector3d start = path.position.col(0);
     auto simulated = std::make_unique<SimulatedDevice>(SimulatedDeviceSettings{},
                                                        std::make_unique<RecordedHand>(std::move(path)));
     simulated->setMotion(start, Eigen::Vector3d::Zero());
-    m_look = [grip = simulated.get()] { return ReplayTick{0.0, grip->position(), grip->force(), {}}; };
+    m_look = [grip = simulated.get()] {
+      return ReplayTick{0.0, grip->position(), grip->force(), {}, grip->handWork()};
+    };
     device = std::move(simulated);
   }
   m_loop =

@@ -36,6 +36,7 @@ struct ReplayTick {
   Eigen::Vector3d grip = Eigen::Vector3d::Zero();  ///< where it truly was, scene [m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< of the motors on the grip from this tick on [N]
   DeviceState state = DeviceState::Idle;
+  double handWork = 0.0; ///< what the hand has put into the grip since the start [J]
 };
 
 /// A recorded hand against a net, all of it on one thread and a virtual clock: equal scenes give equal

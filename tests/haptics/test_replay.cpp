@@ -9,6 +9,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace esm {
@@ -144,6 +146,52 @@ TEST(Replay, TissueDoesNotKickAHandThatLeavesIt)
     const Played played = play(frameRate, pressTwiceAsFast());
     EXPECT_LE(largestForce(played), 1.1 * played.error.peak) << frameRate << " frames per second";
     EXPECT_TRUE(played.ticks.back().force.isZero(0.0)) << frameRate << " frames per second";
+  }
+}
+
+// Nor does it give energy: what the motors have done on the grip is never more than a millijoule (A6),
+// pressed in and left or pulled about, twelve times in six seconds.
+TEST(Replay, AHandAtTwoHertzGetsNoEnergyFromTheTissue)
+{
+  constexpr double kArmed = 2.5, kPeriod = 0.5, kEnd = 6.0; // [s]
+  for (const bool held : {false, true}) {
+    ReplayScene scene = uterus();
+    Eigen::Vector3d start(0.0, 0.009, 0.0835); // 6 mm above the surface
+    if (held) {
+      Index nearest = 0;
+      (scene.net.restPosition.colwise() - start).colwise().squaredNorm().minCoeff(&nearest);
+      scene.node = nearest;
+      start = scene.net.restPosition.col(nearest);
+    }
+    HandPath path;
+    for (double t = 0.0; t <= kEnd; t += 0.01) path.time.push_back(t);
+    path.position = start.replicate(1, std::ssize(path.time));
+    for (std::size_t i = 0; i < path.time.size(); ++i) {
+      const double since = std::max(0.0, path.time[i] - kArmed),
+                   phase = 2.0 * std::numbers::pi * since / kPeriod;
+      const double way = held ? 0.0075 * std::sin(phase) : -0.0105 * (1.0 - std::cos(phase));
+      path.position(2, static_cast<Eigen::Index>(i)) += std::min(1.0, since / 0.3) * way;
+    }
+    auto replay = valueOf(Replay::create(std::move(scene), std::move(path), ReplayDevice::Falcon, 60.0));
+    replay->arm();
+    replay->tick(); // the grip is put where the path begins
+    replay->tick();
+    double work = 0.0, most = 0.0, largest = 0.0, least = 0.0;
+    const double before = replay->last().handWork;
+    while (replay->now() < kEnd) {
+      const ReplayTick last = replay->last();
+      replay->tick();
+      work += last.force.dot(replay->last().grip - last.grip);
+      most = std::max(most, work);
+      least = std::min(least, replay->last().handWork - before);
+      largest = std::max(largest, last.force.norm());
+    }
+    EXPECT_GT(largest, 0.3) << held; // it was felt
+    EXPECT_GE(least, -1e-3) << held;
+    EXPECT_LE(most, 2e-3) << held;
+    EXPECT_EQ(replay->last().state, DeviceState::Active) << held;
+    RecordProperty(held ? "most_work_held_millijoule" : "most_work_pressed_millijoule",
+                   std::to_string(1e3 * most));
   }
 }
 
