@@ -12,11 +12,20 @@ namespace esm {
 /// where the system has no such pages nothing changes, and small arrays are left alone.
 void useLargePages(void* data, std::size_t bytes) noexcept;
 
+/// The same, and the memory reads as zero bytes. Of a big array only the edges are touched: the system hands
+/// out zeros on first use anyway, so what stays zero costs neither time nor memory.
+void zeroInLargePages(void* data, std::size_t bytes) noexcept;
+
 /// For an array that was resized and not yet written to.
 template <class Array>
 void useLargePages(Array& fresh)
 {
   useLargePages(fresh.data(), static_cast<std::size_t>(fresh.size()) * sizeof(*fresh.data()));
+}
+template <class Array>
+void zeroInLargePages(Array& fresh)
+{
+  zeroInLargePages(fresh.data(), static_cast<std::size_t>(fresh.size()) * sizeof(*fresh.data()));
 }
 
 /// Room for `count` values in large pages.

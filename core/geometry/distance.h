@@ -8,6 +8,12 @@
 
 namespace esm {
 
+/// The rare case of distance(), kept out of the loops that call it.
+[[gnu::noinline, gnu::cold]] inline double scaledNorm(const Eigen::Vector3d& v)
+{
+  return v.stableNorm();
+}
+
 /// Euclidean distance. Squares leave the range of double beyond about 1e154 and below 1e-154; there the
 /// slower scaled norm answers, so that no spring is taken for zero long or infinitely long.
 inline double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
@@ -15,7 +21,7 @@ inline double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   const Eigen::Vector3d between = b - a;
   const double squared = between.squaredNorm();
   if (squared > 1e-280 && squared < 1e280) return std::sqrt(squared);
-  return between.stableNorm();
+  return scaledNorm(between);
 }
 
 } // namespace esm

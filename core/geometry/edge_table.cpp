@@ -9,7 +9,7 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <limits>
+#include <memory>
 #include <utility>
 
 namespace esm {
@@ -25,26 +25,27 @@ public:
   /// @param sides visits all sides: sides(visit) calls visit(a, b, side) for each with a != b, in order
   template <class Sides>
   EdgeBuckets(Index vertexCount, const Sides& sides)
-    : m_start(largeVector<std::int64_t>(static_cast<std::size_t>(vertexCount) + 1, 0))
+    : m_start(largeVector<std::uint32_t>(static_cast<std::size_t>(vertexCount) + 1, 0))
   {
-    sides([this](Index a, Index b, Index) {
-      ++m_start[static_cast<std::size_t>(std::min(a, b))];
+    sides([start = m_start.data()](Index a, Index b, Index) {
+      ++start[std::min(a, b)];
       return true;
     });
-    std::int64_t total = 0;
-    for (std::int64_t& start : m_start) {
-      const auto size = static_cast<std::uint64_t>(start);
+    std::uint32_t total = 0;
+    for (std::uint32_t& start : m_start) {
+      const std::uint32_t size = start;
       start = total;
-      total += static_cast<std::int64_t>(size > kSearchLimit ? std::bit_ceil(2 * size) : size);
+      total += size > kSearchLimit ? std::bit_ceil(2 * size) : size;
     }
-    m_entries = largeVector<Entry>(static_cast<std::size_t>(total), Entry{kNoIndex, kNoIndex});
+    m_entries = std::make_unique_for_overwrite<Entry[]>(total);
+    zeroInLargePages(m_entries.get(), total * sizeof(Entry));
   }
 
   /// Fetches the memory of a later findOrAdd(a, b): first where the bucket is, then the bucket.
   void foreseePlace(Index a, Index b) const { __builtin_prefetch(m_start.data() + std::min(a, b)); }
   void foreseeBucket(Index a, Index b) const
   {
-    const Entry* const bucket = m_entries.data() + m_start[static_cast<std::size_t>(std::min(a, b))];
+    const Entry* const bucket = m_entries.get() + m_start[static_cast<std::size_t>(std::min(a, b))];
     __builtin_prefetch(bucket);
     __builtin_prefetch(bucket + 5); // as a rule it begins somewhere in a line of eight
   }
@@ -53,9 +54,9 @@ public:
   Index findOrAdd(Index a, Index b, Index next)
   {
     const auto [low, high] = std::minmax(a, b);
-    const std::int64_t* bucket = m_start.data() + low;
-    Entry* const from = m_entries.data() + bucket[0];
-    Entry* const to = m_entries.data() + bucket[1];
+    const std::uint32_t* const bucket = m_start.data() + low;
+    Entry* const from = m_entries.get() + bucket[0];
+    Entry* const to = m_entries.get() + bucket[1];
     Entry* entry = from;
     if (to - from > static_cast<std::ptrdiff_t>(kSearchLimit)) {
       const std::uint64_t hash =
@@ -63,7 +64,7 @@ public:
       entry += (hash >> 20) & static_cast<std::uint64_t>(to - from - 1);
     }
     while (entry->high != high) {
-      if (entry->high == kNoIndex) {
+      if (entry->high == kFree) {
         *entry = {high, next};
         break;
       }
@@ -74,11 +75,12 @@ public:
 
 private:
   static constexpr std::uint64_t kSearchLimit = 24; ///< sides of one vertex
+  static constexpr Index kFree = 0;                 ///< no edge leads up to vertex 0
   struct Entry {
     Index high, edge;
   };
-  std::vector<std::int64_t> m_start; ///< per vertex, where its entries begin
-  std::vector<Entry> m_entries;
+  std::vector<std::uint32_t> m_start; ///< per vertex, where its entries begin
+  std::unique_ptr<Entry[]> m_entries;
 };
 
 constexpr int kTetrahedronEdges[6][2] = {{0, 1}, {0, 2}, {0, 3}, {1, 2}, {1, 3}, {2, 3}};
@@ -139,8 +141,8 @@ std::pair<Index, std::uint64_t> triangleKey(const Index* corner)
 EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
 {
   ESM_ASSERT(3 * std::int64_t{mesh.triangleCount()} + mesh.segmentCount() +
-               6 * std::int64_t{mesh.tetrahedronCount()} <=
-             std::numeric_limits<Index>::max());
+               6 * std::int64_t{mesh.tetrahedronCount()} <
+             kMostSides);
   const Index triangleSides = 3 * mesh.triangleCount();
   const Index sides = triangleSides + mesh.segmentCount() + 6 * mesh.tetrahedronCount();
   EdgeBuckets buckets(mesh.vertexCount(), [&mesh](const auto& visit) { visitSides(mesh, visit); });
@@ -183,31 +185,28 @@ EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
 std::vector<Index> repeatedTriangles(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
 {
   // Triangles over the same vertices share their three edges. If an earlier one was the first user of all
-  // three, that tells; if not, some edge has a third user. So only triangles at such edges, and those without
-  // three edges, have to be compared with each other.
+  // three, that tells, and they are numbered in a row; if not, some edge has a third user. So only triangles
+  // at such edges, and those without three edges, have to be compared with each other.
   const Index count = mesh.triangleCount();
-  std::vector<Index> firstUser, repeated, doubtful;
-  reserveLarge(firstUser, edges.triangleCount.size());
+  const auto usersOf = [&edges](Index edge) { return edges.triangleCount[static_cast<std::size_t>(edge)]; };
+  const bool crowded = std::any_of(edges.triangleCount.begin(), edges.triangleCount.end(),
+                                   [](Index users) { return users > 2; });
+  std::vector<Index> firstUser = largeVector(edges.triangleCount.size(), kNoIndex), repeated, doubtful;
+  Index known = 0; // edges so far; they are numbered by their first appearance
   for (Index t = 0; t < count; ++t) {
     if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(count), control)) return {};
-    const Index* edge = edges.edgeOfSide.data() + 3 * std::ptrdiff_t{t};
-    Index user[3] = {t, t, t};
-    bool clear = true;
-    for (int k = 0; k < 3; ++k) {
-      if (edge[k] == kNoIndex) {
-        clear = false;
-        continue;
-      }
-      clear = clear && edges.triangleCount[static_cast<std::size_t>(edge[k])] <= 2;
-      if (edge[k] == static_cast<Index>(firstUser.size())) // edges are numbered by their first appearance
-        firstUser.push_back(t);
-      else
-        user[k] = firstUser[static_cast<std::size_t>(edge[k])];
-    }
-    if (!clear) {
+    const Index* const edge = edges.edgeOfSide.data() + 3 * std::ptrdiff_t{t};
+    const Index knownBefore = known;
+    for (int k = 0; k < 3; ++k)
+      if (edge[k] == known) firstUser[static_cast<std::size_t>(known++)] = t;
+    const Index low = std::min(std::min(edge[0], edge[1]), edge[2]);
+    const Index high = std::max(std::max(edge[0], edge[1]), edge[2]);
+    if (low == kNoIndex ||
+        (crowded && (usersOf(edge[0]) > 2 || usersOf(edge[1]) > 2 || usersOf(edge[2]) > 2))) {
       doubtful.push_back(t);
-    } else if (user[0] != t && user[0] == user[1] && user[1] == user[2]) {
-      repeated.push_back(t);
+    } else if (high < knownBefore && high - low == 2) {
+      const auto user = firstUser.begin() + low;
+      if (user[0] == user[1] && user[1] == user[2]) repeated.push_back(t);
     }
   }
   if (doubtful.empty()) return repeated;

@@ -5,6 +5,7 @@
 #include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
 
+#include <cstdint>
 #include <vector>
 
 namespace esm {
@@ -19,6 +20,9 @@ struct EdgeTable {
   std::vector<Index> edgeOfSide;    ///< 3 F: the edge of side c of triangle t at 3 t + c, or kNoIndex
   std::vector<Index> triangleCount; ///< E, how many triangles use the edge
 };
+
+/// Sides of triangles, segments and sides of tetrahedra together stay below this.
+inline constexpr std::int64_t kMostSides = std::int64_t{1} << 30;
 
 /// O(V + F). @pre indices in range
 /// @param control may be null; once it is cancelled the table is empty, ask stopWanted().

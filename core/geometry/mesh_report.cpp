@@ -18,44 +18,58 @@ namespace esm {
 
 namespace {
 
-void examineVertices(const Mesh& mesh, std::vector<std::uint8_t>& isFinite, MeshReport& report)
+/// @return per vertex whether it is finite
+std::vector<std::uint8_t> examineVertices(const Mesh& mesh, MeshReport& report)
 {
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
   report.nodes = mesh.vertexCount();
-  isFinite.resize(static_cast<std::size_t>(report.nodes));
-  bool any = false;
+  std::vector<std::uint8_t> isFinite(static_cast<std::size_t>(report.nodes));
+  Eigen::Array3d low = Eigen::Array3d::Constant(kInfinity), high = Eigen::Array3d::Constant(-kInfinity);
   for (Index v = 0; v < report.nodes; ++v) {
-    const Eigen::Vector3d p = mesh.position.col(v);
-    const bool good = p.allFinite();
+    const Eigen::Array3d p = mesh.position.col(v);
+    const bool good = (p - p == 0.0).all(); // NaN for all that is not finite
     isFinite[static_cast<std::size_t>(v)] = good;
     if (!good) {
       ++report.nonFiniteVertices;
-    } else {
-      report.boxMin = any ? report.boxMin.cwiseMin(p) : p;
-      report.boxMax = any ? report.boxMax.cwiseMax(p) : p;
-      any = true;
+      continue;
     }
+    low = low.min(p);
+    high = high.max(p);
+  }
+  if (report.nonFiniteVertices < report.nodes) {
+    report.boxMin = low;
+    report.boxMax = high;
   }
   report.finite = report.nonFiniteVertices == 0;
+  return isFinite;
 }
 
 void examineSprings(const Mesh& mesh, const EdgeTable& edges, const std::vector<std::uint8_t>& isFinite,
-                    MeshReport& report)
+                    MeshReport& report, WorkControl* control)
 {
   report.springs = static_cast<Index>(edges.ends.cols());
-  std::vector<std::uint8_t> used(isFinite.size(), 0);
   UnionFind parts(report.nodes);
-  Index joins = 0;
+  Index joins = 0, boundary = 0, nonManifold = 0;
+  double sum = 0.0;
   for (Index e = 0; e < report.springs; ++e) {
+    if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(report.springs), control)) return;
     const Index a = edges.ends(0, e), b = edges.ends(1, e);
-    used[static_cast<std::size_t>(a)] = used[static_cast<std::size_t>(b)] = 1;
-    if (parts.join(a, b)) ++joins;
+    joins += parts.join(a, b);
     const Index triangles = edges.triangleCount[static_cast<std::size_t>(e)];
-    if (triangles == 1) ++report.boundaryEdges;
-    if (triangles > 2) ++report.nonManifoldEdges;
-    if (isFinite[static_cast<std::size_t>(a)] && isFinite[static_cast<std::size_t>(b)])
-      report.sumRestLength += distance(mesh.position.col(a), mesh.position.col(b));
+    boundary += triangles == 1;
+    nonManifold += triangles > 2;
+    if (report.finite || (isFinite[static_cast<std::size_t>(a)] && isFinite[static_cast<std::size_t>(b)]))
+      sum += distance(mesh.position.col(a), mesh.position.col(b));
   }
-  const Index inUse = std::accumulate(used.begin(), used.end(), Index{0});
+  report.sumRestLength = sum;
+  report.boundaryEdges = boundary;
+  report.nonManifoldEdges = nonManifold;
+  // Only a vertex that nothing uses is still a part of its own.
+  std::vector<std::uint8_t> isUsed(isFinite.size(), 0);
+  for (Index v = 0; v < report.nodes; ++v)
+    if (const Index root = parts.root(v); root != v)
+      isUsed[static_cast<std::size_t>(root)] = isUsed[static_cast<std::size_t>(v)] = 1;
+  const Index inUse = std::accumulate(isUsed.begin(), isUsed.end(), Index{0});
   report.isolatedVertices = report.nodes - inUse;
   report.components = inUse - joins; // each join makes two parts one
 }
@@ -80,9 +94,9 @@ MeshReport examine(const Mesh& mesh, WorkControl* control)
 MeshReport examine(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
 {
   MeshReport report;
-  std::vector<std::uint8_t> isFinite;
-  examineVertices(mesh, isFinite, report);
-  examineSprings(mesh, edges, isFinite, report);
+  const std::vector<std::uint8_t> isFinite = examineVertices(mesh, report);
+  examineSprings(mesh, edges, isFinite, report, control);
+  if (stopWanted(control)) return report;
   examineFaces(mesh, edges, report, control);
   return report;
 }

@@ -19,20 +19,19 @@ namespace esm {
 
 namespace {
 
-/// A fresh rows x columns array of one value.
+/// A fresh rows x columns array of zeros.
 template <class Array>
-void setAll(Array& array, Eigen::Index rows, Eigen::Index columns, typename Array::Scalar value)
+void setZero(Array& array, Eigen::Index rows, Eigen::Index columns)
 {
   array.resize(rows, columns);
-  useLargePages(array);
-  array.setConstant(value);
+  zeroInLargePages(array);
 }
 
 /// The nodes of resizeNet().
 void resizeNodes(SpringNet& net, Index nodes)
 {
   const auto count = static_cast<std::size_t>(nodes);
-  setAll(net.restPosition, 3, nodes, 0.0);
+  setZero(net.restPosition, 3, nodes);
   net.mass.setOnes(nodes);
   net.fixed.assign(count, 0);
   net.nodeId.resize(count);
@@ -55,6 +54,7 @@ void keepFirstSprings(SpringNet& net, Index count)
 template <class Indices>
 Status checkIndices(const Indices& indices, Index vertexCount, const char* what)
 {
+  if (indices.size() == 0 || (indices.minCoeff() >= 0 && indices.maxCoeff() < vertexCount)) return {};
   for (Eigen::Index column = 0; column < indices.cols(); ++column)
     for (Eigen::Index row = 0; row < indices.rows(); ++row)
       if (const Index vertex = indices(row, column); vertex < 0 || vertex >= vertexCount)
@@ -105,9 +105,13 @@ std::vector<Index> addNodes(const Mesh& mesh, SpringNet& net)
   Index nodes = 0;
   for (Index& node : nodeOf)
     if (node != kNoIndex) node = nodes++;
-  for (Eigen::Index i = 0; i < net.ends.size(); ++i) ends[i] = nodeOf[static_cast<std::size_t>(ends[i])];
 
   resizeNodes(net, nodes);
+  if (nodes == mesh.vertexCount()) { // as a rule: every vertex is the node of its own number
+    net.restPosition = mesh.position;
+    return nodeOf;
+  }
+  for (Eigen::Index i = 0; i < net.ends.size(); ++i) ends[i] = nodeOf[static_cast<std::size_t>(ends[i])];
   for (Index v = 0; v < mesh.vertexCount(); ++v)
     if (const Index node = nodeOf[static_cast<std::size_t>(v)]; node != kNoIndex)
       net.restPosition.col(node) = mesh.position.col(v);
@@ -116,12 +120,13 @@ std::vector<Index> addNodes(const Mesh& mesh, SpringNet& net)
 
 /// The triangles over three distinct nodes, each set of corners once.
 TriangleMatrix surfaceOf(const Mesh& mesh, const EdgeTable& edges, const std::vector<Index>& nodeOf,
-                         WorkControl* control)
+                         Index nodes, WorkControl* control)
 {
   const std::vector<Index> repeated = repeatedTriangles(mesh, edges, control);
   if (stopWanted(control)) return {};
   TriangleMatrix surface(3, mesh.triangleCount());
   useLargePages(surface);
+  const bool isRenumbered = nodes < mesh.vertexCount();
   auto nextRepeated = repeated.begin();
   Index count = 0;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
@@ -129,11 +134,13 @@ TriangleMatrix surfaceOf(const Mesh& mesh, const EdgeTable& edges, const std::ve
       ++nextRepeated;
       continue;
     }
-    Eigen::Matrix<Index, 3, 1> corner;
-    for (int k = 0; k < 3; ++k) corner[k] = nodeOf[static_cast<std::size_t>(mesh.triangles(k, t))];
-    const bool whole = corner.minCoeff() != kNoIndex && corner[0] != corner[1] && corner[1] != corner[2] &&
-                       corner[2] != corner[0];
-    if (whole) surface.col(count++) = corner;
+    const Index* const vertex = mesh.triangles.data() + 3 * std::ptrdiff_t{t};
+    Index corner[3] = {vertex[0], vertex[1], vertex[2]};
+    if (isRenumbered)
+      for (Index& node : corner) node = nodeOf[static_cast<std::size_t>(node)];
+    if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
+    if (isRenumbered && std::min({corner[0], corner[1], corner[2]}) == kNoIndex) continue;
+    std::copy_n(corner, 3, surface.data() + 3 * std::ptrdiff_t{count++});
   }
   if (count < mesh.triangleCount()) surface.conservativeResize(Eigen::NoChange, count);
   return surface;
@@ -169,9 +176,9 @@ void resizeNet(SpringNet& net, Index nodes, Index springs)
   resizeNodes(net, nodes);
 
   const auto count = static_cast<std::size_t>(springs);
-  setAll(net.ends, 2, springs, 0);
+  setZero(net.ends, 2, springs);
   for (Eigen::ArrayXd* values : {&net.restLength, &net.stiffness, &net.viscosity, &net.lawParameter})
-    setAll(*values, springs, 1, 0.0);
+    setZero(*values, springs, 1);
   net.law = largeVector(count, SpringLaw::Linear);
   net.tensionOnly = largeVector(count, std::uint8_t{0});
   net.kind = largeVector(count, SpringKind::Edge);
@@ -194,7 +201,7 @@ Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, W
   SpringNet net;
   if (Status good = addSprings(mesh, edges, net, control); !good) return good.error();
   std::vector<Index> nodeOf = addNodes(mesh, net);
-  net.triangles = surfaceOf(mesh, edges, nodeOf, control);
+  net.triangles = surfaceOf(mesh, edges, nodeOf, net.nodeCount(), control);
   if (stopWanted(control)) return cancelledError();
   if (nodeOfVertex) *nodeOfVertex = std::move(nodeOf);
   return net;

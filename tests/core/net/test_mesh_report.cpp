@@ -5,7 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
+#include <random>
+#include <set>
 
 namespace {
 
@@ -114,6 +118,36 @@ TEST(MeshReport, aHubWithManySpokesIsFoundLikeAFewEdges)
   const MeshReport report = examine(makeMesh(vertices, triangles));
   EXPECT_EQ(report.springs, 2 * kRim);
   EXPECT_EQ(report.boundaryEdges, kRim);
+}
+
+/// Triangles over few vertices, so that they meet, repeat and degenerate.
+Mesh crowd(std::mt19937& random, int triangles)
+{
+  Mesh mesh;
+  mesh.position = Eigen::Matrix3Xd::Random(3, 9);
+  mesh.triangles.resize(3, triangles);
+  for (Index& vertex : mesh.triangles.reshaped()) vertex = static_cast<Index>(random() % 9);
+  return mesh;
+}
+
+TEST(MeshReport, repeatedAndUnusedAreWhatACountByHandFinds)
+{
+  std::mt19937 random(7);
+  for (int round = 0; round < 2000; ++round) {
+    const Mesh mesh = crowd(random, 1 + round % 12);
+    std::set<std::array<Index, 3>> known;
+    std::set<Index> used;
+    std::vector<Index> repeated;
+    for (Index t = 0; t < mesh.triangleCount(); ++t) {
+      std::array<Index, 3> corners{mesh.triangles(0, t), mesh.triangles(1, t), mesh.triangles(2, t)};
+      std::sort(corners.begin(), corners.end());
+      if (!known.insert(corners).second) repeated.push_back(t);
+      if (corners[0] != corners[2]) used.insert(corners.begin(), corners.end());
+    }
+    const EdgeTable edges = findEdges(mesh);
+    EXPECT_EQ(repeatedTriangles(mesh, edges), repeated);
+    EXPECT_EQ(examine(mesh, edges).isolatedVertices, 9 - static_cast<Index>(used.size()));
+  }
 }
 
 TEST(MeshReport, anEmptyMeshHasZeroOfEverything)
