@@ -113,7 +113,7 @@ private:
   /// Puts one entity into the mesh; of a POLYLINE the vertices that follow it, too.
   Status place(const DxfEntity& entity, DxfEntities& following, const Placement& at, int depth)
   {
-    if (m_raw.coordinates.size() + m_raw.corners.size() > kMostItems) return tooManyError(m_origin);
+    if (m_raw.isTooLarge()) return tooManyError(m_origin);
     if (entity.name == "LINE") return polyline({entity.point(10), entity.point(11)}, false, at, entity);
     if (entity.name == "3DFACE") return face(entity, at);
     if (entity.name == "LWPOLYLINE") return lightPolyline(entity, at);

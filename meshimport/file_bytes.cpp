@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/file_bytes.h"
 
+#include "core/base/hash.h"
 #include "core/base/large_pages.h"
 #include "meshimport/raw_mesh.h"
 
@@ -18,7 +19,8 @@ namespace esm {
 
 namespace {
 
-constexpr std::size_t kAtOnce = std::size_t{1} << 22; ///< bytes, then somebody may wish to stop
+/// Bytes; then they are hashed while they are in the cache, and somebody may wish to stop.
+constexpr std::size_t kAtOnce = std::size_t{1} << 18;
 
 Error unreadable(const std::filesystem::path& path, const std::string& why)
 {
@@ -57,7 +59,8 @@ std::size_t machineMemory()
 FileBytes::FileBytes(FileBytes&& other) noexcept
   : m_data(std::exchange(other.m_data, nullptr)),
     m_size(std::exchange(other.m_size, 0)),
-    m_capacity(std::exchange(other.m_capacity, 0))
+    m_capacity(std::exchange(other.m_capacity, 0)),
+    m_fingerprint(std::exchange(other.m_fingerprint, 0))
 {}
 
 FileBytes& FileBytes::operator=(FileBytes&& other) noexcept
@@ -65,6 +68,7 @@ FileBytes& FileBytes::operator=(FileBytes&& other) noexcept
   std::swap(m_data, other.m_data);
   std::swap(m_size, other.m_size);
   std::swap(m_capacity, other.m_capacity);
+  std::swap(m_fingerprint, other.m_fingerprint);
   return *this;
 }
 
@@ -102,6 +106,7 @@ Result<FileBytes> FileBytes::read(const std::filesystem::path& path, WorkControl
             " bytes it is larger than the memory of this machine; simplify the mesh first");
   FileBytes bytes;
   if (promised >= machineMemory() || !bytes.hold(promised + 1)) return tooLarge;
+  Fingerprint fingerprint;
   for (;;) {
     if (stopWanted(control)) return cancelledError();
     if (bytes.m_size == bytes.m_capacity && !bytes.hold(2 * bytes.m_capacity + kAtOnce)) return tooLarge;
@@ -109,9 +114,12 @@ Result<FileBytes> FileBytes::read(const std::filesystem::path& path, WorkControl
     const ssize_t count = ::read(file.get(), bytes.m_data + bytes.m_size, room);
     if (count < 0 && errno == EINTR) continue;
     if (count < 0) return unreadable(path, errno);
-    if (count == 0) return bytes;
+    if (count == 0) break;
     bytes.m_size += static_cast<std::size_t>(count);
+    fingerprint.follow(bytes.view());
   }
+  bytes.m_fingerprint = fingerprint.finish(bytes.view());
+  return bytes;
 }
 
 } // namespace esm

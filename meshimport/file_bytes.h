@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/base/work_control.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 
@@ -25,6 +26,7 @@ public:
   ~FileBytes();
 
   std::string_view view() const noexcept { return {m_data, m_size}; }
+  std::uint64_t fingerprint() const noexcept { return m_fingerprint; } ///< fingerprintOf() the bytes
 
 private:
   FileBytes() = default;
@@ -32,6 +34,7 @@ private:
 
   char* m_data = nullptr;
   std::size_t m_size = 0, m_capacity = 0;
+  std::uint64_t m_fingerprint = 0;
 };
 
 } // namespace esm

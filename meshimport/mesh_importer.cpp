@@ -3,7 +3,6 @@
 #include "meshimport/mesh_importer.h"
 
 #include "core/base/ascii_case.h"
-#include "core/base/hash.h"
 #include "core/geometry/weld.h"
 #include "meshimport/assimp_reader.h"
 #include "meshimport/content.h"
@@ -87,7 +86,7 @@ Result<ImportedMesh> readMesh(const std::filesystem::path& path, WorkControl* co
   if (reader == readers.end()) return unrecognised(bytes, origin);
 
   ImportedMesh imported;
-  imported.fingerprint = fingerprintOf(bytes);
+  imported.fingerprint = file->fingerprint();
   noteWrongName(*reader, ending, imported.notes);
   Result<Mesh> mesh = reader->read(bytes, origin, imported.format, imported.notes, control);
   if (!mesh) return mesh.error();

@@ -139,7 +139,7 @@ private:
   bool addNode(double x, double y, double z)
   {
     m_raw.addVertex(x, y, z, m_source.binary ? 0 : m_source.line());
-    return m_raw.coordinates.size() <= kMostItems;
+    return !m_raw.isTooLarge();
   }
 
   Status oldNodes()
@@ -262,8 +262,7 @@ private:
       m_nodes.push_back(vertex);
     }
     m_cells.add(*kind, m_nodes);
-    const std::size_t items = m_raw.corners.size() + m_raw.segments.size() + m_raw.tetrahedra.size();
-    return items > kMostItems ? Status(tooManyError(m_origin)) : Status();
+    return m_raw.isTooLarge() ? Status(tooManyError(m_origin)) : Status();
   }
 
   NumberSource m_source;

@@ -42,20 +42,18 @@ public:
   {
     const std::size_t bytes =
       m_cursor.rest().size(); // half of them vertices and half of them faces, as a rule
-    reserveLarge(m_raw.coordinates, bytes / 20);
-    reserveLarge(m_raw.corners, bytes / 12);
-    reserveLarge(m_raw.faceEnd, bytes / 36);
+    m_raw.vertices.reserve(static_cast<Eigen::Index>(bytes / 60));
+    m_raw.triangles.reserve(static_cast<Eigen::Index>(bytes / 36));
     for (std::size_t i = 0; !m_cursor.atEnd(); ++i) {
       if (i % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       if (!m_cursor.atLineEnd())
         if (Status status = statement(); !status) return status.error();
       m_cursor.nextLine();
-      if (m_raw.coordinates.size() + m_raw.corners.size() + m_raw.segments.size() > kMostItems)
-        return tooManyError(m_origin);
+      if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
     for (const Forward& forward : m_forward)
       if (forward.vertex >= m_raw.vertexCount()) return outOfRange(forward.vertex + 1, forward.line);
-    if (m_raw.faceEnd.empty() && m_raw.segments.empty())
+    if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
                    "it holds " + std::to_string(m_raw.vertexCount()) +
                      " vertices but no face (f) and no line (l); is it cut short, or no OBJ mesh at all?");

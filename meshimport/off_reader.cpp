@@ -31,7 +31,7 @@ public:
     if (Status status = header(); !status) return status.error();
     if (Status status = vertices(control); !status) return status.error();
     if (Status status = faces(control); !status) return status.error();
-    if (m_raw.faceEnd.empty() && m_raw.segments.empty())
+    if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
                    "it holds " + std::to_string(m_vertices) + " vertices but no face");
     return finishMesh(std::move(m_raw), m_origin, notes, control);
@@ -65,7 +65,7 @@ private:
 
   Status vertices(WorkControl* control)
   {
-    m_raw.coordinates.reserve(3 * static_cast<std::size_t>(m_vertices));
+    m_raw.vertices.reserve(static_cast<Eigen::Index>(m_vertices));
     for (long long v = 0; v < m_vertices; ++v, m_cursor.nextLine()) {
       if (v % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       skipToWord();
@@ -74,7 +74,7 @@ private:
         if (!m_cursor.number(coordinate))
           return wrong("a vertex needs three coordinates, written with a point; is the file cut short?");
       m_raw.addVertex(p[0], p[1], p[2], m_cursor.line());
-      if (m_raw.coordinates.size() > kMostItems) return tooManyError(m_origin);
+      if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
     return {};
   }
@@ -100,7 +100,7 @@ private:
         corners.push_back(static_cast<Index>(vertex));
       }
       m_raw.addFace(corners);
-      if (m_raw.corners.size() > kMostItems) return tooManyError(m_origin);
+      if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
     return {};
   }

@@ -8,6 +8,7 @@
 #include "meshimport/raw_mesh.h"
 #include "meshimport/text_cursor.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -130,7 +131,7 @@ public:
                                                : passOver(element, notes);
       if (!status) return status.error();
     }
-    if (m_raw.faceEnd.empty() && m_raw.segments.empty())
+    if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
                    "it holds " + std::to_string(m_raw.vertexCount()) +
                      " vertices but no face and no edge; a point cloud makes no net");
@@ -185,7 +186,7 @@ private:
         return fault(ErrorCode::BadFormat, m_origin, 0, "its vertices have no x, y and z");
     }
     m_scalars.resize(element.properties.size());
-    reserveLarge(m_raw.coordinates, 3 * static_cast<std::size_t>(element.count));
+    m_raw.vertices.reserve(static_cast<Eigen::Index>(element.count));
     if constexpr (Source::isBinary)
       if (const std::optional<PlainRow> plain = plainRow(element))
         return plainVertices(element, *plain, place);
@@ -205,12 +206,12 @@ private:
     if (place < 0 || !element.properties[static_cast<std::size_t>(place)].isList)
       return fault(ErrorCode::BadFormat, m_origin, 0, "its faces have no list vertex_indices");
     m_scalars.resize(element.properties.size());
-    reserveLarge(m_raw.corners, std::min<std::size_t>(3 * element.count, m_source.bytesLeft()));
-    reserveLarge(m_raw.faceEnd, element.count);
+    m_raw.triangles.reserve(
+      static_cast<Eigen::Index>(std::min<std::uint64_t>(element.count, m_source.bytesLeft())));
     for (std::uint64_t r = 0; r < element.count; ++r) {
       if constexpr (Source::isBinary) {
         if (isPlainList(element)) {
-          if (Status status = plainFace(r); !status) return status;
+          if (Status status = plainFace(r, element.count); !status) return status;
           continue;
         }
       }
@@ -219,7 +220,7 @@ private:
       for (const double vertex : m_wantedList)
         if (Status status = addCorner("face", r, vertex); !status) return status;
       if (!m_raw.addFace(m_corners)) ++m_thinFaces;
-      if (m_raw.corners.size() > kMostItems) return tooManyError(m_origin);
+      if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
     return {};
   }
@@ -269,22 +270,26 @@ private:
     return element.properties.size() == 1 && property.countType == PlyScalar::UInt8 &&
            (property.type == PlyScalar::Int32 || property.type == PlyScalar::UInt32);
   }
-  Status plainFace(std::uint64_t row)
+  Status plainFace(std::uint64_t row, std::uint64_t rows)
   {
-    if (stopWantedAt(row, m_raw.faceEnd.capacity(), m_control)) return cancelledError();
+    if (stopWantedAt(row, rows, m_control)) return cancelledError();
     const char* const count = m_source.take(1);
     const std::size_t corners = count ? static_cast<std::uint8_t>(*count) : 0;
     const char* const from = m_source.take(4 * corners);
     if (!count || !from) return wrong(ErrorCode::BadFormat, "face", row, kCutShort);
-    const std::uint64_t total = m_vertexTotal;
+    const auto corner = [from](std::size_t k) { return Source::template item<std::uint32_t>(from + 4 * k); };
+    if (corners == 3 && std::max({corner(0), corner(1), corner(2)}) < m_vertexTotal) {
+      m_raw.addTriangle(static_cast<Index>(corner(0)), static_cast<Index>(corner(1)),
+                        static_cast<Index>(corner(2)));
+      return {};
+    }
     m_corners.resize(corners);
     for (std::size_t k = 0; k < corners; ++k) {
-      const auto vertex = Source::template item<std::uint32_t>(from + 4 * k);
-      if (vertex >= total) return noVertex("face", row, static_cast<double>(vertex));
-      m_corners[k] = static_cast<Index>(vertex);
+      if (corner(k) >= m_vertexTotal) return noVertex("face", row, static_cast<double>(corner(k)));
+      m_corners[k] = static_cast<Index>(corner(k));
     }
     if (!m_raw.addFace(m_corners)) ++m_thinFaces;
-    return m_raw.corners.size() > kMostItems ? Status(tooManyError(m_origin)) : Status();
+    return m_raw.isTooLarge() ? Status(tooManyError(m_origin)) : Status();
   }
 
   Status edges(const PlyElement& element)

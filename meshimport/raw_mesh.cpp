@@ -6,9 +6,7 @@
 #include "meshimport/triangulate.h"
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
-#include <span>
 
 namespace esm {
 
@@ -18,7 +16,9 @@ namespace {
 const RawMesh::NonFinite* usedNonFinite(const RawMesh& raw)
 {
   if (raw.nonFinite.empty()) return nullptr;
-  std::vector<std::uint8_t> used(raw.coordinates.size() / 3, 0);
+  std::vector<std::uint8_t> used(static_cast<std::size_t>(raw.vertexCount()), 0);
+  const std::span triangles(raw.triangles.data(), 3 * static_cast<std::size_t>(raw.triangles.count()));
+  for (const Index vertex : triangles) used[static_cast<std::size_t>(vertex)] = 1;
   for (const Index vertex : raw.corners) used[static_cast<std::size_t>(vertex)] = 1;
   for (const Index vertex : raw.segments) used[static_cast<std::size_t>(vertex)] = 1;
   for (const Index vertex : raw.tetrahedra) used[static_cast<std::size_t>(vertex)] = 1;
@@ -45,29 +45,78 @@ void addDiagonals(std::span<const Index> triangles, std::vector<std::pair<Index,
     }
 }
 
+/// Puts the faces into the mesh as triangles, and the cuts as diagonals.
+Status cutPolygons(const RawMesh& raw, Mesh& mesh, std::vector<std::string>& notes, WorkControl* control)
+{
+  std::vector<Index> triangles, diagonals;
+  std::vector<std::pair<Index, Index>> sides;
+  Index begin = 0;
+  std::size_t polygons = 0;
+  for (const Index end : raw.faceEnd) {
+    if (stopWanted(control)) return cancelledError();
+    const std::span face(raw.corners.data() + begin, static_cast<std::size_t>(end - begin));
+    const std::size_t first = triangles.size();
+    triangulate(mesh.position, face, triangles);
+    if (face.size() > 3) {
+      ++polygons;
+      addDiagonals(std::span(triangles).subspan(first), sides, diagonals);
+    }
+    begin = end;
+  }
+  mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size() / 3));
+  useLargePages(mesh.triangles);
+  std::copy(triangles.begin(), triangles.end(), mesh.triangles.data());
+  mesh.diagonals =
+    Eigen::Map<const SegmentMatrix>(diagonals.data(), 2, static_cast<Eigen::Index>(diagonals.size() / 2));
+  notes.push_back(std::to_string(polygons) + " faces with more than three corners were cut into triangles.");
+  return {};
+}
+
 } // namespace
 
-void RawMesh::addVertex(double x, double y, double z, long line)
+bool RawMesh::isTooLarge() const noexcept
+{
+  // Each tetrahedron has six sides for the table of edges.
+  return 3 * static_cast<std::size_t>(vertices.count()) + cornerCount() + segments.size() +
+           2 * tetrahedra.size() >
+         kMostItems;
+}
+
+void RawMesh::noteIfNotFinite(double x, double y, double z, long line)
 {
   if (!(std::isfinite(x) && std::isfinite(y) && std::isfinite(z))) nonFinite.push_back({vertexCount(), line});
-  coordinates.insert(coordinates.end(), {x, y, z});
 }
 
-void RawMesh::addPolyline(const std::vector<Index>& vertices)
+void RawMesh::addPolyline(const std::vector<Index>& line)
 {
-  for (std::size_t i = 1; i < vertices.size(); ++i)
-    segments.insert(segments.end(), {vertices[i - 1], vertices[i]});
+  for (std::size_t i = 1; i < line.size(); ++i) segments.insert(segments.end(), {line[i - 1], line[i]});
 }
 
-bool RawMesh::addFace(const std::vector<Index>& vertices)
+bool RawMesh::addFace(const std::vector<Index>& face)
 {
-  if (vertices.size() < 3) {
-    addPolyline(vertices);
+  if (face.size() < 3) {
+    addPolyline(face);
     return false;
   }
-  corners.insert(corners.end(), vertices.begin(), vertices.end());
-  faceEnd.push_back(static_cast<Index>(corners.size()));
+  if (face.size() == 3)
+    addTriangle(face[0], face[1], face[2]);
+  else
+    addPolygon(face);
   return true;
+}
+
+void RawMesh::addPolygon(std::span<const Index> face)
+{
+  if (!hasPolygons()) { // so far there were triangles only
+    const auto expected = static_cast<std::size_t>(triangles.capacity());
+    const TriangleMatrix before = triangles.take();
+    reserveLarge(corners, 3 * expected);
+    reserveLarge(faceEnd, expected);
+    corners.assign(before.data(), before.data() + before.size());
+    for (Index end = 3; end <= static_cast<Index>(before.size()); end += 3) faceEnd.push_back(end);
+  }
+  corners.insert(corners.end(), face.begin(), face.end());
+  faceEnd.push_back(static_cast<Index>(corners.size()));
 }
 
 Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<std::string>& notes,
@@ -81,43 +130,15 @@ Result<Mesh> finishMesh(RawMesh&& raw, const std::string& origin, std::vector<st
   if (!raw.nonFinite.empty())
     notes.push_back(std::to_string(raw.nonFinite.size()) +
                     " vertices that nothing uses have coordinates that are not finite numbers.");
-  // Each tetrahedron has six sides for the table of edges.
-  if (raw.corners.size() + raw.segments.size() + raw.coordinates.size() + 2 * raw.tetrahedra.size() >
-      kMostItems)
-    return tooManyError(origin);
+  if (raw.isTooLarge()) return tooManyError(origin);
 
   Mesh mesh;
-  mesh.position.resize(3, raw.vertexCount());
-  useLargePages(mesh.position);
-  std::copy(raw.coordinates.begin(), raw.coordinates.end(), mesh.position.data());
-  raw.coordinates = {};
-  std::vector<Index> triangles;
-  if (raw.corners.size() == 3 * raw.faceEnd.size()) {
-    triangles = std::move(raw.corners); // nothing but triangles
-  } else {
-    Index begin = 0;
-    std::size_t polygons = 0;
-    std::vector<Index> diagonals;
-    std::vector<std::pair<Index, Index>> sides;
-    for (const Index end : raw.faceEnd) {
-      if (stopWanted(control)) return cancelledError();
-      const std::span face(raw.corners.data() + begin, static_cast<std::size_t>(end - begin));
-      const std::size_t first = triangles.size();
-      triangulate(mesh.position, face, triangles);
-      if (face.size() > 3) {
-        ++polygons;
-        addDiagonals(std::span(triangles).subspan(first), sides, diagonals);
-      }
-      begin = end;
-    }
-    mesh.diagonals =
-      Eigen::Map<const SegmentMatrix>(diagonals.data(), 2, static_cast<Eigen::Index>(diagonals.size() / 2));
-    notes.push_back(std::to_string(polygons) +
-                    " faces with more than three corners were cut into triangles.");
+  mesh.position = raw.vertices.take();
+  if (!raw.hasPolygons()) {
+    mesh.triangles = raw.triangles.take();
+  } else if (Status cut = cutPolygons(raw, mesh, notes, control); !cut) {
+    return cut.error();
   }
-  mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size() / 3));
-  useLargePages(mesh.triangles);
-  std::copy(triangles.begin(), triangles.end(), mesh.triangles.data());
   mesh.segments = Eigen::Map<const SegmentMatrix>(raw.segments.data(), 2,
                                                   static_cast<Eigen::Index>(raw.segments.size() / 2));
   mesh.tetrahedra = Eigen::Map<const TetrahedronMatrix>(raw.tetrahedra.data(), 4,

@@ -5,7 +5,10 @@
 #include "core/base/result.h"
 #include "core/base/work_control.h"
 #include "core/geometry/mesh.h"
+#include "meshimport/growing_columns.h"
 
+#include <cmath>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -13,11 +16,13 @@ namespace esm {
 
 /// What a reader collects while it walks through a file, before polygons become triangles.
 struct RawMesh {
-  std::vector<double> coordinates; ///< x y z of each vertex
-  std::vector<Index> corners;      ///< of all faces, one face after the other
-  std::vector<Index> faceEnd;      ///< where each face ends in `corners`
-  std::vector<Index> segments;     ///< pairs of vertices
-  std::vector<Index> tetrahedra;   ///< fours of vertices
+  GrowingColumns<Eigen::Matrix3Xd> vertices;
+  /// Faces go here as long as all have three corners. The first other one moves them to the lists behind.
+  GrowingColumns<TriangleMatrix> triangles;
+  std::vector<Index> corners;    ///< of all faces, one face after the other
+  std::vector<Index> faceEnd;    ///< where each face ends in `corners`
+  std::vector<Index> segments;   ///< pairs of vertices
+  std::vector<Index> tetrahedra; ///< fours of vertices
 
   /// Vertices with a coordinate that is no finite number, and their lines (0 in binary files).
   struct NonFinite {
@@ -26,13 +31,36 @@ struct RawMesh {
   };
   std::vector<NonFinite> nonFinite;
 
-  Index vertexCount() const noexcept { return static_cast<Index>(coordinates.size() / 3); }
+  Index vertexCount() const noexcept { return static_cast<Index>(vertices.count()); }
+  std::size_t cornerCount() const noexcept
+  {
+    return corners.size() + 3 * static_cast<std::size_t>(triangles.count());
+  }
+  bool hasPolygons() const noexcept { return !faceEnd.empty(); }
   /// Whether nothing a net could be made of has come.
-  bool isEmpty() const noexcept { return faceEnd.empty() && segments.empty() && tetrahedra.empty(); }
-  void addVertex(double x, double y, double z, long line);
-  void addPolyline(const std::vector<Index>& vertices);
+  bool isEmpty() const noexcept { return cornerCount() == 0 && segments.empty() && tetrahedra.empty(); }
+  /// Whether so much has come that the edges could no longer be counted, see kMostItems.
+  bool isTooLarge() const noexcept;
+
+  void addVertex(double x, double y, double z, long line)
+  {
+    if (!std::isfinite(x + y + z)) noteIfNotFinite(x, y, z, line); // finite ones may also have such a sum
+    double* const place = vertices.add();
+    place[0] = x, place[1] = y, place[2] = z;
+  }
+  void addPolyline(const std::vector<Index>& line);
+  void addTriangle(Index a, Index b, Index c)
+  {
+    if (hasPolygons()) return addPolygon({{a, b, c}});
+    Index* const place = triangles.add();
+    place[0] = a, place[1] = b, place[2] = c;
+  }
   /// Two corners make a segment, one makes nothing; returns whether it was a face.
-  bool addFace(const std::vector<Index>& vertices);
+  bool addFace(const std::vector<Index>& face);
+
+private:
+  void noteIfNotFinite(double x, double y, double z, long line);
+  void addPolygon(std::span<const Index> face);
 };
 
 /// Triangulates the faces. @pre all corners and segments in range.
@@ -46,7 +74,8 @@ Error fault(ErrorCode code, const std::string& origin, long line, const std::str
 
 /// The error for more vertices or corners than an Index can count.
 Error tooManyError(const std::string& origin);
-/// Vertices, corners and segment ends together stay below this, so that edges can be counted too.
+/// Coordinates, corners, segment ends and two per corner of a tetrahedron together stay below this, so that
+/// edges can be counted too.
 inline constexpr std::size_t kMostItems = 700'000'000;
 
 } // namespace esm

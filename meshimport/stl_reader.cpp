@@ -99,14 +99,13 @@ public:
 
   Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
-    const std::size_t facets = m_cursor.rest().size() / kUsualFacet;
-    reserveLarge(m_raw.coordinates, 9 * facets);
-    reserveLarge(m_raw.corners, 3 * facets);
-    reserveLarge(m_raw.faceEnd, facets);
+    const auto facets = static_cast<Eigen::Index>(m_cursor.rest().size() / kUsualFacet);
+    m_raw.vertices.reserve(3 * facets);
+    m_raw.triangles.reserve(facets);
     for (std::size_t i = 0; skipToWord(); ++i) {
       if (i % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
       if (Status status = statement(); !status) return status.error();
-      if (m_raw.coordinates.size() + m_raw.corners.size() > kMostItems) return tooManyError(m_origin);
+      if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
     if (m_inSolid)
       return fault(ErrorCode::BadFormat, m_origin, m_cursor.line(),
@@ -130,7 +129,9 @@ private:
     TextCursor before = m_cursor;
     const std::string_view word = m_cursor.word();
     if (word == "vertex") return vertex(line);
-    const auto is = [word](std::string_view keyword) { return equalIgnoringCase(word, keyword); };
+    const auto is = [word](std::string_view keyword) {
+      return word == keyword || equalIgnoringCase(word, keyword);
+    };
     if (is("vertex")) return vertex(line);
     if (is("outer") || is("endfacet")) return {};
     if (is("loop")) {

@@ -150,7 +150,7 @@ private:
     m_source.nextLine();
     if (*points > kMostItems / 3 || !m_source.hasRoomFor(3 * *points, *type))
       return tooSmall(*points, "points");
-    m_raw.coordinates.reserve(3 * *points);
+    m_raw.vertices.reserve(static_cast<Eigen::Index>(*points));
     for (std::uint64_t i = 0; i < *points; ++i) {
       if (i % 4096 == 0 && m_source.stopWanted(m_control)) return cancelledError();
       double p[3];

@@ -138,7 +138,8 @@ private:
       if (piece.points < 0 || values->size() != 3 * static_cast<std::uint64_t>(piece.points))
         return wrong("it promises " + std::to_string(piece.points) + " points, but it has " +
                      std::to_string(values->size() / 3) + "; the file is damaged");
-      if (m_raw.coordinates.size() + values->size() > kMostItems) return tooManyError(m_origin);
+      if (3 * static_cast<std::size_t>(m_raw.vertexCount()) + values->size() > kMostItems)
+        return tooManyError(m_origin);
       for (std::size_t i = 0; i < values->size(); i += 3)
         m_raw.addVertex((*values)[i], (*values)[i + 1], (*values)[i + 2], 0);
     }
@@ -200,8 +201,7 @@ private:
       m_nodes.push_back(m_first + static_cast<Index>(node));
     }
     m_cells.add(*kind, m_nodes);
-    const std::size_t items = m_raw.corners.size() + m_raw.segments.size() + m_raw.tetrahedra.size();
-    return items > kMostItems ? Status(tooManyError(m_origin)) : Status();
+    return m_raw.isTooLarge() ? Status(tooManyError(m_origin)) : Status();
   }
 
   std::string_view m_bytes;
@@ -220,8 +220,7 @@ bool recognises(std::string_view bytes, std::string_view)
 {
   XmlTags tags(bytes.substr(0, 4096));
   XmlTag tag;
-  const std::size_t first = bytes.find('<');
-  return first < 64 && tags.next(tag) && tag.name == "VTKFile";
+  return bytes.substr(0, 64).find('<') != std::string_view::npos && tags.next(tag) && tag.name == "VTKFile";
 }
 
 Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,

@@ -47,7 +47,7 @@ public:
       for (std::size_t i = children.size(); i-- > 0;)
         open.push_back({children[i], visit.transform * toEigen(children[i]->mTransformation)});
     }
-    if (m_raw.faceEnd.empty() && m_raw.segments.empty())
+    if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
                    "it was read, but it holds neither a face nor a line");
     if (m_points > 0) notes.push_back(std::to_string(m_points) + " single points were passed over.");
@@ -61,7 +61,8 @@ private:
       return fault(ErrorCode::InvalidValue, m_origin, 0, "a node names a mesh that the file does not hold");
     const aiMesh& mesh = *m_scene.mMeshes[number];
     // A file of a few bytes can place one mesh millions of times.
-    if (m_raw.coordinates.size() + 3 * std::size_t{mesh.mNumVertices} > kMostItems / 4)
+    if (3 * static_cast<std::size_t>(m_raw.vertexCount()) + 3 * std::size_t{mesh.mNumVertices} >
+        kMostItems / 4)
       return tooManyError(m_origin);
     const Index first = m_raw.vertexCount();
     for (const aiVector3D& vertex : std::span(mesh.mVertices, mesh.mVertices ? mesh.mNumVertices : 0)) {
@@ -81,7 +82,7 @@ private:
       if (m_corners.size() == 1) ++m_points;
       m_raw.addFace(m_corners);
     }
-    if (m_raw.corners.size() > kMostItems / 4) return tooManyError(m_origin);
+    if (m_raw.cornerCount() > kMostItems / 4) return tooManyError(m_origin);
     return {};
   }
 

@@ -127,6 +127,17 @@ TEST(Obj, vertexOfFileLeadsToTheWeldedVertex)
   EXPECT_EQ(loose->report.nodes, 4);
 }
 
+TEST(Obj, trianglesKeepTheirOrderAroundAPolygon)
+{
+  const auto imported = importBytes("x.obj", kFour + "v 2 0 1\nf 1 2 5\nf 1 2 4 3\nf 2 4 5\nf 3 4 5\n");
+  ASSERT_TRUE(imported);
+  ASSERT_EQ(imported->mesh.triangleCount(), 5);
+  EXPECT_EQ(imported->mesh.triangles.col(0), Eigen::Vector3i(0, 1, 4));
+  EXPECT_EQ(imported->mesh.triangles.col(3), Eigen::Vector3i(1, 3, 4));
+  EXPECT_EQ(imported->mesh.triangles.col(4), Eigen::Vector3i(2, 3, 4));
+  EXPECT_EQ(imported->mesh.diagonals.cols(), 1);
+}
+
 TEST(Obj, anUnusedVertexWithoutANumberIsNotedOnly)
 {
   const auto imported = importBytes("x.obj", kThree + "v nan 0 0\nf 1 2 3\n");

@@ -4,9 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include <charconv>
 #include <cmath>
 #include <limits>
 #include <optional>
+#include <random>
 
 namespace {
 
@@ -27,6 +29,26 @@ TEST(TextCursor, readsEveryDialectOfNumbersWithAPoint)
   EXPECT_EQ(numberOf("-1E-3\r\n"), -1e-3);
   EXPECT_EQ(numberOf("0.1"), 0.1); // to the last bit
   EXPECT_TRUE(std::isnan(*numberOf("nan")));
+}
+
+// Digits are read by eights, with their own rounding where that is certain: the standard library is the
+// judge.
+TEST(TextCursor, numbersOfAnyLengthAreReadToTheLastBit)
+{
+  std::mt19937 random(3);
+  for (int i = 0; i < 100'000; ++i) {
+    std::string text = random() % 2 ? "-" : "";
+    const auto addDigits = [&](std::size_t count) {
+      for (; count > 0; --count) text += static_cast<char>('0' + random() % 10);
+    };
+    addDigits(1 + random() % 18);
+    if (random() % 4) text += '.', addDigits(random() % 18);
+    double expected = 0.0;
+    std::from_chars(text.data(), text.data() + text.size(), expected);
+    const char* const behind[] = {"", " ", "\n1", "\t12345678", " 1.5 2.5\r\n"};
+    EXPECT_EQ(numberOf(text + behind[random() % 5]), expected) << text;
+    EXPECT_EQ(numberOf(text + "\xB0"), std::nullopt) << text; // a digit but for its highest bit
+  }
 }
 
 TEST(TextCursor, whatIsNoWholeNumberIsRefused)
