@@ -136,6 +136,46 @@ std::pair<Index, std::uint64_t> triangleKey(const Index* corner)
   return {low, (static_cast<std::uint64_t>(middle) << 32) | static_cast<std::uint64_t>(high)};
 }
 
+/// EdgeTable::repeated; of no use if stopped.
+std::vector<Index> findRepeated(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
+{
+  // Triangles over the same vertices share their three edges. If an earlier one was the first user of all
+  // three, that tells, and they are numbered in a row; if not, some edge has a third user. So only triangles
+  // at such edges, and those without three edges, have to be compared with each other.
+  const Index count = mesh.triangleCount();
+  const auto usersOf = [&edges](Index edge) { return edges.triangleCount[static_cast<std::size_t>(edge)]; };
+  const bool crowded = std::any_of(edges.triangleCount.begin(), edges.triangleCount.end(),
+                                   [](Index users) { return users > 2; });
+  std::vector<Index> firstUser = largeVector(edges.triangleCount.size(), kNoIndex), repeated, doubtful;
+  Index known = 0; // edges so far; they are numbered by their first appearance
+  for (Index t = 0; t < count; ++t) {
+    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(count), control)) return {};
+    const Index* const edge = edges.edgeOfSide.data() + 3 * std::ptrdiff_t{t};
+    const Index knownBefore = known;
+    for (int k = 0; k < 3; ++k)
+      if (edge[k] == known) firstUser[static_cast<std::size_t>(known++)] = t;
+    const Index low = std::min(std::min(edge[0], edge[1]), edge[2]);
+    const Index high = std::max(std::max(edge[0], edge[1]), edge[2]);
+    if (low == kNoIndex ||
+        (crowded && (usersOf(edge[0]) > 2 || usersOf(edge[1]) > 2 || usersOf(edge[2]) > 2))) {
+      doubtful.push_back(t);
+    } else if (high < knownBefore && high - low == 2) {
+      const auto user = firstUser.begin() + low;
+      if (user[0] == user[1] && user[1] == user[2]) repeated.push_back(t);
+    }
+  }
+  if (doubtful.empty()) return repeated;
+  const auto keyOf = [&](Index i) {
+    return triangleKey(mesh.triangles.data() + 3 * std::ptrdiff_t{doubtful[static_cast<std::size_t>(i)]});
+  };
+  const std::vector<Index> first =
+    firstAppearances<std::uint64_t>(static_cast<Index>(doubtful.size()), mesh.vertexCount(), keyOf, control);
+  for (std::size_t i = 0; i < first.size(); ++i)
+    if (first[i] != static_cast<Index>(i)) repeated.push_back(doubtful[i]);
+  std::sort(repeated.begin(), repeated.end());
+  return repeated;
+}
+
 } // namespace
 
 EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
@@ -179,46 +219,9 @@ EdgeTable findEdges(const Mesh& mesh, WorkControl* control)
   if (!surfaceDone) table.surfaceEdges = edges;
   table.ends.conservativeResize(Eigen::NoChange, edges);
   countTriangles(table);
+  table.repeated = findRepeated(mesh, table, control);
+  if (stopWanted(control)) return {};
   return table;
-}
-
-std::vector<Index> repeatedTriangles(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
-{
-  // Triangles over the same vertices share their three edges. If an earlier one was the first user of all
-  // three, that tells, and they are numbered in a row; if not, some edge has a third user. So only triangles
-  // at such edges, and those without three edges, have to be compared with each other.
-  const Index count = mesh.triangleCount();
-  const auto usersOf = [&edges](Index edge) { return edges.triangleCount[static_cast<std::size_t>(edge)]; };
-  const bool crowded = std::any_of(edges.triangleCount.begin(), edges.triangleCount.end(),
-                                   [](Index users) { return users > 2; });
-  std::vector<Index> firstUser = largeVector(edges.triangleCount.size(), kNoIndex), repeated, doubtful;
-  Index known = 0; // edges so far; they are numbered by their first appearance
-  for (Index t = 0; t < count; ++t) {
-    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(count), control)) return {};
-    const Index* const edge = edges.edgeOfSide.data() + 3 * std::ptrdiff_t{t};
-    const Index knownBefore = known;
-    for (int k = 0; k < 3; ++k)
-      if (edge[k] == known) firstUser[static_cast<std::size_t>(known++)] = t;
-    const Index low = std::min(std::min(edge[0], edge[1]), edge[2]);
-    const Index high = std::max(std::max(edge[0], edge[1]), edge[2]);
-    if (low == kNoIndex ||
-        (crowded && (usersOf(edge[0]) > 2 || usersOf(edge[1]) > 2 || usersOf(edge[2]) > 2))) {
-      doubtful.push_back(t);
-    } else if (high < knownBefore && high - low == 2) {
-      const auto user = firstUser.begin() + low;
-      if (user[0] == user[1] && user[1] == user[2]) repeated.push_back(t);
-    }
-  }
-  if (doubtful.empty()) return repeated;
-  const auto keyOf = [&](Index i) {
-    return triangleKey(mesh.triangles.data() + 3 * std::ptrdiff_t{doubtful[static_cast<std::size_t>(i)]});
-  };
-  const std::vector<Index> first =
-    firstAppearances<std::uint64_t>(static_cast<Index>(doubtful.size()), mesh.vertexCount(), keyOf, control);
-  for (std::size_t i = 0; i < first.size(); ++i)
-    if (first[i] != static_cast<Index>(i)) repeated.push_back(doubtful[i]);
-  std::sort(repeated.begin(), repeated.end());
-  return repeated;
 }
 
 } // namespace esm

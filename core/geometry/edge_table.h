@@ -19,6 +19,7 @@ struct EdgeTable {
   Index surfaceEdges = 0;           ///< so many at the front belong to triangles
   std::vector<Index> edgeOfSide;    ///< 3 F: the edge of side c of triangle t at 3 t + c, or kNoIndex
   std::vector<Index> triangleCount; ///< E, how many triangles use the edge
+  std::vector<Index> repeated; ///< triangles over the vertices of an earlier one, in any order; ascending
 };
 
 /// Sides of triangles, segments and sides of tetrahedra together stay below this.
@@ -27,12 +28,5 @@ inline constexpr std::int64_t kMostSides = std::int64_t{1} << 30;
 /// O(V + F). @pre indices in range
 /// @param control may be null; once it is cancelled the table is empty, ask stopWanted().
 EdgeTable findEdges(const Mesh& mesh, WorkControl* control = nullptr);
-
-/// The triangles over the same three vertices as an earlier one, whatever their order; ascending. Cost as
-/// above.
-/// @param edges findEdges(mesh)
-/// @param control may be null; once it is cancelled the list is of no use.
-std::vector<Index> repeatedTriangles(const Mesh& mesh, const EdgeTable& edges,
-                                     WorkControl* control = nullptr);
 
 } // namespace esm

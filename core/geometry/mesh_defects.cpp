@@ -138,7 +138,7 @@ MeshDefects findDefects(const Mesh& mesh, double tJunctionTolerance, WorkControl
   listVertices(mesh, edges, defects);
   if (stopWanted(control)) return defects;
   listFaces(mesh, orientation, defects);
-  defects.duplicateFaces = repeatedTriangles(mesh, edges, control);
+  defects.duplicateFaces = edges.repeated;
   if (stopWanted(control)) return defects;
   std::vector<Index> crowded;
   for (Index e = 0; e < edges.surfaceEdges; ++e)

@@ -78,9 +78,12 @@ void examineFaces(const Mesh& mesh, const EdgeTable& edges, MeshReport& report, 
 {
   report.triangles = mesh.triangleCount();
   report.segments = mesh.segmentCount();
-  report.duplicateFaces = static_cast<Index>(repeatedTriangles(mesh, edges, control).size());
-  for (Index t = 0; t < report.triangles; ++t)
+  report.duplicateFaces = static_cast<Index>(edges.repeated.size());
+  for (Index t = 0; t < report.triangles; ++t) {
+    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(report.triangles), control))
+      return;
     if (isDegenerate(mesh, t)) ++report.degenerateFaces;
+  }
 }
 
 } // namespace

@@ -122,15 +122,15 @@ std::vector<Index> addNodes(const Mesh& mesh, SpringNet& net)
 TriangleMatrix surfaceOf(const Mesh& mesh, const EdgeTable& edges, const std::vector<Index>& nodeOf,
                          Index nodes, WorkControl* control)
 {
-  const std::vector<Index> repeated = repeatedTriangles(mesh, edges, control);
-  if (stopWanted(control)) return {};
   TriangleMatrix surface(3, mesh.triangleCount());
   useLargePages(surface);
   const bool isRenumbered = nodes < mesh.vertexCount();
-  auto nextRepeated = repeated.begin();
+  auto nextRepeated = edges.repeated.begin();
   Index count = 0;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
-    if (nextRepeated != repeated.end() && *nextRepeated == t) {
+    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(mesh.triangleCount()), control))
+      break;
+    if (nextRepeated != edges.repeated.end() && *nextRepeated == t) {
       ++nextRepeated;
       continue;
     }

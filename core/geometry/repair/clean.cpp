@@ -45,7 +45,7 @@ void markUseless(const Mesh& mesh, Kept& kept, RepairReport& report, WorkControl
   std::vector<std::uint8_t> isRepeated(at(mesh.triangleCount()), 0);
   const EdgeTable edges = findEdges(mesh, control);
   if (stopWanted(control)) return;
-  for (const Index t : repeatedTriangles(mesh, edges, control)) isRepeated[at(t)] = 1;
+  for (const Index t : edges.repeated) isRepeated[at(t)] = 1;
   for (Index t = 0; t < mesh.triangleCount(); ++t) {
     if (stopWantedAt(at(t), at(mesh.triangleCount()), control)) return;
     const bool isFlat = isDegenerate(mesh, t), isAgain = isRepeated[at(t)] != 0;

@@ -145,7 +145,7 @@ TEST(MeshReport, repeatedAndUnusedAreWhatACountByHandFinds)
       if (corners[0] != corners[2]) used.insert(corners.begin(), corners.end());
     }
     const EdgeTable edges = findEdges(mesh);
-    EXPECT_EQ(repeatedTriangles(mesh, edges), repeated);
+    EXPECT_EQ(edges.repeated, repeated);
     EXPECT_EQ(examine(mesh, edges).isolatedVertices, 9 - static_cast<Index>(used.size()));
   }
 }
