@@ -27,7 +27,7 @@ struct SupportOptions {
   ///     organs Lattice     a body-centred cubic lattice of new nodes, tied to the surface; for fat organs,
   ///     alike everywhere Tetrahedra  by a program in the PATH, tetgen or gmsh; needs a closed, clean surface
   enum class Interior : std::uint8_t { None, Struts, Hub, Lattice, Tetrahedra } interior = Interior::None;
-  int strutsPerNode = 4;  ///< 1 to 16: one along the normal, the others lean; fewer hold less against shear
+  int strutsPerNode = 5;  ///< 1 to 16: one along the normal, the others lean; fewer hold less against shear
   double strutLean = 0.6; ///< [rad], of the others against the normal, in [0, 1.4]
   double longestStrut = 0.0; ///< [m]; longer ones are left out; 0: any length
   int hubs = 0;              ///< 0: as many as the shape asks for

@@ -17,7 +17,16 @@ namespace esm::support {
 struct Strut {
   Index a = kNoIndex, b = kNoIndex;
   double section = 0.0; ///< [m^2]
+  double weight = 1.0;  ///< against the other struts of a node, see shareSections()
 };
+
+/// The same for both orders of a pair, another for every other pair.
+inline std::uint64_t pairKey(Index a, Index b) noexcept
+{
+  const auto low = static_cast<std::uint64_t>(a < b ? a : b),
+             high = static_cast<std::uint64_t>(a < b ? b : a);
+  return low << 32U | high;
+}
 
 /// What an interior consists of.
 struct Layer {
@@ -35,16 +44,10 @@ class JoinedPairs {
 public:
   explicit JoinedPairs(const SpringNet& net);
   /// Whether the pair was apart until now.
-  bool join(Index a, Index b) { return a != b && m_pairs.insert(keyOf(a, b)).second; }
-  bool has(Index a, Index b) const { return m_pairs.count(keyOf(a, b)) > 0; }
+  bool join(Index a, Index b) { return a != b && m_pairs.insert(pairKey(a, b)).second; }
+  bool has(Index a, Index b) const { return m_pairs.count(pairKey(a, b)) > 0; }
 
 private:
-  static std::uint64_t keyOf(Index a, Index b) noexcept
-  {
-    const auto low = static_cast<std::uint64_t>(a < b ? a : b),
-               high = static_cast<std::uint64_t>(a < b ? b : a);
-    return low << 32U | high;
-  }
   std::unordered_set<std::uint64_t> m_pairs; ///< asked only, never walked through
 };
 
@@ -60,8 +63,8 @@ Index addBands(SpringNet& net, const SupportOptions& options);
 /// since what keeps its volume is the tissue between. @return how many; 0 also if cancelled.
 Index addPressure(SpringNet& net, double bulkModulus, WorkControl* control);
 
-/// The mean of two nodes' surface, each shared among its struts, which makes all struts together as wide as
-/// the surface; of a strut with one end off the surface the other's share.
+/// The mean of two nodes' surface, each shared among its struts by their weight, which makes all struts
+/// together as wide as the surface; of a strut with one end off the surface the other's share.
 void shareSections(const SpringNet& net, std::vector<Strut>& struts);
 
 } // namespace esm::support

@@ -23,20 +23,6 @@ constexpr int kStations = 64;    ///< sections between the ends
 constexpr double kRoller = 1e4;  ///< stiffness of a roller over that of the stiffest node
 constexpr double kShift = 1e-10; ///< of the stiffest rate, against what nothing holds
 
-/// The principal direction along which the surface spreads most; where two spread nearly alike, the longest
-/// side of the box, so that a cube is not pulled by a corner.
-Eigen::Vector3d longestAxis(const SpringNet& net, const Eigen::ArrayXd& area)
-{
-  const Eigen::Vector3d centre = (net.restPosition * area.matrix()) / area.sum();
-  const Eigen::Matrix3Xd away = net.restPosition.colwise() - centre;
-  const Eigen::Matrix3d spread = away * area.matrix().asDiagonal() * away.transpose();
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
-  if (solver.eigenvalues()[2] > 1.2 * solver.eigenvalues()[1]) return solver.eigenvectors().col(2);
-  int side = 0;
-  (net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff()).maxCoeff(&side);
-  return Eigen::Vector3d::Unit(side);
-}
-
 /// A(x) at one place of the axis: area within the outline of the surface, or of the wall that is cut.
 double sectionAt(const OutwardSurface& surface, const SpringNet& net, const Eigen::ArrayXd& height,
                  const Eigen::Vector3d& axis, double at, double thickness, bool isSolid)
@@ -68,6 +54,18 @@ double sectionAt(const OutwardSurface& surface, const SpringNet& net, const Eige
 }
 
 } // namespace
+
+Eigen::Vector3d longestAxis(const SpringNet& net, const Eigen::ArrayXd& area)
+{
+  const Eigen::Vector3d centre = (net.restPosition * area.matrix()) / area.sum();
+  const Eigen::Matrix3Xd away = net.restPosition.colwise() - centre;
+  const Eigen::Matrix3d spread = away * area.matrix().asDiagonal() * away.transpose();
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
+  if (solver.eigenvalues()[2] > 1.2 * solver.eigenvalues()[1]) return solver.eigenvectors().col(2);
+  int side = 0;
+  (net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff()).maxCoeff(&side);
+  return Eigen::Vector3d::Unit(side);
+}
 
 Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isSolid, WorkControl* control)
 {

@@ -16,6 +16,10 @@ struct TensionTest {
   double wanted = 0.0;   ///< 1 / integral dx/A(x) between the rollers [m]
 };
 
+/// The principal direction along which the surface spreads most; where two spread nearly alike, the longest
+/// side of the box, so that a cube is not pulled by a corner.
+Eigen::Vector3d longestAxis(const SpringNet& net, const Eigen::ArrayXd& dualArea);
+
 /// See setMaterial(). The net's own numbers are not looked at: E is 1 Pa everywhere, with its present scale.
 /// @param isSolid A(x) is the section of the closed surface; else that of the wall.
 Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isSolid,

@@ -8,6 +8,8 @@
 #include "core/tissue/tissue_model.h"
 #include "tests/core/support/bodies.h"
 
+#include <Eigen/Geometry>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -24,12 +26,11 @@ using Interior = SupportOptions::Interior;
 
 /// Tissue of little springiness, so that what swings comes to rest within the seconds of a test; no bed
 /// around it.
-SpringNet bodyOf(const Mesh& mesh, Interior interior, MaterialOptions material, int strutsPerNode = 4)
+SpringNet bodyOf(const Mesh& mesh, Interior interior, MaterialOptions material)
 {
   SpringNet net = netOf(mesh);
   SupportOptions support;
   support.interior = interior;
-  support.strutsPerNode = strutsPerNode;
   const auto added = addSupport(net, support);
   if (!added) ADD_FAILURE() << added.error().detail;
   TissueModel tissue = defaultTissue();
@@ -160,21 +161,30 @@ struct Refined {
   double dent, frequency;
 };
 
-/// Depth of a poke of 0.1 N onto the top, 10 mm wide to each side, and first eigenfrequency, base fixed.
-Refined measured(SpringNet net, const Eigen::Vector3d& top)
+/// Depth of a poke of 0.1 N around a place, 10 mm wide to each side, and first eigenfrequency. What is fixed
+/// stays.
+Refined measured(const SpringNet& net, const Eigen::Vector3d& place, const Eigen::Vector3d& direction)
 {
-  const double low = net.restPosition.row(2).minCoeff();
-  for (Index node = 0; node < net.nodeCount(); ++node)
-    if (net.restPosition(2, node) < low + 1e-9) net.fixed[static_cast<std::size_t>(node)] = 1;
   LinearNet linear(net);
   EXPECT_TRUE(linear.factor(1e-10 * linear.stiffestRate()));
-  const Eigen::Matrix3Xd poke = pokePatch(net, nearestNode(net, top), {0, 0, -0.1}, 0.01);
+  const Eigen::Matrix3Xd poke = pokePatch(net, nearestNode(net, place), 0.1 * direction, 0.01);
   const double dent = poke.cwiseProduct(linear.solve(poke)).sum() / 0.1;
   const SlowModes modes = slowestModes(linear, 1);
   EXPECT_EQ(modes.frequency.size(), 1);
   std::printf("  %d nodes, %d springs: poke %.4f mm, first frequency %.3f Hz\n", net.nodeCount(),
               net.springCount(), 1e3 * dent, modes.frequency[0]);
   return {dent, modes.frequency[0]};
+}
+
+/// A block of 40 x 30 x 20 mm, turned, its base fixed, poked onto the middle of the top.
+Refined block(Mesh mesh, Interior interior, const Eigen::Matrix3d& turn = Eigen::Matrix3d::Identity())
+{
+  const Eigen::Matrix3Xd straight = mesh.position;
+  mesh.position = turn * straight;
+  SpringNet net = bodyOf(mesh, interior, kFittedSolid);
+  for (Index node = 0; node < net.nodeCount(); ++node)
+    if (straight(2, node) < 1e-9) net.fixed[static_cast<std::size_t>(node)] = 1;
+  return measured(net, turn * Eigen::Vector3d(0.02, 0.015, 0.02), -turn.col(2));
 }
 
 void expectAlike(const std::vector<Refined>& meshes)
@@ -189,24 +199,48 @@ void expectAlike(const std::vector<Refined>& meshes)
   }
 }
 
-// A block of 40 x 30 x 20 mm after the modulus fit: finer meshes are not softer, harder, faster or slower.
+// After the modulus fit finer meshes of a body are not softer, harder, faster or slower.
 TEST(Refinement, ABlockOfTetrahedraIsTheSameBodyAtThreeMeshSizes)
 {
   std::vector<Refined> meshes;
   for (const double cell : {0.005, 1.0 / 300.0, 0.0025})
-    meshes.push_back(measured(bodyOf(tetrahedraBox({0.04, 0.03, 0.02}, cell), Interior::None, kFittedSolid),
-                              {0.02, 0.015, 0.02}));
+    meshes.push_back(block(tetrahedraBox({0.04, 0.03, 0.02}, cell), Interior::None));
   expectAlike(meshes);
 }
 
+// With the struts that a net gets unless told otherwise; whatever way the body lies, so that no lucky
+// direction passes the test.
 TEST(Refinement, ABlockWithStrutsIsTheSameBodyAtThreeMeshSizes)
 {
-  std::vector<Refined> meshes;
-  for (const double cell : {1.0 / 300.0, 0.0025, 0.002})
-    meshes.push_back(
-      measured(bodyOf(testing::boxMesh({0.04, 0.03, 0.02}, cell), Interior::Struts, kFittedSolid, 8),
-               {0.02, 0.015, 0.02}));
-  expectAlike(meshes);
+  const Eigen::AngleAxisd turns[] = {Eigen::AngleAxisd::Identity(),
+                                     {0.7, Eigen::Vector3d(1, 2, 3).normalized()},
+                                     {2.1, Eigen::Vector3d(-3, 1, 2).normalized()}};
+  for (const Eigen::AngleAxisd& turn : turns) {
+    std::vector<Refined> meshes;
+    for (const double cell : {1.0 / 300.0, 0.0025, 0.002})
+      meshes.push_back(
+        block(testing::boxMesh({0.04, 0.03, 0.02}, cell), Interior::Struts, turn.toRotationMatrix()));
+    expectAlike(meshes);
+  }
+}
+
+// A tube of 50 mm held at both ends; the meshes lie turned about its axis against each other.
+TEST(Refinement, ATubeWithStrutsIsTheSameBodyAtThreeMeshSizes)
+{
+  for (const double start : {0.0, 0.37, 0.74}) {
+    std::vector<Refined> meshes;
+    for (const int around : {16, 22, 30}) {
+      Mesh mesh = tubeMesh(0.008, 0.05, around, (around * 23 / 20) / 2 * 2);
+      const Eigen::Matrix3Xd straight = mesh.position;
+      mesh.position = Eigen::AngleAxisd(start, Eigen::Vector3d::UnitZ()).toRotationMatrix() * straight;
+      SpringNet net = bodyOf(mesh, Interior::Struts, kFittedWall);
+      for (Index node = 0; node < net.nodeCount(); ++node)
+        if (const double z = net.restPosition(2, node); z < 1e-9 || z > 0.05 - 1e-9)
+          net.fixed[static_cast<std::size_t>(node)] = 1;
+      meshes.push_back(measured(net, {0, 0.008, 0.025}, {0, -1, 0}));
+    }
+    expectAlike(meshes);
+  }
 }
 
 } // namespace
