@@ -5,6 +5,7 @@
 #include "core/base/file_io.h"
 #include "haptics/device/driver_profile.h"
 
+#include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
 
@@ -13,14 +14,16 @@
 
 namespace esm {
 
-Result<double> newtonsAtFull(const std::string& kind)
+Result<StickCalibration> stickCalibration(const std::string& kind)
 {
   const Result<DriverProfile> profile = loadProfile(kind, {});
   if (!profile) return profile.error();
-  return profile->newtonsAtFull;
+  const Eigen::Vector2d standard = pid::Quirks{}.polarity, &polarity = profile->quirks.polarity;
+  return StickCalibration{profile->newtonsAtFull, polarity.x() != standard.x(), polarity.y() != standard.y(),
+                          profile->origin};
 }
 
-Status setNewtonsAtFull(const std::string& kind, double newtons)
+Status setStickCalibration(const std::string& kind, const StickCalibration& calibration)
 {
   const std::filesystem::path file = userProfilePath(kind);
   if (file.empty()) return Error{ErrorCode::FileUnwritable, "There is no home folder for the profile"};
@@ -34,7 +37,11 @@ Status setNewtonsAtFull(const std::string& kind, double newtons)
       return Error{ErrorCode::BadFormat, file.string() + ": this is no JSON object; correct or remove it"};
     profile = read.object();
   }
-  profile["newtons_at_full"] = newtons;
+  const Eigen::Vector2d standard = pid::Quirks{}.polarity;
+  profile["newtons_at_full"] = calibration.newtonsAtFull;
+  profile["polarity"] = QJsonArray{calibration.reversedAcross ? -standard.x() : standard.x(),
+                                   calibration.reversedAlong ? -standard.y() : standard.y()};
+  profile["origin_m"] = QJsonArray{calibration.origin.x(), calibration.origin.y(), calibration.origin.z()};
   std::filesystem::create_directories(file.parent_path(), fault); // writing says what is wrong with it
   return writeFileAtomically(file, QJsonDocument(profile).toJson().toStdString());
 }

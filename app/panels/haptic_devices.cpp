@@ -5,6 +5,7 @@
 #include "app/haptics/haptic_text.h"
 #include "app/haptics/user_profile.h"
 #include "app/icons.h"
+#include "app/panels/calibrate_dialog.h"
 #include "app/panels/describe.h"
 #include "app/theme.h"
 
@@ -15,7 +16,6 @@
 #include <QFileInfo>
 #include <QGuiApplication>
 #include <QHBoxLayout>
-#include <QInputDialog>
 #include <QLabel>
 #include <QLineEdit>
 #include <QListWidget>
@@ -306,19 +306,15 @@ void HapticDevices::placeOnModel()
   m_controller->placeWorkspace(middle - 0.5 * (profile->workspaceMin + profile->workspaceMax));
 }
 
-/// A stick knows per cent only: the user measures once what they are in newtons.
+/// A stick knows per cent only, and not which way: the user measures once what they are.
 void HapticDevices::calibrate()
 {
   const std::string name = current();
-  const Result<double> before = newtonsAtFull(name);
+  const Result<StickCalibration> before = stickCalibration(name);
   if (!before) return emit said(hapticReasonText(before.error().detail));
-  bool accepted = false;
-  const double newtons = QInputDialog::getDouble(
-    this, tr("Calibrate"),
-    tr("Force at 100 %, as a spring scale shows it [N]. Holds from the next connection on."), *before, 0.1,
-    100.0, 2, &accepted, {}, 0.1);
-  if (!accepted) return;
-  if (const Status written = setNewtonsAtFull(name, newtons); !written)
+  CalibrateDialog dialog(*before, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  if (const Status written = setStickCalibration(name, dialog.calibration()); !written)
     emit said(hapticReasonText(written.error().detail));
 }
 
@@ -347,7 +343,8 @@ void HapticDevices::retranslateUi()
   m_place->setText(tr("Place on model"));
   describe(m_place, tr("Put the middle of the workspace into the middle of the model"));
   m_calibrate->setText(tr("Calibrate…"));
-  describe(m_calibrate, tr("Say how many newtons the device gives at 100 %"));
+  describe(m_calibrate,
+           tr("Say how many newtons the device gives at 100 %, which way it pushes, and where its zero is"));
   m_chooseFirmware->setText(tr("Choose firmware…"));
   describe(m_chooseFirmware, tr("The Falcon forgets its firmware with each power-off; its licence forbids us "
                                 "to bring it"));

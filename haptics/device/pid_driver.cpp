@@ -31,6 +31,7 @@ PidDriver::PidDriver(DriverProfile profile, std::unique_ptr<Wakeup> wakeup, std:
     m_session(std::make_unique<pid::Session>(m_layout, m_profile.quirks, *this))
 {
   m_wakeup = std::move(wakeup);
+  m_state.sample.position = -m_profile.origin;
   m_state.report = {DevicePhase::Opening, 0.0f, "Reading what the device can do"};
 }
 
@@ -170,7 +171,7 @@ void PidDriver::take(std::span<const std::uint8_t> report, double) noexcept
     m_state.sample.buttons =
       hid::getValue(report, slot) != 0 ? m_state.sample.buttons | bit : m_state.sample.buttons & ~bit;
   }
-  m_state.sample.position = m_plane.position(m_axes);
+  m_state.sample.position = m_plane.position(m_axes) - m_profile.origin;
 }
 
 void PidDriver::close(double now) noexcept

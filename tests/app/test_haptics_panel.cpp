@@ -3,6 +3,7 @@
 #include "app/haptics/haptic_text.h"
 #include "app/haptics/user_profile.h"
 #include "app/main_window.h"
+#include "app/panels/calibrate_dialog.h"
 #include "app/window_actions.h"
 #include "core/base/file_io.h"
 #include "haptics/device/driver_profile.h"
@@ -275,17 +276,27 @@ TEST_F(HapticsPanelTest, TheWorkspaceIsLaidOnTheModel)
   EXPECT_TRUE(comes([&] { return !find<QAbstractButton>("hapticPlace")->isEnabled(); }));
 }
 
-// What the user has measured is kept, and nothing else of his profile is touched.
-TEST(UserProfile, KeepsNewtonsAndWhatElseIsThere)
+// What the user has measured and seen is kept as he said it, and nothing else of his profile is touched.
+TEST(UserProfile, KeepsTheCalibrationAndWhatElseIsThere)
 {
   const std::filesystem::path file = userProfilePath("pid");
   std::filesystem::create_directories(file.parent_path());
-  ASSERT_TRUE(writeFileAtomically(file, R"({"polarity": [1, 1]})"));
-  ASSERT_TRUE(setNewtonsAtFull("pid", 3.25));
-  EXPECT_EQ(newtonsAtFull("pid").value(), 3.25);
-  EXPECT_NE(readFile(file)->find("polarity"), std::string::npos);
+  ASSERT_TRUE(writeFileAtomically(file, R"({"update_rate_Hz": 125.0})"));
+  CalibrateDialog dialog(stickCalibration("pid").value());
+  EXPECT_FALSE(dialog.findChild<QCheckBox*>("calibrateAcross")->isChecked());
+  dialog.findChild<QDoubleSpinBox*>("calibrateNewtons")->setValue(3.25);
+  dialog.findChild<QCheckBox*>("calibrateAcross")->setChecked(true);
+  dialog.findChild<QDoubleSpinBox*>("calibrateOriginY")->setValue(-20.0);
+  ASSERT_TRUE(setStickCalibration("pid", dialog.calibration()));
+  const StickCalibration kept = stickCalibration("pid").value();
+  EXPECT_EQ(kept.newtonsAtFull, 3.25);
+  EXPECT_TRUE(kept.reversedAcross);
+  EXPECT_FALSE(kept.reversedAlong);
+  EXPECT_NEAR(kept.origin.y(), -0.02, 1e-12);
+  EXPECT_EQ(loadProfile("pid", {}).value().quirks.polarity, Eigen::Vector2d(1.0, 1.0));
+  EXPECT_EQ(loadProfile("pid", {}).value().quirks.updateRate, 125.0);
   ASSERT_TRUE(writeFileAtomically(file, "no JSON"));
-  EXPECT_FALSE(setNewtonsAtFull("pid", 3.0));
+  EXPECT_FALSE(setStickCalibration("pid", {}));
   EXPECT_EQ(readFile(file).value(), "no JSON");
   std::filesystem::remove(file);
 }

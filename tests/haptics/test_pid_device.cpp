@@ -147,6 +147,32 @@ TEST(PidDevice, PushesWhereItShould)
   }
 }
 
+// The profile's origin is where the scene's zero lies in the device, and its polarity turns the force of one
+// axis about.
+TEST(PidDevice, TakesOriginAndPolarityFromItsProfile)
+{
+  const auto model = stick();
+  FakeUsbTransport usb(model);
+  auto wakeup = std::make_unique<Wakeup>();
+  auto handle = *usb.open(usb.list().front(), 0, *wakeup);
+  DriverProfile profile =
+    *parseProfile(builtInProfile("pid"), R"({"origin_m": [0.01, -0.02, 0.03], "polarity": [1, 1]})", "pid");
+  DrivenDevice device(
+    std::make_unique<PidDriver>(std::move(profile), std::move(wakeup), std::move(handle), 0),
+    DrivenDevice::Drive::Inline);
+  DeviceSample sample;
+  for (int i = 1; i <= 40; ++i) {
+    device.read(0.004 * i, sample);
+    device.write({0.0, 0.0, 0.0});
+  }
+  EXPECT_LT((sample.position + Eigen::Vector3d(0.01, -0.02, 0.03)).norm(), 1e-3);
+  for (int i = 41; i <= 60; ++i) {
+    device.read(0.004 * i, sample);
+    device.write({1.0, 0.5, 0.0});
+  }
+  EXPECT_LT((model->force() - Eigen::Vector3d(-1.0, 0.5, 0.0)).norm(), 0.05);
+}
+
 // 250 reports a second and axis, whatever the servo's rate; nothing at all for a force that does not change.
 TEST(PidDevice, KeepsToItsRate)
 {
