@@ -65,6 +65,61 @@
     </message>
 </context>
 <context>
+    <name>esm::CalibrateDialog</name>
+    <message>
+        <source>Calibrate</source>
+        <translation>Kalibrieren</translation>
+    </message>
+    <message>
+        <source>Force at 100 %, in newtons</source>
+        <translation>Kraft bei 100 %, in Newton</translation>
+    </message>
+    <message>
+        <source> N</source>
+        <translation> N</translation>
+    </message>
+    <message>
+        <source>Force at 100 %, as a spring scale shows it:</source>
+        <translation>Kraft bei 100 %, wie eine Federwaage sie zeigt:</translation>
+    </message>
+    <message>
+        <source>Pushes left instead of right</source>
+        <translation>Drückt nach links statt nach rechts</translation>
+    </message>
+    <message>
+        <source>Pushes towards you instead of away</source>
+        <translation>Drückt zu dir hin statt von dir weg</translation>
+    </message>
+    <message>
+        <source>The force is reversed:</source>
+        <translation>Die Kraft ist verkehrt herum:</translation>
+    </message>
+    <message>
+        <source>Zero of the scene in the device, X</source>
+        <translation>Nullpunkt der Szene im Gerät, X</translation>
+    </message>
+    <message>
+        <source>Zero of the scene in the device, Y</source>
+        <translation>Nullpunkt der Szene im Gerät, Y</translation>
+    </message>
+    <message>
+        <source>Zero of the scene in the device, Z</source>
+        <translation>Nullpunkt der Szene im Gerät, Z</translation>
+    </message>
+    <message>
+        <source> mm</source>
+        <translation> mm</translation>
+    </message>
+    <message>
+        <source>Where in the device the scene has its zero:</source>
+        <translation>Wo im Gerät die Szene ihren Nullpunkt hat:</translation>
+    </message>
+    <message>
+        <source>Holds from the next connection on.</source>
+        <translation>Gilt ab der nächsten Verbindung.</translation>
+    </message>
+</context>
+<context>
     <name>esm::ChangedFilesBar</name>
     <message>
         <source>Updated: %1 nodes as before, %2 new, %3 gone</source>
@@ -220,6 +275,18 @@
     <message>
         <source>Triangles that run through others: %1</source>
         <translation>Dreiecke, die andere durchdringen: %1</translation>
+    </message>
+    <message>
+        <source>at least %1</source>
+        <translation>mindestens %1</translation>
+    </message>
+    <message>
+        <source>The search ended early: there may be more</source>
+        <translation>Die Suche endete vorzeitig: es kann mehr geben</translation>
+    </message>
+    <message>
+        <source>“esm inspect --defects --intersections” looks at all triangles</source>
+        <translation>„esm inspect --defects --intersections“ sieht alle Dreiecke an</translation>
     </message>
 </context>
 <context>
@@ -456,14 +523,6 @@
         <translation>Alle Dateien (*)</translation>
     </message>
     <message>
-        <source>Calibrate</source>
-        <translation>Kalibrieren</translation>
-    </message>
-    <message>
-        <source>Force at 100 %, as a spring scale shows it [N]. Holds from the next connection on.</source>
-        <translation>Kraft bei 100 %, wie eine Federwaage sie zeigt [N]. Gilt ab der nächsten Verbindung.</translation>
-    </message>
-    <message>
         <source>Haptic devices and their state</source>
         <translation>Haptische Geräte und ihr Zustand</translation>
     </message>
@@ -520,16 +579,16 @@
         <translation>Kalibrieren …</translation>
     </message>
     <message>
-        <source>Say how many newtons the device gives at 100 %</source>
-        <translation>Sagen, wie viele Newton das Gerät bei 100 % gibt</translation>
-    </message>
-    <message>
         <source>Choose firmware…</source>
         <translation>Firmware wählen …</translation>
     </message>
     <message>
         <source>The Falcon forgets its firmware with each power-off; its licence forbids us to bring it</source>
         <translation>Der Falcon vergisst seine Firmware mit jedem Ausschalten; ihre Lizenz verbietet uns, sie mitzuliefern</translation>
+    </message>
+    <message>
+        <source>Say how many newtons the device gives at 100 %, which way it pushes, and where its zero is</source>
+        <translation>Angeben, wie viel Newton das Gerät bei 100 % gibt, wohin es drückt und wo sein Nullpunkt liegt</translation>
     </message>
 </context>
 <context>
