@@ -130,12 +130,16 @@ void StepDriver::rememberBeforeOnset()
 double StepDriver::beginOnset(double length, double count) noexcept
 {
   const bool isFirst = m_gauge.scale().calm <= 0.0 && m_onset.longest <= 0.0;
-  if (!m_auto || !isFirst || !(m_checkedShare > kOnsetError) || count < kOnsetParts) return length;
+  const bool isPayable = 2.0 * m_leastCost <= m_settings.effort; // else it is for plain steps only
+  if (!m_auto || !isFirst || !(m_checkedShare > kOnsetError) || count < kOnsetParts || !isPayable)
+    return length;
   m_onset.longest = length / kOnsetParts;
+  m_onset.affordable = m_affordable;
   return m_onset.longest;
 }
 
-/// Before each stretch: doubles its length, looks at each, and ends the onset with what was known before it.
+/// Before each stretch: doubles its length, looks at each, and ends the onset with what had been measured
+/// before.
 void StepDriver::continueOnset(System& system)
 {
   if (m_onset.longest <= 0.0) return;
@@ -143,7 +147,7 @@ void StepDriver::continueOnset(System& system)
   m_untilCheck = 0;
   if (m_onset.longest < kFrame) return;
   m_onset.longest = 0.0;
-  if (m_method == m_implicit) return;
+  if (m_method == m_implicit || !m_onset.known[m_onset.method].isMeasured) return; // what failed was a guess
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     candidate.accurateStep = m_onset.known[method].accurateStep;

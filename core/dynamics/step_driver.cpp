@@ -13,10 +13,11 @@ constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solver
 constexpr int kMostAttempts = 24;   ///< of one stretch
 /// Of a stretch that is done twice, if that is many steps [s].
 constexpr double kCheckLength = kFrame / 2.0;
-constexpr double kMostEffort = 3.0;        ///< for one frame, before descent takes over
-constexpr double kLeastShare = 1.0 / 8.0;  ///< of it for a stretch, however short
-constexpr double kMostDescentSteps = 16.0; ///< of one stretch
-constexpr int kLongestDescent = 64;        ///< stretches before something else is tried again
+constexpr double kMostEffort = 3.0;            ///< for one frame, before descent takes over
+constexpr double kLeastShare = 1.0 / 8.0;      ///< of it for a stretch, however short
+constexpr double kLeastOnsetShare = 1.0 / 8.0; ///< of that, when the others of an onset have used up theirs
+constexpr double kMostDescentSteps = 16.0;     ///< of one stretch
+constexpr int kLongestDescent = 64;            ///< stretches before something else is tried again
 constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
@@ -44,8 +45,10 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
                                                                                               : kFrame;
     const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / longest * (1.0 - 1e-9));
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
+    const double workBefore = system.workDone();
     const bool done = isFixed ? stretchFixed(system, state, stretchEnd, report)
                               : stretchControlled(system, state, stretchEnd, report);
+    m_onset.affordable -= system.workDone() - workBefore;
     if (!done) break;
     if (state.time != event) continue;
     if (system.enter(state, false)) {
@@ -115,9 +118,11 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   }
   if (m_auto) {
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
-    const double share = std::max(length / kFrame, kLeastShare);
-    system.workLimit =
-      system.workDone() + kMostEffort * std::max(m_settings.effort, 2.0 * m_leastCost) * share;
+    m_affordable =
+      kMostEffort * std::max(m_settings.effort, 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
+    if (m_onset.longest > 0.0)
+      m_affordable = std::clamp(m_onset.affordable, kLeastOnsetShare * m_affordable, m_affordable);
+    system.workLimit = system.workDone() + m_affordable;
   }
   Run failure = Run::NotConverged;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {

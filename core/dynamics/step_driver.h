@@ -88,8 +88,9 @@ private:
   };
   /// The first moments after an event, while stretches are shorter than usual.
   struct Onset {
-    double longest = 0.0; ///< stretch now [s]; 0: there is no onset
-    Method method = 0;    ///< before it
+    double longest = 0.0;    ///< stretch now [s]; 0: there is no onset
+    Method method = 0;       ///< before it
+    double affordable = 0.0; ///< what is left of the first stretch's work [spring evaluations]
     struct Known {
       double accurateStep, estimate;
       bool isMeasured;
@@ -183,6 +184,7 @@ private:
   /// The share that the present method would have at its stability limit, over its typical error.
   double m_shareAtLimit = std::numeric_limits<double>::infinity();
   Onset m_onset;
+  double m_affordable = 0.0; ///< work of the present stretch under `auto` [spring evaluations]
   std::int64_t m_maxSteps = 0;
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
