@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/exit_guard.h"
 
+#include "haptics/zero_reports.h"
+
 #include <array>
 #include <atomic>
 #include <csignal>
@@ -22,7 +24,6 @@ constexpr std::array kPolite{SIGINT, SIGTERM, SIGHUP};
 constexpr std::array kDeadly{SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT};
 constexpr int kLongestWait = 100; ///< [ms]
 constexpr int kDriverTime = 20;   ///< for a driver's thread to send what the servo left to it [ms]
-constexpr int kZeroPackets = 3;
 
 std::atomic<bool> s_requested{false};
 std::atomic<int> s_signal{0}, s_liveServos{0}, s_descriptor{-1};
@@ -70,7 +71,7 @@ void silenceAll() noexcept
   speakLastWords();
   const LastBreath& own = t_lastBreath;
   if (own.sendZero != nullptr)
-    for (int i = 0; i < kZeroPackets; ++i) own.sendZero(own.context);
+    for (int i = 0; i < kZeroReports; ++i) own.sendZero(own.context);
   const int mine = own.sendZero != nullptr ? 1 : 0;
   const std::timespec millisecond{0, 1000000};
   if (s_liveServos.load(std::memory_order_acquire) == 0) return;

@@ -3,6 +3,7 @@
 #include "haptics/servo_loop.h"
 
 #include "haptics/exit_guard.h"
+#include "haptics/zero_reports.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +17,6 @@ constexpr double kLateShare = 0.5;      ///< of a period; a later tick counts as
 constexpr double kRateSmoothing = 0.5;  ///< [s]
 constexpr double kLatenessWindow = 0.5; ///< [s]; the worst of the last two is shown
 constexpr int kMostFallingTicks = 200;  ///< far more than the largest force needs
-constexpr int kZeroPackets = 3;
 
 } // namespace
 
@@ -111,7 +111,7 @@ void ServoLoop::fallToZero() noexcept
     nextTick();
     if (m_core.force().isZero(0.0)) break;
   }
-  for (int i = 0; i < kZeroPackets; ++i) m_core.sendZero();
+  for (int i = 0; i < kZeroReports; ++i) m_core.sendZero();
 }
 
 } // namespace esm

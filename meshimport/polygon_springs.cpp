@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/polygon_springs.h"
 
+#include "core/geometry/pair_key.h"
 #include "core/net/net_edit.h"
 
 #include <algorithm>
@@ -11,11 +12,6 @@
 namespace esm {
 
 namespace {
-
-std::uint64_t keyOf(Index a, Index b)
-{
-  return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
-}
 
 /// What lies over a pair of nodes that a cut joins.
 struct Uses {
@@ -31,7 +27,7 @@ void forPairs(const SegmentMatrix& pairs, const std::vector<Index>& nodeOfVertex
   for (const auto& pair : pairs.colwise()) {
     const Index a = nodeOfVertex[static_cast<std::size_t>(pair[0])];
     const Index b = nodeOfVertex[static_cast<std::size_t>(pair[1])];
-    if (a != kNoIndex && b != kNoIndex) use(keyOf(a, b));
+    if (a != kNoIndex && b != kNoIndex) use(pairKey(a, b));
   }
 }
 
@@ -70,7 +66,7 @@ void dropDiagonals(SpringNet& net, const Mesh& mesh, const std::vector<Index>& n
   cut.node.assign(static_cast<std::size_t>(net.nodeCount()), 0);
   cut.spring.assign(static_cast<std::size_t>(net.springCount()), 0);
   for (Index s = 0; s < net.springCount(); ++s)
-    ifCut(keyOf(net.ends(0, s), net.ends(1, s)), [&](const Uses& use) {
+    ifCut(pairKey(net.ends(0, s), net.ends(1, s)), [&](const Uses& use) {
       if (use.nothingElse()) cut.spring[static_cast<std::size_t>(s)] = 1;
     });
   shrinkNet(net, cut);

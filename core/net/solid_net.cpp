@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/net/solid_net.h"
 
+#include "core/geometry/pair_key.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -84,12 +86,9 @@ Mesh withoutTetrahedra(const Mesh& mesh)
 void addSolidShares(const Eigen::Matrix3Xd& position, const TetrahedronMatrix& tetrahedra,
                     const std::vector<Index>& nodeOf, SpringNet& net)
 {
-  const auto keyOf = [](Index a, Index b) {
-    return static_cast<std::uint64_t>(std::min(a, b)) << 32U | static_cast<std::uint64_t>(std::max(a, b));
-  };
   std::unordered_map<std::uint64_t, Index> springOf;
   springOf.reserve(2 * static_cast<std::size_t>(net.springCount()));
-  for (Index s = 0; s < net.springCount(); ++s) springOf.emplace(keyOf(net.ends(0, s), net.ends(1, s)), s);
+  for (Index s = 0; s < net.springCount(); ++s) springOf.emplace(pairKey(net.ends(0, s), net.ends(1, s)), s);
   if (net.section.size() == 0) net.section.setZero(net.springCount());
   if (net.volume.size() == 0) net.volume.setZero(net.nodeCount());
   for (Index t = 0; t < static_cast<Index>(tetrahedra.cols()); ++t) {
@@ -102,7 +101,7 @@ void addSolidShares(const Eigen::Matrix3Xd& position, const TetrahedronMatrix& t
     for (const Index n : node) net.volume[n] += volume / 4.0;
     for (const auto& edge : kEdges) {
       const auto spring = springOf.find(
-        keyOf(node[static_cast<std::size_t>(edge[0])], node[static_cast<std::size_t>(edge[1])]));
+        pairKey(node[static_cast<std::size_t>(edge[0])], node[static_cast<std::size_t>(edge[1])]));
       if (spring == springOf.end()) continue; // an edge without length
       net.section[spring->second] += volume / net.restLength[spring->second];
       SpringKind& kind = net.kind[static_cast<std::size_t>(spring->second)];

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/project/export.h"
 
+#include "core/geometry/pair_key.h"
 #include "core/project/frame_writers.h"
 
 #include <algorithm>
@@ -14,12 +15,6 @@ namespace {
 constexpr FrameFormat kFormats[] = {{".obj", writeObj}, {".ply", writePly},   {".stl", writeStl},
                                     {".glb", writeGlb}, {".gltf", writeGltf}, {".vtu", writeVtu},
                                     {".csv", writeCsv}, {".scn", writeSofa},  {".xsp", writeXsp}};
-
-/// The two ends of an edge as one number, whichever way it runs.
-std::uint64_t edgeKey(Index a, Index b)
-{
-  return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
-}
 
 } // namespace
 
@@ -55,11 +50,11 @@ std::vector<Index> springsWithoutTriangle(const SpringNet& net)
   std::vector<std::uint64_t> edges;
   edges.reserve(static_cast<std::size_t>(net.triangleCount()) * 3);
   for (Index t = 0; t < net.triangleCount(); ++t)
-    for (int k = 0; k < 3; ++k) edges.push_back(edgeKey(net.triangles(k, t), net.triangles((k + 1) % 3, t)));
+    for (int k = 0; k < 3; ++k) edges.push_back(pairKey(net.triangles(k, t), net.triangles((k + 1) % 3, t)));
   std::sort(edges.begin(), edges.end());
   std::vector<Index> springs;
   for (Index s = 0; s < net.springCount(); ++s)
-    if (!std::binary_search(edges.begin(), edges.end(), edgeKey(net.ends(0, s), net.ends(1, s))))
+    if (!std::binary_search(edges.begin(), edges.end(), pairKey(net.ends(0, s), net.ends(1, s))))
       springs.push_back(s);
   return springs;
 }

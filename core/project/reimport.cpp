@@ -3,6 +3,7 @@
 #include "core/project/reimport.h"
 
 #include "core/base/hash.h"
+#include "core/geometry/pair_key.h"
 
 #include <algorithm>
 #include <array>
@@ -81,23 +82,18 @@ void carryIds(const std::vector<Id>& old, const std::vector<Index>& newOf, std::
     if (!known[i]) ids[i] = Id{next++};
 }
 
-std::uint64_t keyOf(Index a, Index b)
-{
-  return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint32_t>(std::max(a, b));
-}
-
 /// For each old spring the new one between the same nodes, or kNoIndex.
 std::vector<Index> matchSprings(const SpringNet& old, const SpringNet& now,
                                 const std::vector<Index>& newOfNode)
 {
   std::unordered_map<std::uint64_t, Index> between;
-  for (Index s = 0; s < now.springCount(); ++s) between.emplace(keyOf(now.ends(0, s), now.ends(1, s)), s);
+  for (Index s = 0; s < now.springCount(); ++s) between.emplace(pairKey(now.ends(0, s), now.ends(1, s)), s);
   std::vector<Index> newOf(static_cast<std::size_t>(old.springCount()), kNoIndex);
   for (Index s = 0; s < old.springCount(); ++s) {
     const Index a = newOfNode[static_cast<std::size_t>(old.ends(0, s))];
     const Index b = newOfNode[static_cast<std::size_t>(old.ends(1, s))];
     if (a == kNoIndex || b == kNoIndex) continue;
-    if (const auto found = between.find(keyOf(a, b)); found != between.end()) {
+    if (const auto found = between.find(pairKey(a, b)); found != between.end()) {
       newOf[static_cast<std::size_t>(s)] = found->second;
       between.erase(found);
     }

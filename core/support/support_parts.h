@@ -4,6 +4,7 @@
 
 // The pieces of addSupport().
 
+#include "core/geometry/pair_key.h"
 #include "core/support/outward_surface.h"
 #include "core/support/support.h"
 
@@ -19,14 +20,6 @@ struct Strut {
   double section = 0.0; ///< [m^2]
   double weight = 1.0;  ///< against the other struts of a node, see shareSections()
 };
-
-/// The same for both orders of a pair, another for every other pair.
-inline std::uint64_t pairKey(Index a, Index b) noexcept
-{
-  const auto low = static_cast<std::uint64_t>(a < b ? a : b),
-             high = static_cast<std::uint64_t>(a < b ? b : a);
-  return low << 32U | high;
-}
 
 /// What an interior consists of.
 struct Layer {

@@ -3,6 +3,7 @@
 #include "haptics/device/falcon_driver.h"
 
 #include "haptics/protocol/ftdi.h"
+#include "haptics/zero_reports.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,8 +20,7 @@ constexpr double kProbeEvery = 0.02;   ///< [s]
 constexpr double kResendAfter = 0.005; ///< [s] without a reply
 constexpr int kLongestJump = 600;      ///< counts between two replies; 600 are 4 m/s and more
 constexpr int kUnhomedReplies = 2;
-constexpr int kHomedReplies = 3; ///< in a row before it is believed
-constexpr int kZeroPackets = 3;
+constexpr int kHomedReplies = 3;         ///< in a row before it is believed
 constexpr double kLargestForce = 1000.0; ///< [N]; far beyond full scale, far below overflow
 
 } // namespace
@@ -265,7 +265,7 @@ void FalconDriver::close(double now) noexcept
     falcon::Command zero;
     zero.homing = true;
     zero.leds = falcon::kRed;
-    for (int i = 0; i < kZeroPackets; ++i) {
+    for (int i = 0; i < kZeroReports; ++i) {
       send(zero, now);
       m_wakeup->wait(0.005);
       while (m_handle->take(now, m_completion)) {
@@ -285,7 +285,7 @@ void FalconDriver::sendLastZero() noexcept
   zero.homing = true;
   zero.leds = falcon::kRed;
   const falcon::Packet packet = falcon::encode(zero);
-  for (int i = 0; i < kZeroPackets; ++i) m_handle->sendAtLast({}, packet);
+  for (int i = 0; i < kZeroReports; ++i) m_handle->sendAtLast({}, packet);
 }
 
 } // namespace esm

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/device/pid_driver.h"
 
+#include "haptics/zero_reports.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -17,7 +19,6 @@ constexpr int kInTransfers = 2, kMostOut = 3;
 constexpr double kOutTimeout = 0.02; ///< [s]; a device that takes no force for so long does not reply
 constexpr int kOutWaits = 100;       ///< of kOutWait each, while opening and closing
 constexpr double kOutWait = 0.001;   ///< [s]
-constexpr int kZeroReports = 3;
 
 } // namespace
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/device/wooden_driver.h"
 
+#include "haptics/zero_reports.h"
+
 #include <algorithm>
 #include <array>
 #include <utility>
@@ -10,7 +12,7 @@ namespace esm {
 
 namespace {
 
-constexpr int kInTransfers = 2, kMostOut = 2, kZeroReports = 3;
+constexpr int kInTransfers = 2, kMostOut = 2;
 constexpr std::size_t kInSize = 64;
 constexpr double kResendAfter = 0.005; ///< [s]; reports that do not end are counted as gone
 

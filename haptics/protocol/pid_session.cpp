@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/protocol/pid_session.h"
 
+#include "haptics/zero_reports.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -14,7 +16,6 @@ constexpr hid::Usage kStart = usage(0x79), kStop = usage(0x7b);
 constexpr hid::Usage kEnable = usage(0x97), kDisable = usage(0x98), kStopAll = usage(0x99),
                      kReset = usage(0x9a);
 constexpr hid::Usage kLoaded = usage(0x8c), kFull = usage(0x8d), kError = usage(0x8e);
-constexpr int kZeroReports = 3;         ///< on closing: a report may be lost
 constexpr double kRateTolerance = 1e-4; ///< [s]; a tick of 1 ms that comes a little early is not too early
 
 /// Milliseconds unless the descriptor names another power of ten of a second.

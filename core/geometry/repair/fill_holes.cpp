@@ -4,6 +4,7 @@
 
 #include "core/geometry/boundary_loops.h"
 #include "core/geometry/edge_table.h"
+#include "core/geometry/pair_key.h"
 #include "core/geometry/repair/frame.h"
 #include "core/geometry/repair/loop_triangulation.h"
 #include "core/geometry/repair/remesher.h"
@@ -41,14 +42,10 @@ public:
       if (isOnBorder[at(edges.ends(0, e))] && isOnBorder[at(edges.ends(1, e))])
         add(edges.ends(0, e), edges.ends(1, e));
   }
-  void add(Index a, Index b) { m_keys.insert(key(a, b)); }
-  bool has(Index a, Index b) const { return m_keys.count(key(a, b)) != 0; }
+  void add(Index a, Index b) { m_keys.insert(pairKey(a, b)); }
+  bool has(Index a, Index b) const { return m_keys.count(pairKey(a, b)) != 0; }
 
 private:
-  static std::uint64_t key(Index a, Index b)
-  {
-    return static_cast<std::uint64_t>(std::min(a, b)) << 32 | static_cast<std::uint64_t>(std::max(a, b));
-  }
   std::unordered_set<std::uint64_t> m_keys; // asked only, never walked through
 };
 
