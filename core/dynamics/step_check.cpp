@@ -119,10 +119,7 @@ void StepDriver::rememberBeforeOnset()
 {
   if (m_onset.longest > 0.0 || m_gauge.scale().calm > 0.0) return;
   m_onset.method = m_method;
-  for (Method method = 0; method < m_candidates.size(); ++method) {
-    const Candidate& candidate = m_candidates[method];
-    m_onset.known[method] = {candidate.accurateStep, candidate.estimate, candidate.isMeasured};
-  }
+  std::copy(m_candidates.begin(), m_candidates.end(), m_onset.known.begin());
 }
 
 /// After a check that failed.
@@ -134,7 +131,6 @@ double StepDriver::beginOnset(double length, double count) noexcept
   if (!m_auto || !isFirst || !(m_checkedShare > kOnsetError) || count < kOnsetParts || !isPayable)
     return length;
   m_onset.longest = length / kOnsetParts;
-  m_onset.affordable = m_affordable;
   return m_onset.longest;
 }
 
@@ -148,17 +144,13 @@ void StepDriver::continueOnset(System& system)
   if (m_onset.longest < kFrame) return;
   m_onset.longest = 0.0;
   if (m_method == m_implicit || !m_onset.known[m_onset.method].isMeasured) return; // what failed was a guess
-  for (Method method = 0; method < m_candidates.size(); ++method) {
-    Candidate& candidate = m_candidates[method];
-    candidate.accurateStep = m_onset.known[method].accurateStep;
-    candidate.estimate = m_onset.known[method].estimate;
-    candidate.isMeasured = m_onset.known[method].isMeasured;
-  }
+  for (Method method = 0; method < m_candidates.size(); ++method)
+    static_cast<Knowledge&>(m_candidates[method]) = m_onset.known[method];
   m_settled = 0;
   m_checkGap = 1;
   if (m_method == m_onset.method) return;
   use(m_onset.method, system);
-  m_candidates[m_method].isMeasured = m_onset.known[m_method].isMeasured;
+  m_candidates[m_method].isMeasured = true; // see above
   explain(system);
 }
 

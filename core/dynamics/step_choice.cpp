@@ -51,7 +51,7 @@ StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings)
     if (entry.name == "descent") m_descent = place;
     if (entry.role == MethodRole::Implicit) m_implicit = place;
     if (entry.name == m_settings.solver) m_method = place;
-    m_candidates.push_back({entry.make(), entry.role, entry.typicalError, 0.0, 0.0, false, false});
+    m_candidates.push_back({{}, entry.make(), entry.role, entry.typicalError});
   }
   m_onset.known.resize(m_candidates.size());
 }

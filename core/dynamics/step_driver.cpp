@@ -118,11 +118,10 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   }
   if (m_auto) {
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
-    m_affordable =
+    const double usual =
       kMostEffort * std::max(m_settings.effort, 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
-    if (m_onset.longest > 0.0)
-      m_affordable = std::clamp(m_onset.affordable, kLeastOnsetShare * m_affordable, m_affordable);
-    system.workLimit = system.workDone() + m_affordable;
+    if (m_onset.longest <= 0.0) m_onset.affordable = usual; // it may begin here
+    system.workLimit = system.workDone() + std::clamp(m_onset.affordable, kLeastOnsetShare * usual, usual);
   }
   Run failure = Run::NotConverged;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {

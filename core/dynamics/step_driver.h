@@ -75,27 +75,26 @@ private:
   static constexpr double kCoarseGrowth = 0.05;
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   static constexpr int kFirstTrial = 1, kLongestTrialGap = 32; ///< checks
-  struct Candidate {
-    std::unique_ptr<Integrator> integrator;
-    MethodRole role = MethodRole::ByName;
-    double typicalError = 0.0; ///< see IntegratorEntry
+  /// What is known of a method's errors.
+  struct Knowledge {
     double accurateStep = 0.0; ///< by the last check, or a guess [s]
     double estimate = 0.0;     ///< the same without the hysteresis [s]
     bool isMeasured = false;   ///< since it was chosen
+  };
+  struct Candidate : Knowledge {
+    std::unique_ptr<Integrator> integrator;
+    MethodRole role = MethodRole::ByName;
+    double typicalError = 0.0; ///< see IntegratorEntry
     bool prepared = false;
     int untilTrial = kFirstTrial; ///< checks until it may be tried at more than is known of it
     int trialGap = kFirstTrial;
   };
   /// The first moments after an event, while stretches are shorter than usual.
   struct Onset {
-    double longest = 0.0;    ///< stretch now [s]; 0: there is no onset
-    Method method = 0;       ///< before it
-    double affordable = 0.0; ///< what is left of the first stretch's work [spring evaluations]
-    struct Known {
-      double accurateStep, estimate;
-      bool isMeasured;
-    };
-    std::vector<Known> known; ///< of each candidate before it: what is learned in it holds in it
+    double longest = 0.0;         ///< stretch now [s]; 0: there is no onset
+    Method method = 0;            ///< before it
+    double affordable = 0.0;      ///< what is left of the first stretch's work [spring evaluations]
+    std::vector<Knowledge> known; ///< of each candidate before it: what is learned in it holds in it
   };
 
   static bool isExplicit(const Candidate& candidate) noexcept
@@ -184,7 +183,6 @@ private:
   /// The share that the present method would have at its stability limit, over its typical error.
   double m_shareAtLimit = std::numeric_limits<double>::infinity();
   Onset m_onset;
-  double m_affordable = 0.0; ///< work of the present stretch under `auto` [spring evaluations]
   std::int64_t m_maxSteps = 0;
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
