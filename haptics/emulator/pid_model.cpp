@@ -6,6 +6,7 @@
 #include "haptics/kinematics/planar2.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -125,25 +126,28 @@ int PidModel::ownControl(const UsbSetup& setup, std::span<std::uint8_t> data)
     return static_cast<int>(data.size());
   }
   if (setup.request != kGetReport || type != 3) return kStall;
-  const auto bytes = std::span(data).first(std::min(
-    data.size(), m_descriptor->reportBytes(hid::ReportType::Feature, static_cast<std::uint8_t>(id))));
-  if (bytes.empty()) return kStall;
-  std::fill(bytes.begin(), bytes.end(), std::uint8_t{0});
-  bytes[0] = static_cast<std::uint8_t>(id);
+  // Whole first: the host may ask for fewer bytes than the report has.
+  std::array<std::uint8_t, hid::ReportDescriptor::kMostReportBytes> room{};
+  const auto report =
+    std::span(room).first(m_descriptor->reportBytes(hid::ReportType::Feature, static_cast<std::uint8_t>(id)));
+  if (report.empty() || data.empty()) return kStall;
+  report[0] = static_cast<std::uint8_t>(id);
   if (id == m_layout.blockLoad.block.reportId) {
     if (m_busy > 0) {
-      --m_busy;
-      return static_cast<int>(bytes.size()); // block 0, no status: not yet
+      --m_busy; // block 0, no status: not yet
+    } else {
+      hid::putValue(report, m_layout.blockLoad.block, m_created);
+      m_layout.blockLoad.status.put(report, m_created > 0 ? usage(0x8c) : usage(0x8d));
     }
-    hid::putValue(bytes, m_layout.blockLoad.block, m_created);
-    m_layout.blockLoad.status.put(bytes, m_created > 0 ? usage(0x8c) : usage(0x8d));
   } else if (id == kPidModelPoolReport) {
-    bytes[1] = 0xff; // RAM
-    bytes[2] = 0x7f;
-    bytes[3] = static_cast<std::uint8_t>(m_effects.size());
-    bytes[4] = 1; // the device manages its memory
+    report[1] = 0xff; // RAM
+    report[2] = 0x7f;
+    report[3] = static_cast<std::uint8_t>(m_effects.size());
+    report[4] = 1; // the device manages its memory
   }
-  return static_cast<int>(bytes.size());
+  const std::size_t count = std::min(data.size(), report.size());
+  std::copy_n(report.begin(), count, data.begin());
+  return static_cast<int>(count);
 }
 
 void PidModel::advance(double now)

@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <span>
@@ -83,6 +84,32 @@ TEST(UsbIpServer, AnswersDescriptorsAndStallsOnTheUnknown)
   server.output().clear();
   ASSERT_TRUE(server.receive(submit(8, 1, 0, 4, {0x80, 6, 0, 9, 0, 0, 4, 0})));
   EXPECT_EQ(static_cast<std::int32_t>(word(server.output(), 5)), -32);
+}
+
+// A host may ask for the first bytes of a report only: it gets those, and nothing is written behind them.
+TEST(UsbIpServer, ShortRequestsGetTheStartOfAReport)
+{
+  constexpr std::uint8_t kUntouched = 0xa5;
+  int reports = 0;
+  for (int id = 0; id < 256; ++id) {
+    const auto answer = [&](std::uint16_t length, std::array<std::uint8_t, 64>& bytes) {
+      PidModel model({});
+      bytes.fill(kUntouched);
+      return model.control({0xa1, 1, static_cast<std::uint16_t>(0x300 | id), 0, length},
+                           std::span(bytes).first(length));
+    };
+    std::array<std::uint8_t, 64> whole{}, part{};
+    const int size = answer(64, whole);
+    if (size < 0) continue;
+    ++reports;
+    EXPECT_EQ(answer(0, part), UsbDeviceModel::kStall);
+    for (int length = 1; length < size; ++length) {
+      EXPECT_EQ(answer(static_cast<std::uint16_t>(length), part), length) << "report " << id;
+      EXPECT_TRUE(std::equal(part.begin(), part.begin() + length, whole.begin())) << "report " << id;
+      EXPECT_EQ(std::count(part.begin() + length, part.end(), kUntouched), 64 - length) << "report " << id;
+    }
+  }
+  EXPECT_GE(reports, 2); // block load and pool
 }
 
 // A read without an answer yet waits, in order; unlinked it is never answered, and the reply says so.
