@@ -5,6 +5,7 @@
 #include "app/sample_files.h"
 #include "app/scripted_run.h"
 #include "app/state_dump.h"
+#include "core/base/large_pages.h"
 #include "haptics/exit_guard.h"
 
 #include <QApplication>
@@ -61,6 +62,7 @@ void runScript(esm::MainWindow& window, const esm::CommandLine& options)
 
 int main(int argc, char** argv)
 {
+  esm::keepBigArraysInHeap();
   esm::CommandLine options;
   if (const int code = esm::parseCommandLine(argc, argv, options); code >= 0) return code;
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "cli/commands.h"
+#include "core/base/large_pages.h"
 
 #include <CLI/CLI.hpp>
 
@@ -47,6 +48,7 @@ Exit run(int argc, char** argv)
 
 int main(int argc, char** argv)
 {
+  esm::keepBigArraysInHeap();
   try {
     return static_cast<int>(run(argc, argv));
   } catch (const std::bad_alloc&) {

@@ -8,8 +8,8 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <cstdlib>
 #include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -74,19 +74,15 @@ FileBytes& FileBytes::operator=(FileBytes&& other) noexcept
 
 FileBytes::~FileBytes()
 {
-  if (m_data) ::munmap(m_data, m_capacity);
+  std::free(m_data);
 }
 
 /// Makes room for `capacity` bytes; keeps what is there.
 bool FileBytes::hold(std::size_t capacity)
 {
-  void* const fresh = ::mmap(nullptr, capacity, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-  if (fresh == MAP_FAILED) return false;
+  void* const fresh = std::realloc(m_data, capacity);
+  if (!fresh) return false;
   useLargePages(fresh, capacity);
-  if (m_data) {
-    std::copy_n(m_data, m_size, static_cast<char*>(fresh));
-    ::munmap(m_data, m_capacity);
-  }
   m_data = static_cast<char*>(fresh);
   m_capacity = capacity;
   return true;

@@ -111,7 +111,7 @@ Result<ImportedMesh> importChecked(const std::filesystem::path& path, const Impo
     imported.vertexOfFile.resize(static_cast<std::size_t>(before));
     std::iota(imported.vertexOfFile.begin(), imported.vertexOfFile.end(), 0);
   }
-  imported.edges = findEdges(imported.mesh, control);
+  imported.edges = listEdges(imported.mesh, control);
   if (stopWanted(control)) return cancelledError();
   imported.report = examine(imported.mesh, imported.edges, control);
   if (stopWanted(control)) return cancelledError();

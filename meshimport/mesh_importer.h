@@ -27,7 +27,7 @@ struct ImportOptions {
 struct ImportedMesh {
   Mesh mesh;                       ///< welded if wished
   MeshReport report;               ///< of `mesh`
-  EdgeTable edges;                 ///< of `mesh`, for buildNet(); of no use once its topology changes
+  EdgeList edges;                  ///< of `mesh`, for buildNet(); of no use once its topology changes
   std::string format;              ///< "OBJ", "STL (binary)", "PLY (ASCII)", ...
   std::vector<Index> vertexOfFile; ///< file vertex -> vertex of `mesh`
   std::uint64_t fingerprint = 0;   ///< fingerprintOf() the file's bytes

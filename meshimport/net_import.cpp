@@ -10,6 +10,8 @@
 #include "meshimport/polygon_springs.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 namespace esm {
 
@@ -75,7 +77,7 @@ Status weldFiles(MeshSource& source, WorkControl* control)
     if (stopWanted(control)) return cancelledError();
     for (ReadFile& file : source.files) follow(file.vertexOfFile, newOf);
   }
-  source.edges = findEdges(source.mesh, control);
+  source.edges = listEdges(source.mesh, control);
   if (stopWanted(control)) return cancelledError();
   source.report = examine(source.mesh, source.edges, control);
   if (stopWanted(control)) return cancelledError();
@@ -129,7 +131,7 @@ Result<MeshSource> readMeshes(const ImportRecipe& recipe, const std::filesystem:
   return source;
 }
 
-Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe, double thickness,
+Result<ImportedNet> makeNet(MeshSource source, const ImportRecipe& recipe, double thickness,
                             WorkControl* control)
 {
   const auto inFile = [&](Error error) {
@@ -143,24 +145,26 @@ Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe
   made.files = source.files;
   made.notes = source.notes;
 
-  Mesh mesh = source.mesh;
+  const bool isAsRead = recipe.repair.doesNothing();
+  Mesh mesh = isAsRead ? std::move(source.mesh) : source.mesh;
   toScene(mesh, recipe.unit, recipe.up, recipe.patientAxes);
   made.before = made.after = inScene(source.report, mesh, metresPer(recipe.unit));
   if (stopWanted(control)) return cancelledError();
 
   std::vector<Index> nodeOfVertex;
-  if (!recipe.repair.doesNothing()) {
+  if (!isAsRead) {
     if (const Status status = repairMesh(mesh, recipe.repair, made.repair, control); !status)
       return inFile(status.error());
     made.notes.insert(made.notes.end(), made.repair.notes.begin(), made.repair.notes.end());
     made.after = examine(mesh, control);
     followDiagonals(mesh, source.mesh, made.repair.vertexOf);
   }
-  Result<SpringNet> net =
-    buildNet(mesh, &nodeOfVertex, control, recipe.repair.doesNothing() ? &source.edges : nullptr);
+  const bool dropsDiagonals = recipe.polygons == PolygonSprings::EdgesOnly;
+  Result<SpringNet> net = buildNet(dropsDiagonals ? mesh : std::move(mesh), &nodeOfVertex, control,
+                                   isAsRead ? std::optional(std::move(source.edges)) : std::nullopt);
   if (!net) return inFile(net.error());
   made.net = std::move(*net);
-  if (recipe.polygons == PolygonSprings::EdgesOnly) {
+  if (dropsDiagonals) {
     if (recipe.repair.triangles > 0 || recipe.repair.edgeLength > 0.0)
       made.notes.push_back("Polygons' edges are gone with the remeshing, all triangle edges are springs.");
     else
@@ -177,7 +181,7 @@ Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe
       return inFile(status.error());
   for (const ReadFile& file : made.files) {
     std::vector<Index> nodeOf = file.vertexOfFile;
-    if (!recipe.repair.doesNothing()) follow(nodeOf, made.repair.vertexOf);
+    if (!isAsRead) follow(nodeOf, made.repair.vertexOf);
     follow(nodeOf, nodeOfVertex);
     made.nodeOfFile.push_back(std::move(nodeOf));
   }
@@ -187,9 +191,9 @@ Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe
 Result<ImportedNet> importNet(const ImportRecipe& recipe, const std::filesystem::path& folder,
                               double thickness, WorkControl* control)
 {
-  const Result<MeshSource> source = readMeshes(recipe, folder, control);
+  Result<MeshSource> source = readMeshes(recipe, folder, control);
   if (!source) return source.error();
-  return makeNet(*source, recipe, thickness, control);
+  return makeNet(std::move(*source), recipe, thickness, control);
 }
 
 Result<std::vector<std::string>> changedFiles(const ImportRecipe& recipe, const std::filesystem::path& folder)

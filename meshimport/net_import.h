@@ -27,7 +27,7 @@ struct MeshSource {
   ImportRecipe recipe; ///< with the fingerprints of what was read
   Mesh mesh;           ///< welded if the recipe says so
   MeshReport report;   ///< of `mesh`
-  EdgeTable edges;     ///< of `mesh`
+  EdgeList edges;      ///< of `mesh`
   std::vector<ReadFile> files;
   std::vector<std::string> notes; ///< one sentence each; with several files each names its own
 };
@@ -50,11 +50,12 @@ struct ImportedNet {
 Result<MeshSource> readMeshes(const ImportRecipe& recipe, const std::filesystem::path& folder,
                               WorkControl* control = nullptr);
 
+/// @param source is moved here by who needs it no longer.
 /// @param recipe tells unit, axes, repair and what follows; its files and weld are those of `source`.
 /// @param thickness of the wall [m], which the fit of the material takes: that of tissueOf(recipe.material).
 /// Errors: as repairMesh(), buildNet(), addSupport() and setMaterial(), with the name of the first file;
 /// Cancelled.
-Result<ImportedNet> makeNet(const MeshSource& source, const ImportRecipe& recipe, double thickness,
+Result<ImportedNet> makeNet(MeshSource source, const ImportRecipe& recipe, double thickness,
                             WorkControl* control = nullptr);
 
 /// Both. The same recipe and files give the same net, bit for bit.

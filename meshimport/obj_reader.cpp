@@ -70,9 +70,10 @@ private:
   Status statement()
   {
     const long line = m_cursor.line();
+    if (m_cursor.take("v")) return vertex(line);
+    if (m_cursor.take("f")) return element(line, true);
     const std::string_view word = m_cursor.word();
-    if (word == "v") return vertex(line);
-    if (word == "f" || word == "fo" || word == "l") return element(line, word != "l");
+    if (word == "fo" || word == "l") return element(line, word != "l");
     if (isOrdinaryKeyword(word)) return {};
     if (isPassedOverGeometry(word)) {
       ++m_passedOver;
@@ -117,6 +118,8 @@ private:
       return fault(ErrorCode::BadFormat, m_origin, line, "the file ends in the middle of a statement");
     if (!isFace) {
       m_raw.addPolyline(m_corners);
+    } else if (m_corners.size() == 3) {
+      m_raw.addTriangle(m_corners[0], m_corners[1], m_corners[2]);
     } else if (!m_raw.addFace(m_corners)) {
       ++m_thinFaces;
     }

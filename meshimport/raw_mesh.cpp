@@ -74,14 +74,6 @@ Status cutPolygons(const RawMesh& raw, Mesh& mesh, std::vector<std::string>& not
 
 } // namespace
 
-bool RawMesh::isTooLarge() const noexcept
-{
-  // Each tetrahedron has six sides for the table of edges.
-  return 3 * static_cast<std::size_t>(vertices.count()) + cornerCount() + segments.size() +
-           2 * tetrahedra.size() >
-         kMostItems;
-}
-
 void RawMesh::noteIfNotFinite(double x, double y, double z, long line)
 {
   if (!(std::isfinite(x) && std::isfinite(y) && std::isfinite(z))) nonFinite.push_back({vertexCount(), line});

@@ -14,6 +14,10 @@
 
 namespace esm {
 
+/// Coordinates, corners, segment ends and two per corner of a tetrahedron together stay below this, so that
+/// edges can be counted too.
+inline constexpr std::size_t kMostItems = 700'000'000;
+
 /// What a reader collects while it walks through a file, before polygons become triangles.
 struct RawMesh {
   GrowingColumns<Eigen::Matrix3Xd> vertices;
@@ -40,7 +44,13 @@ struct RawMesh {
   /// Whether nothing a net could be made of has come.
   bool isEmpty() const noexcept { return cornerCount() == 0 && segments.empty() && tetrahedra.empty(); }
   /// Whether so much has come that the edges could no longer be counted, see kMostItems.
-  bool isTooLarge() const noexcept;
+  bool isTooLarge() const noexcept
+  {
+    // Each tetrahedron has six sides for the table of edges.
+    return 3 * static_cast<std::size_t>(vertices.count()) + cornerCount() + segments.size() +
+             2 * tetrahedra.size() >
+           kMostItems;
+  }
 
   void addVertex(double x, double y, double z, long line)
   {
@@ -74,8 +84,5 @@ Error fault(ErrorCode code, const std::string& origin, long line, const std::str
 
 /// The error for more vertices or corners than an Index can count.
 Error tooManyError(const std::string& origin);
-/// Coordinates, corners, segment ends and two per corner of a tetrahedron together stay below this, so that
-/// edges can be counted too.
-inline constexpr std::size_t kMostItems = 700'000'000;
 
 } // namespace esm

@@ -104,7 +104,8 @@ public:
     m_raw.triangles.reserve(facets);
     for (std::size_t i = 0; skipToWord(); ++i) {
       if (i % 4096 == 0 && m_cursor.stopWanted(control)) return cancelledError();
-      if (Status status = statement(); !status) return status.error();
+      if (!usualFacet())
+        if (Status status = statement(); !status) return status.error();
       if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
     if (m_inSolid)
@@ -120,6 +121,32 @@ private:
       if (m_cursor.atEnd()) return false;
       m_cursor.nextLine();
     }
+    return true;
+  }
+
+  /// A whole facet as nearly all programs write it; of any other the cursor stays before it.
+  bool usualFacet()
+  {
+    const TextCursor before = m_cursor;
+    const auto take = [this](std::string_view keyword) { return skipToWord() && m_cursor.take(keyword); };
+    double p[3][3];
+    long line[3];
+    const auto takeVertex = [&](int k) {
+      if (!take("vertex")) return false;
+      line[k] = m_cursor.line();
+      return m_cursor.number(p[k][0]) && m_cursor.number(p[k][1]) && m_cursor.number(p[k][2]);
+    };
+    if (!m_cursor.take("facet")) return false;
+    m_cursor.nextLine(); // the normal may be anything, see statement()
+    if (!take("outer") || !take("loop") || !takeVertex(0) || !takeVertex(1) || !takeVertex(2) ||
+        !take("endloop") || !take("endfacet")) {
+      m_cursor = before;
+      return false;
+    }
+    const Index first = m_raw.vertexCount();
+    for (int k = 0; k < 3; ++k) m_raw.addVertex(p[k][0], p[k][1], p[k][2], line[k]);
+    m_raw.addTriangle(first, first + 1, first + 2);
+    m_corners.clear();
     return true;
   }
 

@@ -103,6 +103,14 @@ public:
   void nextLine();
 
   std::string_view word(); ///< up to the next blank; empty at the line's end
+  /// Goes behind the next word on this line if it is this one, letter by letter.
+  bool take(std::string_view keyword)
+  {
+    skipBlanks();
+    if (!rest().starts_with(keyword) || !breaksHere(m_at + keyword.size())) return false;
+    m_at += keyword.size();
+    return true;
+  }
 
   /// Each returns whether a whole word of that kind came; if not, the cursor stays before it. Numbers too
   /// large for double become infinite, too small ones zero; "nan" and "inf" are numbers here.

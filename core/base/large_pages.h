@@ -7,6 +7,12 @@
 
 namespace esm {
 
+/// Lets arrays of megabytes come from the heap, side by side, where large pages can reach from one into the
+/// next, and freed ones serve the next stage of the same work. As it comes, the C library maps each of them
+/// on its own: beginning and end lie in small pages, and all memory is fresh again. For the start of main();
+/// it holds for the whole program, which keeps up to 256 MB that it no longer uses.
+void keepBigArraysInHeap() noexcept;
+
 /// Asks the system to back fresh memory with large pages. The first touch of a page costs more than the work
 /// of an import on the bytes in it; in pages of 2 MB the same memory comes about five times cheaper. A hint:
 /// where the system has no such pages nothing changes, and small arrays are left alone.

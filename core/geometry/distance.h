@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/types.h"
+
 #include <Eigen/Core>
 
 #include <cmath>
@@ -22,6 +24,14 @@ inline double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
   const double squared = between.squaredNorm();
   if (squared > 1e-280 && squared < 1e280) return std::sqrt(squared);
   return scaledNorm(between);
+}
+
+/// The column of `places` that is nearest to a place. @pre there is one
+inline Index nearestOf(const Eigen::Matrix3Xd& places, const Eigen::Vector3d& place)
+{
+  Eigen::Index nearest = 0;
+  (places.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
+  return static_cast<Index>(nearest);
 }
 
 } // namespace esm

@@ -44,7 +44,7 @@ std::vector<std::uint8_t> examineVertices(const Mesh& mesh, MeshReport& report)
   return isFinite;
 }
 
-void examineSprings(const Mesh& mesh, const EdgeTable& edges, const std::vector<std::uint8_t>& isFinite,
+void examineSprings(const Mesh& mesh, const EdgeList& edges, const std::vector<std::uint8_t>& isFinite,
                     MeshReport& report, WorkControl* control)
 {
   report.springs = static_cast<Index>(edges.ends.cols());
@@ -55,7 +55,7 @@ void examineSprings(const Mesh& mesh, const EdgeTable& edges, const std::vector<
     if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(report.springs), control)) return;
     const Index a = edges.ends(0, e), b = edges.ends(1, e);
     joins += parts.join(a, b);
-    const Index triangles = edges.triangleCount[static_cast<std::size_t>(e)];
+    const Index triangles = edges.triangleCount[e];
     boundary += triangles == 1;
     nonManifold += triangles > 2;
     if (report.finite || (isFinite[static_cast<std::size_t>(a)] && isFinite[static_cast<std::size_t>(b)]))
@@ -74,7 +74,7 @@ void examineSprings(const Mesh& mesh, const EdgeTable& edges, const std::vector<
   report.components = inUse - joins; // each join makes two parts one
 }
 
-void examineFaces(const Mesh& mesh, const EdgeTable& edges, MeshReport& report, WorkControl* control)
+void examineFaces(const Mesh& mesh, const EdgeList& edges, MeshReport& report, WorkControl* control)
 {
   report.triangles = mesh.triangleCount();
   report.segments = mesh.segmentCount();
@@ -90,11 +90,11 @@ void examineFaces(const Mesh& mesh, const EdgeTable& edges, MeshReport& report, 
 
 MeshReport examine(const Mesh& mesh, WorkControl* control)
 {
-  const EdgeTable edges = findEdges(mesh, control);
+  const EdgeList edges = listEdges(mesh, control);
   return stopWanted(control) ? MeshReport{} : examine(mesh, edges, control);
 }
 
-MeshReport examine(const Mesh& mesh, const EdgeTable& edges, WorkControl* control)
+MeshReport examine(const Mesh& mesh, const EdgeList& edges, WorkControl* control)
 {
   MeshReport report;
   const std::vector<std::uint8_t> isFinite = examineVertices(mesh, report);

@@ -31,7 +31,7 @@ struct MeshReport {
 /// O(V + F log F). Any thread. Never throws on any content with indices in range.
 /// @param control may be null; once it is cancelled the report is of no use, ask stopWanted().
 MeshReport examine(const Mesh& mesh, WorkControl* control = nullptr);
-/// The same for who has the edges: findEdges(mesh).
-MeshReport examine(const Mesh& mesh, const EdgeTable& edges, WorkControl* control = nullptr);
+/// The same for who has the edges: listEdges(mesh).
+MeshReport examine(const Mesh& mesh, const EdgeList& edges, WorkControl* control = nullptr);
 
 } // namespace esm

@@ -4,12 +4,14 @@
 
 #include "core/base/large_pages.h"
 #include "core/geometry/distance.h"
+#include "core/geometry/doubles_filter.h"
 
 #include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <numeric>
 #include <utility>
 
 namespace esm {
@@ -77,6 +79,11 @@ private:
   std::vector<Entry> m_entries;
 };
 
+std::size_t placeOf(const Eigen::Vector3d& p)
+{
+  return hashOf(p + Eigen::Vector3d::Zero()) >> 20; // -0 becomes 0
+}
+
 /// Vertices kept so far, found again by equal position: open addressing over the kept vertices themselves. In
 /// a file without order nearly every look misses the caches, so `foresee` fetches the memory of some looks
 /// ahead.
@@ -120,10 +127,6 @@ public:
   }
 
 private:
-  static std::size_t placeOf(const Eigen::Vector3d& p)
-  {
-    return hashOf(p + Eigen::Vector3d::Zero()) >> 20; // -0 becomes 0
-  }
   void grow()
   {
     std::vector<Index> old = largeVector(4 * m_slots.size(), kNoIndex);
@@ -222,11 +225,33 @@ std::vector<Index> keepFirst(Mesh& mesh, Finder& finder, WorkControl* control)
   return newOf;
 }
 
+/// Whether each vertex is at a place of its own: so it is in most files that number their vertices.
+bool hasNoEqualVertices(const Mesh& mesh, std::vector<Index>& room, WorkControl* control)
+{
+  const auto hash = [&mesh](Index v) { return placeOf(mesh.position.col(v)); };
+  const std::vector<Index> doubtful = possibleDoubles(mesh.vertexCount(), hash, room, control);
+  Mesh some;
+  some.position = mesh.position(Eigen::all, doubtful);
+  ExactFinder finder(some.position);
+  keepFirst(some, finder, control);
+  return some.vertexCount() == static_cast<Index>(doubtful.size());
+}
+
 } // namespace
 
 std::vector<Index> weldVertices(Mesh& mesh, double tolerance, WorkControl* control)
 {
   std::vector<Index> newOf;
+  const bool isNumbered =
+    mesh.vertexCount() < std::int64_t{3} * mesh.triangleCount(); // not so where corners are vertices
+  if (tolerance <= 0.0 && isNumbered) {
+    reserveLarge(newOf, static_cast<std::size_t>(mesh.vertexCount()));
+    newOf.resize(static_cast<std::size_t>(mesh.vertexCount()));
+    if (hasNoEqualVertices(mesh, newOf, control)) {
+      std::iota(newOf.begin(), newOf.end(), 0);
+      return newOf;
+    }
+  }
   if (tolerance > 0.0) {
     NearFinder finder(mesh.position, std::min(tolerance, 1e307)); // cells of infinite width have no place
     newOf = keepFirst(mesh, finder, control);

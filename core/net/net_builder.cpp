@@ -27,28 +27,27 @@ void setZero(Array& array, Eigen::Index rows, Eigen::Index columns)
   zeroInLargePages(array);
 }
 
-/// The nodes of resizeNet().
-void resizeNodes(SpringNet& net, Index nodes)
+/// The nodes of resizeNet() but for their places.
+void resizeNodeProperties(SpringNet& net, Index nodes)
 {
   const auto count = static_cast<std::size_t>(nodes);
-  setZero(net.restPosition, 3, nodes);
   net.mass.setOnes(nodes);
   net.fixed.assign(count, 0);
   net.nodeId.resize(count);
   for (Index i = 0; i < nodes; ++i) net.nodeId[static_cast<std::size_t>(i)] = NodeId{i};
 }
 
-/// Drops the springs from number `count` on.
-void keepFirstSprings(SpringNet& net, Index count)
+/// The springs of resizeNet() but for their ends and rest lengths.
+void resizeSpringProperties(SpringNet& net, Index springs)
 {
-  net.ends.conservativeResize(Eigen::NoChange, count);
-  for (Eigen::ArrayXd* values : {&net.restLength, &net.stiffness, &net.viscosity, &net.lawParameter})
-    values->conservativeResize(count);
-  const auto size = static_cast<std::size_t>(count);
-  net.law.resize(size);
-  net.tensionOnly.resize(size);
-  net.kind.resize(size);
-  net.springId.resize(size);
+  const auto count = static_cast<std::size_t>(springs);
+  for (Eigen::ArrayXd* values : {&net.stiffness, &net.viscosity, &net.lawParameter})
+    setZero(*values, springs, 1);
+  net.law = largeVector(count, SpringLaw::Linear);
+  net.tensionOnly = largeVector(count, std::uint8_t{0});
+  net.kind = largeVector(count, SpringKind::Edge);
+  reserveLarge(net.springId, count);
+  for (Index s = 0; s < springs; ++s) net.springId.push_back(SpringId{s});
 }
 
 template <class Indices>
@@ -65,17 +64,36 @@ Status checkIndices(const Indices& indices, Index vertexCount, const char* what)
   return {};
 }
 
-/// Puts the unique edges that can be springs (finite ends, apart from each other) into the net; ends are
-/// vertices.
-Status addSprings(const Mesh& mesh, const EdgeTable& edges, SpringNet& net, WorkControl* control)
+/// Keeps the columns of `matrix` for which `isKept` holds.
+template <class Matrix, class IsKept>
+void keepColumns(Matrix& matrix, const IsKept& isKept)
 {
-  const Index candidates = static_cast<Index>(edges.ends.cols());
-  resizeNet(net, 0, candidates);
+  Index kept = 0;
+  const auto count = static_cast<Index>(matrix.cols());
+  for (Index i = 0; i < count; ++i) {
+    if (!isKept(i)) continue;
+    if (kept < i) matrix.col(kept) = matrix.col(i);
+    ++kept;
+  }
+  if (kept < count) matrix.conservativeResize(Eigen::NoChange, kept);
+}
+
+/// Makes springs of the unique edges that can be some (finite ends, apart from each other); their ends are
+/// vertices.
+/// @param edgeEnds, surfaceEdges of EdgeList
+/// @param nodeOf becomes 0 for vertices that carry a spring
+Status addSprings(const Mesh& mesh, SegmentMatrix&& edgeEnds, Index surfaceEdges, std::vector<Index>& nodeOf,
+                  SpringNet& net, WorkControl* control)
+{
+  const auto candidates = static_cast<Index>(edgeEnds.cols());
+  net.restLength.resize(candidates);
+  useLargePages(net.restLength);
+  Index* const ends = edgeEnds.data();
   Index springs = 0, surface = 0;
   for (Index e = 0; e < candidates; ++e) {
     if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(candidates), control))
       return cancelledError();
-    const Index a = edges.ends(0, e), b = edges.ends(1, e);
+    const Index a = ends[2 * e], b = ends[2 * e + 1];
     const double length = distance(mesh.position.col(a), mesh.position.col(b));
     if (!std::isfinite(length)) {
       if (!mesh.position.col(a).allFinite() || !mesh.position.col(b).allFinite()) continue;
@@ -83,67 +101,58 @@ Status addSprings(const Mesh& mesh, const EdgeTable& edges, SpringNet& net, Work
                                               " are further apart than a number can hold"};
     }
     if (!(length > 0.0)) continue;
-    net.ends(0, springs) = a;
-    net.ends(1, springs) = b;
+    nodeOf[static_cast<std::size_t>(a)] = nodeOf[static_cast<std::size_t>(b)] = 0;
+    ends[2 * springs] = a;
+    ends[2 * springs + 1] = b;
     net.restLength[springs++] = length;
-    if (e < edges.surfaceEdges) surface = springs;
+    if (e < surfaceEdges) surface = springs;
   }
   if (springs == 0)
     return Error{ErrorCode::EmptyResult, "the mesh has no edge or line of positive length, so no spring"};
+  net.ends = std::move(edgeEnds);
+  if (springs < candidates) {
+    net.ends.conservativeResize(Eigen::NoChange, springs);
+    net.restLength.conservativeResize(springs);
+  }
+  resizeSpringProperties(net, springs);
   std::fill(net.kind.begin() + surface, net.kind.end(), SpringKind::Line);
-  if (springs < candidates) keepFirstSprings(net, springs);
   return {};
 }
 
-/// Numbers the vertices that carry a spring, in their own order; kNoIndex for the others. Renumbers the
+/// Numbers the vertices that carry a spring, in their own order; the others keep kNoIndex. Renumbers the
 /// springs.
-std::vector<Index> addNodes(const Mesh& mesh, SpringNet& net)
+void addNodes(Eigen::Matrix3Xd&& position, std::vector<Index>& nodeOf, SpringNet& net)
 {
-  std::vector<Index> nodeOf(static_cast<std::size_t>(mesh.vertexCount()), kNoIndex);
-  Index* const ends = net.ends.data();
-  for (Eigen::Index i = 0; i < net.ends.size(); ++i) nodeOf[static_cast<std::size_t>(ends[i])] = 0;
   Index nodes = 0;
   for (Index& node : nodeOf)
     if (node != kNoIndex) node = nodes++;
-
-  resizeNodes(net, nodes);
-  if (nodes == mesh.vertexCount()) { // as a rule: every vertex is the node of its own number
-    net.restPosition = mesh.position;
-    return nodeOf;
-  }
-  for (Eigen::Index i = 0; i < net.ends.size(); ++i) ends[i] = nodeOf[static_cast<std::size_t>(ends[i])];
-  for (Index v = 0; v < mesh.vertexCount(); ++v)
-    if (const Index node = nodeOf[static_cast<std::size_t>(v)]; node != kNoIndex)
-      net.restPosition.col(node) = mesh.position.col(v);
-  return nodeOf;
+  resizeNodeProperties(net, nodes);
+  net.restPosition = std::move(position);
+  if (nodes == static_cast<Index>(nodeOf.size())) return; // as a rule: every vertex is the node of its number
+  keepColumns(net.restPosition, [&](Index v) { return nodeOf[static_cast<std::size_t>(v)] != kNoIndex; });
+  for (Index& node : net.ends.reshaped()) node = nodeOf[static_cast<std::size_t>(node)];
 }
 
 /// The triangles over three distinct nodes, each set of corners once.
-TriangleMatrix surfaceOf(const Mesh& mesh, const EdgeTable& edges, const std::vector<Index>& nodeOf,
-                         Index nodes, WorkControl* control)
+/// @param thin, repeated of EdgeList
+void addSurface(TriangleMatrix&& triangles, const EdgeList& edges, const std::vector<Index>& nodeOf,
+                SpringNet& net)
 {
-  TriangleMatrix surface(3, mesh.triangleCount());
-  useLargePages(surface);
-  const bool isRenumbered = nodes < mesh.vertexCount();
-  auto nextRepeated = edges.repeated.begin();
-  Index count = 0;
-  for (Index t = 0; t < mesh.triangleCount(); ++t) {
-    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(mesh.triangleCount()), control))
-      break;
-    if (nextRepeated != edges.repeated.end() && *nextRepeated == t) {
-      ++nextRepeated;
-      continue;
-    }
-    const Index* const vertex = mesh.triangles.data() + 3 * std::ptrdiff_t{t};
-    Index corner[3] = {vertex[0], vertex[1], vertex[2]};
-    if (isRenumbered)
-      for (Index& node : corner) node = nodeOf[static_cast<std::size_t>(node)];
-    if (corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0]) continue;
-    if (isRenumbered && std::min({corner[0], corner[1], corner[2]}) == kNoIndex) continue;
-    std::copy_n(corner, 3, surface.data() + 3 * std::ptrdiff_t{count++});
-  }
-  if (count < mesh.triangleCount()) surface.conservativeResize(Eigen::NoChange, count);
-  return surface;
+  net.triangles = std::move(triangles);
+  const bool isRenumbered = net.nodeCount() < static_cast<Index>(nodeOf.size());
+  if (edges.thin.empty() && edges.repeated.empty() && !isRenumbered) return; // as a rule
+  if (isRenumbered)
+    for (Index& corner : net.triangles.reshaped()) corner = nodeOf[static_cast<std::size_t>(corner)];
+  auto thin = edges.thin.begin(), repeated = edges.repeated.begin();
+  const auto isNext = [](auto& next, const std::vector<Index>& list, Index t) {
+    const bool is = next != list.end() && *next == t;
+    if (is) ++next;
+    return is;
+  };
+  keepColumns(net.triangles, [&](Index t) {
+    const bool isThin = isNext(thin, edges.thin, t), isRepeated = isNext(repeated, edges.repeated, t);
+    return !isThin && !isRepeated && net.triangles.col(t).minCoeff() != kNoIndex;
+  });
 }
 
 constexpr double kRegularArea = 0.4330127018922193; ///< of an equilateral triangle over L^2: sqrt(3)/4
@@ -173,35 +182,31 @@ Result<SpringNet> buildSolidNet(const Mesh& mesh, std::vector<Index>* nodeOfVert
 void resizeNet(SpringNet& net, Index nodes, Index springs)
 {
   net = SpringNet{};
-  resizeNodes(net, nodes);
-
-  const auto count = static_cast<std::size_t>(springs);
+  setZero(net.restPosition, 3, nodes);
+  resizeNodeProperties(net, nodes);
   setZero(net.ends, 2, springs);
-  for (Eigen::ArrayXd* values : {&net.restLength, &net.stiffness, &net.viscosity, &net.lawParameter})
-    setZero(*values, springs, 1);
-  net.law = largeVector(count, SpringLaw::Linear);
-  net.tensionOnly = largeVector(count, std::uint8_t{0});
-  net.kind = largeVector(count, SpringKind::Edge);
-  reserveLarge(net.springId, count);
-  for (Index s = 0; s < springs; ++s) net.springId.push_back(SpringId{s});
+  setZero(net.restLength, springs, 1);
+  resizeSpringProperties(net, springs);
 }
 
-Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex, WorkControl* control,
-                           const EdgeTable* known)
+Result<SpringNet> buildNet(Mesh mesh, std::vector<Index>* nodeOfVertex, WorkControl* control,
+                           std::optional<EdgeList> edges)
 {
-  if (Status good = checkIndices(mesh.triangles, mesh.vertexCount(), "triangle"); !good) return good.error();
-  if (Status good = checkIndices(mesh.segments, mesh.vertexCount(), "line"); !good) return good.error();
-
-  if (mesh.tetrahedronCount() > 0) return buildSolidNet(mesh, nodeOfVertex, control);
-
-  EdgeTable found;
-  if (!known) found = findEdges(mesh, control);
-  if (stopWanted(control)) return cancelledError();
-  const EdgeTable& edges = known ? *known : found;
+  if (!edges || mesh.tetrahedronCount() > 0) {
+    if (Status good = checkIndices(mesh.triangles, mesh.vertexCount(), "triangle"); !good)
+      return good.error();
+    if (Status good = checkIndices(mesh.segments, mesh.vertexCount(), "line"); !good) return good.error();
+    if (mesh.tetrahedronCount() > 0) return buildSolidNet(mesh, nodeOfVertex, control);
+    edges = listEdges(mesh, control);
+    if (stopWanted(control)) return cancelledError();
+  }
   SpringNet net;
-  if (Status good = addSprings(mesh, edges, net, control); !good) return good.error();
-  std::vector<Index> nodeOf = addNodes(mesh, net);
-  net.triangles = surfaceOf(mesh, edges, nodeOf, net.nodeCount(), control);
+  std::vector<Index> nodeOf = largeVector(static_cast<std::size_t>(mesh.vertexCount()), kNoIndex);
+  if (Status good = addSprings(mesh, std::move(edges->ends), edges->surfaceEdges, nodeOf, net, control);
+      !good)
+    return good.error();
+  addNodes(std::move(mesh.position), nodeOf, net);
+  addSurface(std::move(mesh.triangles), *edges, nodeOf, net);
   if (stopWanted(control)) return cancelledError();
   if (nodeOfVertex) *nodeOfVertex = std::move(nodeOf);
   return net;
@@ -238,11 +243,12 @@ Eigen::ArrayXd edgeTriangleAreas(const SpringNet& net)
     firstAppearances<Index>(springs + 3 * net.triangleCount(), net.nodeCount(), keyOf);
 
   Eigen::ArrayXd area = Eigen::ArrayXd::Zero(springs);
+  const Index* const springOfSide = first.data() + springs;
   for (Index t = 0; t < net.triangleCount(); ++t) {
     const double whole = triangleArea(net, t);
     const bool isRegular = net.material.edges == EdgeFormula::Regular;
     for (Index c = 0; c < 3; ++c) {
-      const Index spring = first[static_cast<std::size_t>(springs + 3 * t + c)];
+      const Index spring = springOfSide[3 * std::ptrdiff_t{t} + c];
       if (spring < springs)
         area[spring] += isRegular ? kRegularArea * net.restLength[spring] * net.restLength[spring] : whole;
     }

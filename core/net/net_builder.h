@@ -8,6 +8,8 @@
 #include "core/geometry/mesh.h"
 #include "core/net/spring_net.h"
 
+#include <optional>
+
 namespace esm {
 
 /// Sizes all node arrays for n nodes and all spring arrays for s springs: mass 1, free, zero stiffness,
@@ -24,10 +26,11 @@ void resizeNet(SpringNet& net, Index nodes, Index springs);
 /// and volumes make a solid of them, see solid_net.h. Isolated and non-finite vertices are left out of the
 /// net; `nodeOfVertex` says where each went.
 /// @param nodeOfVertex old-to-new map, kNoIndex for a vertex that is left out; may be null.
-/// @param edges findEdges(mesh), if the caller has them already; else null.
+/// @param mesh, edges who needs them no longer moves them here, and they become the net without a copy.
+/// @param edges listEdges(mesh), if the caller has them already.
 /// Errors: EmptyResult if no spring comes out, InvalidValue for an index out of range, Cancelled.
-Result<SpringNet> buildNet(const Mesh& mesh, std::vector<Index>* nodeOfVertex = nullptr,
-                           WorkControl* control = nullptr, const EdgeTable* edges = nullptr);
+Result<SpringNet> buildNet(Mesh mesh, std::vector<Index>* nodeOfVertex = nullptr,
+                           WorkControl* control = nullptr, std::optional<EdgeList> edges = {});
 
 /// Whether the arrays fit together and hold possible numbers: shapes, indices in range, a != b, finite,
 /// mass > 0, rest lengths > 0 where the law divides by them, tables strictly rising. The detail names the

@@ -5,6 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <vector>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
 
 namespace esm {
 
@@ -20,6 +25,25 @@ TEST(LargePages, UsedMemoryBecomesZerosAndItsNeighboursStay)
     EXPECT_TRUE(std::all_of(from, from + size, [](char c) { return c == 0; }));
     EXPECT_TRUE(std::all_of(from + size, memory.data() + memory.size(), [](char c) { return c == 'x'; }));
   }
+}
+
+// Freed memory must serve the next array: that the library maps nothing anew shows in its own count.
+TEST(LargePages, BigArraysComeFromTheHeapAndGoBackToIt)
+{
+#if defined(__GLIBC__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+  keepBigArraysInHeap();
+  const std::size_t before = mallinfo2().hblks;
+  const void* first = nullptr;
+  for (int i = 0; i < 3; ++i) {
+    const std::vector<double> values = largeVector(std::size_t{1} << 20, 1.0); // 8 MB
+    EXPECT_EQ(mallinfo2().hblks, before);
+    if (i == 0) first = values.data();
+    EXPECT_EQ(values.data(), first);
+    EXPECT_EQ(values.back(), 1.0);
+  }
+#else
+  GTEST_SKIP() << "only the C library's own allocator has these settings";
+#endif
 }
 
 } // namespace esm

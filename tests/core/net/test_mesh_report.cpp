@@ -150,6 +150,29 @@ TEST(MeshReport, repeatedAndUnusedAreWhatACountByHandFinds)
   }
 }
 
+// More users than the count of an edge can hold, and more edges up from a vertex than its bucket has room
+// for.
+TEST(MeshReport, aBookOfManyPagesKeepsItsSpine)
+{
+  constexpr Index kPages = 600;
+  std::vector<std::array<double, 3>> vertices{{0, 0, 0}, {0, 0, 1}};
+  std::vector<std::array<Index, 3>> triangles;
+  for (Index i = 0; i < kPages; ++i) {
+    vertices.push_back({std::cos(0.01 * i), std::sin(0.01 * i), 0});
+    triangles.push_back({1, 0, i + 2});
+  }
+  triangles.push_back({kPages, 0, 1}); // the page before the last once more
+  const Mesh mesh = makeMesh(vertices, triangles);
+  const EdgeTable edges = findEdges(mesh);
+  EXPECT_EQ(edges.ends.cols(), 1 + 2 * kPages);
+  EXPECT_EQ(edges.triangleCount[0], EdgeList::kMany);
+  EXPECT_EQ((edges.triangleCount == 1).count(), 2 * (kPages - 1));
+  EXPECT_EQ(edges.repeated, std::vector<Index>{kPages});
+  EXPECT_EQ(edges.edgeOfSide[3 * kPages],
+            edges.edgeOfSide[3 * (kPages - 2) + 1]); // from 0 to the page's corner
+  EXPECT_EQ(listEdges(mesh).ends, edges.ends);
+}
+
 TEST(MeshReport, anEmptyMeshHasZeroOfEverything)
 {
   const MeshReport report = examine(Mesh{});
