@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/geometry/distance.h"
 #include "core/support/support_parts.h"
 
 #include <Eigen/Eigenvalues>
@@ -37,13 +38,6 @@ Middles findMiddles(const SpringNet& net, const OutwardSurface& surface, const E
   }
   middles.place.conservativeResize(Eigen::NoChange, count);
   return middles;
-}
-
-Index nearestOf(const Eigen::Matrix3Xd& hubs, const Eigen::Vector3d& place)
-{
-  Eigen::Index nearest = 0;
-  (hubs.colwise() - place).colwise().squaredNorm().minCoeff(&nearest);
-  return static_cast<Index>(nearest);
 }
 
 /// Hubs in a row along the body, then moved to the middle of what lies nearest to each (Lloyd's algorithm).

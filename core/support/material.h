@@ -52,9 +52,11 @@ struct MaterialReport {
 /// Solid: the volume of closed parts (cavities taken off) is shared among the nodes by their surface and
 /// struts, and sums up to it exactly; what tetrahedra have set stays.
 ///
-/// The tension test: rollers hold the tenth of the length at one end and draw that at the other, linear
-/// statics; the force is compared with E / integral dx/A(x), the series of the sections A(x) between the
-/// rollers (E A / L for a bar).
+/// The tension test: every node of the surface is drawn along the longest axis as far as a strain of 1 takes
+/// it and is free across it, linear statics. So a solid of any shape is strained evenly, without stress
+/// across, and its energy is E V / 2; that of a wall is E / 2 times the integral of its sections along the
+/// axis. The springs' energy is compared with that. No end is held, where a round body's few nodes at the tip
+/// would decide.
 /// @param thickness of the wall [m], TissueModel::thickness. @param control may be null.
 /// Errors: InvalidValue (Solid without a closed surface, no surface), Numerics (nothing to fit), Cancelled.
 /// `net` is then as before.

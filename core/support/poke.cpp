@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/support/poke.h"
 
+#include "core/geometry/distance.h"
 #include "core/net/net_builder.h"
 #include "core/support/outward_surface.h"
 
@@ -38,17 +39,18 @@ std::vector<Index> spreadOut(const SpringNet& net, const std::vector<Index>& can
 
 } // namespace
 
-Eigen::Matrix3Xd pokePatch(const SpringNet& net, Index node, const Eigen::Vector3d& force, double radius)
+Eigen::Matrix3Xd pokePatch(const SpringNet& net, const Eigen::Vector3d& place, const Eigen::Vector3d& force,
+                           double radius)
 {
   const Eigen::ArrayXd area = nodeDualAreas(net);
   Eigen::RowVectorXd weight = Eigen::RowVectorXd::Zero(net.nodeCount());
   for (Index i = 0; i < net.nodeCount(); ++i) {
-    const double away = (net.restPosition.col(i) - net.restPosition.col(node)).norm();
+    const double away = (net.restPosition.col(i) - place).norm();
     if (away >= radius || net.fixed[static_cast<std::size_t>(i)]) continue;
     const double fade = std::cos(0.5 * std::numbers::pi * away / radius);
     weight[i] = area[i] * fade * fade;
   }
-  if (!(weight.sum() > 0.0)) weight[node] = 1.0;
+  if (!(weight.sum() > 0.0)) weight[nearestOf(net.restPosition, place)] = 1.0;
   return force * (weight / weight.sum());
 }
 
@@ -72,7 +74,7 @@ Dent deepestDent(const SpringNet& net, LinearNet& linear, double poke, double ra
     if (stopWanted(control)) return deepest;
     const Eigen::Vector3d inward = net.triangleCount() == 0 ? Eigen::Vector3d(Eigen::Vector3d::UnitX())
                                                             : Eigen::Vector3d(-normals.col(node));
-    const Eigen::Matrix3Xd force = pokePatch(net, node, poke * inward, radius);
+    const Eigen::Matrix3Xd force = pokePatch(net, net.restPosition.col(node), poke * inward, radius);
     Eigen::Matrix3Xd balanced = force;
     rigid.removeFromForce(balanced);
     Eigen::Matrix3Xd moved = linear.solve(balanced);

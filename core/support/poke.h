@@ -6,10 +6,11 @@
 
 namespace esm {
 
-/// A force on a round patch of the surface, cos^2 from its middle to its rim, by the nodes' share of the
-/// surface; on a net of lines, or if the patch holds a single node, on the node itself. The sum is `force`. 3
-/// x N [N].
-Eigen::Matrix3Xd pokePatch(const SpringNet& net, Index node, const Eigen::Vector3d& force, double radius);
+/// A force on a round patch of the surface, cos^2 from its middle, `place`, to its rim, by the nodes' share
+/// of the surface; on a net of lines, or if the patch holds no free node, on the nearest node. The sum is
+/// `force`. 3 x N [N].
+Eigen::Matrix3Xd pokePatch(const SpringNet& net, const Eigen::Vector3d& place, const Eigen::Vector3d& force,
+                           double radius);
 
 struct Dent {
   double depth = 0.0;    ///< mean over the patch, weighted as the force [m]

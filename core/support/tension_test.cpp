@@ -4,7 +4,6 @@
 
 #include "core/net/net_builder.h"
 #include "core/support/linear_net.h"
-#include "core/support/outward_surface.h"
 #include "core/tissue/derivation_places.h"
 
 #include <Eigen/Eigenvalues>
@@ -12,45 +11,43 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace esm {
 
 namespace {
 
-constexpr double kEnd = 0.1;     ///< of the length, held at each end
-constexpr int kStations = 64;    ///< sections between the ends
 constexpr double kRoller = 1e4;  ///< stiffness of a roller over that of the stiffest node
 constexpr double kShift = 1e-10; ///< of the stiffest rate, against what nothing holds
 
-/// A(x) at one place of the axis: area within the outline of the surface, or of the wall that is cut.
-double sectionAt(const OutwardSurface& surface, const SpringNet& net, const Eigen::ArrayXd& height,
-                 const Eigen::Vector3d& axis, double at, double thickness, bool isSolid)
+/// Twice the energy of a wall that is stretched by 1 along the axis, per Young's modulus [m^3]: the integral
+/// of its sections across the axis, thickness times outline times the share of the wall that runs along it.
+double wallAlong(const SpringNet& net, const Eigen::Vector3d& axis, double thickness)
 {
   double sum = 0.0;
-  for (Index t = 0; t < static_cast<Index>(surface.triangles().cols()); ++t) {
-    const auto corners = surface.triangles().col(t);
-    Eigen::Vector3d cut[2];
-    int cuts = 0;
-    bool rises = false; // of the first cut
-    for (int k = 0; k < 3; ++k) {
-      const Index a = corners[k], b = corners[(k + 1) % 3];
-      const bool below = height[a] < at, nextBelow = height[b] < at;
-      if (below == nextBelow || cuts == 2) continue;
-      if (cuts == 0) rises = below;
-      const double share = (at - height[a]) / (height[b] - height[a]);
-      cut[cuts++] = net.restPosition.col(a) + share * (net.restPosition.col(b) - net.restPosition.col(a));
-    }
-    if (cuts < 2) continue;
-    if (!rises) std::swap(cut[0], cut[1]);
-    if (isSolid) {
-      sum += 0.5 * axis.dot(cut[0].cross(cut[1]));
-    } else {
-      const double along = surface.triangleNormal(t).normalized().dot(axis);
-      sum += thickness * (cut[1] - cut[0]).norm() * std::sqrt(std::max(0.0, 1.0 - along * along));
-    }
+  for (Eigen::Index t = 0; t < net.triangles.cols(); ++t) {
+    const Eigen::Vector3d a = net.restPosition.col(net.triangles(0, t)),
+                          b = net.restPosition.col(net.triangles(1, t)),
+                          c = net.restPosition.col(net.triangles(2, t));
+    const Eigen::Vector3d normal = (b - a).cross(c - a);
+    const double area = 0.5 * normal.norm();
+    if (!(area > 0.0)) continue;
+    const double across = normal.dot(axis) / (2.0 * area);
+    sum += thickness * area * (1.0 - across * across);
   }
-  return std::abs(sum);
+  return sum;
+}
+
+/// Twice the energy of springs [m^3], their stiffness per Young's modulus.
+double energyOf(const SpringNet& net, const Eigen::ArrayXd& stiffness, const Eigen::Matrix3Xd& moved)
+{
+  double sum = 0.0;
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index a = net.ends(0, s), b = net.ends(1, s);
+    const Eigen::Vector3d along = (net.restPosition.col(b) - net.restPosition.col(a)).normalized();
+    const double longer = along.dot(moved.col(b) - moved.col(a));
+    sum += stiffness[s] * longer * longer;
+  }
+  return sum;
 }
 
 } // namespace
@@ -71,35 +68,11 @@ Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isS
 {
   const auto impossible = [](const char* why) { return Error{ErrorCode::Numerics, why}; };
   const Eigen::ArrayXd area = nodeDualAreas(net);
-  if (!(area.sum() > 0.0)) return impossible("without a surface there is no section that could be pulled at");
+  if (!(area.sum() > 0.0)) return impossible("without a surface there is nothing that could be pulled at");
   TensionTest test;
   test.axis = longestAxis(net, area);
-  const Eigen::ArrayXd height = net.restPosition.transpose() * test.axis;
-  const double low = height.minCoeff(), length = height.maxCoeff() - low;
-
-  // What the ends hold, and from where to where the body is free.
-  std::vector<Index> bottom, top;
-  double from = low, to = low + length;
-  for (Index node = 0; node < net.nodeCount(); ++node) {
-    if (height[node] <= low + kEnd * length) {
-      bottom.push_back(node);
-      from = std::max(from, height[node]);
-    } else if (height[node] >= low + (1.0 - kEnd) * length) {
-      top.push_back(node);
-      to = std::min(to, height[node]);
-    }
-  }
-  const OutwardSurface surface(net, control);
-  if (stopWanted(control)) return cancelledError();
-  double resistance = 0.0;
-  for (int i = 0; i < kStations; ++i) {
-    const double at = from + (to - from) * (i + 0.5) / kStations;
-    const double section = sectionAt(surface, net, height, test.axis, at, thickness, isSolid);
-    if (!(section > 0.0))
-      return impossible("the surface has gaps across its longest axis: nothing to pull at");
-    resistance += (to - from) / kStations / section;
-  }
-  test.wanted = 1.0 / resistance;
+  test.wanted = isSolid ? net.volume.sum() : wallAlong(net, test.axis, thickness);
+  if (!(test.wanted > 0.0)) return impossible("the body has no tissue that could be pulled at");
 
   DerivationPlaces places(net);
   places.setThickness(thickness, net);
@@ -109,26 +82,23 @@ Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isS
   free.pressure.clear(); // the springs alone are what is scaled
   LinearNet linear(free, places.perModulus, false);
   linear.watch(control);
-  const double roller = kRoller * linear.stiffestRate();
-  // The ends are stretched as a bar is, by a strain of 1, so that springs that reach into them pull as all
-  // others.
-  Eigen::Matrix3Xd force = Eigen::Matrix3Xd::Zero(3, net.nodeCount());
-  for (const std::vector<Index>* end : {&bottom, &top})
-    for (const Index node : *end) {
-      linear.addSupport(node, test.axis, roller);
-      force.col(node) = roller * (height[node] - from) * test.axis;
-    }
-  if (!(roller > 0.0) || !linear.factor(kShift * roller / kRoller))
-    return impossible("the net has no stiffness that could be scaled");
+  const double rate = linear.stiffestRate();
+  if (!(rate > 0.0)) return impossible("the net has no stiffness that could be scaled");
+
+  // Drawn along the axis all over, then let go across it: the rollers hold what is left to move to that.
+  const Eigen::RowVectorXd height = test.axis.transpose() * net.restPosition;
+  const Eigen::Matrix3Xd drawn = test.axis * (height.array() - height.mean()).matrix();
+  const Eigen::Matrix3Xd pull = linear.multiply(drawn);
+  for (Index node = 0; node < net.nodeCount(); ++node)
+    if (area[node] > 0.0) linear.addSupport(node, test.axis, kRoller * rate);
+  if (!linear.factor(kShift * rate)) return impossible("the net has no stiffness that could be scaled");
   if (stopWanted(control)) return cancelledError();
-  const Eigen::Matrix3Xd moved = linear.solve(force);
+  const Eigen::Matrix3Xd moved = drawn - linear.solve(pull);
   if (stopWanted(control)) return cancelledError();
-  double pull = 0.0;
-  for (const Index node : top) pull += roller * (height[node] - from - test.axis.dot(moved.col(node)));
-  test.measured = pull / (to - from);
+  test.measured = energyOf(net, places.perModulus, moved);
   if (!(std::isfinite(test.measured) && test.measured > 1e-6 * test.wanted))
     return impossible(
-      "pulled along its longest axis the net gives way without resistance: it has loose parts or "
+      "drawn along its longest axis the net gives way without resistance: it has loose parts or "
       "needs interior struts");
   return test;
 }

@@ -8,12 +8,12 @@
 
 namespace esm {
 
-/// Stiffness of a net and of the body that it stands for, pulled along its longest axis, both per Young's
-/// modulus.
+/// Twice the energy of a net and of the body that it stands for, stretched by 1 along its longest axis, both
+/// per Young's modulus.
 struct TensionTest {
   Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
-  double measured = 0.0; ///< of the net [m]
-  double wanted = 0.0;   ///< 1 / integral dx/A(x) between the rollers [m]
+  double measured = 0.0; ///< of the net [m^3]
+  double wanted = 0.0;   ///< of the body, the integral of its sections along the axis [m^3]
 };
 
 /// The principal direction along which the surface spreads most; where two spread nearly alike, the longest
@@ -21,7 +21,7 @@ struct TensionTest {
 Eigen::Vector3d longestAxis(const SpringNet& net, const Eigen::ArrayXd& dualArea);
 
 /// See setMaterial(). The net's own numbers are not looked at: E is 1 Pa everywhere, with its present scale.
-/// @param isSolid A(x) is the section of the closed surface; else that of the wall.
+/// @param isSolid the body is what fills SpringNet::volume; else it is the wall.
 Result<TensionTest> testTension(const SpringNet& net, double thickness, bool isSolid,
                                 WorkControl* control = nullptr);
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "tests/core/support/bodies.h"
 
+#include "core/tissue/tissue_model.h"
+
 #include <Eigen/Geometry>
 
 #include <array>
@@ -159,6 +161,24 @@ Mesh organMesh(const Eigen::Vector3d& semiAxes, int n)
       }
   }
   return builder.mesh();
+}
+
+SpringNet bodyOf(const Mesh& mesh, SupportOptions::Interior interior, const MaterialOptions& material)
+{
+  SpringNet net = netOf(mesh);
+  SupportOptions support;
+  support.interior = interior;
+  const auto added = addSupport(net, support);
+  if (!added) ADD_FAILURE() << added.error().detail;
+  TissueModel tissue = defaultTissue();
+  for (std::size_t i = 0; i < tissue.rules.inputs.size(); ++i)
+    if (tissue.rules.inputs[i].id == "elasticity") tissue.inputs[i] = 0.0;
+  const auto made = setMaterial(net, material, tissue.thickness);
+  if (!made) ADD_FAILURE() << made.error().detail;
+  const auto applied = applyTissue(tissue, net);
+  if (!applied) ADD_FAILURE() << applied.error().detail;
+  net.anchors = {};
+  return net;
 }
 
 double volumeWithin(const TriangleMatrix& triangles, const Eigen::Matrix3Xd& position)

@@ -4,6 +4,8 @@
 
 #include "core/geometry/mesh.h"
 #include "core/net/net_builder.h"
+#include "core/support/material.h"
+#include "core/support/support.h"
 
 #include <gtest/gtest.h>
 
@@ -27,6 +29,12 @@ inline SpringNet netOf(const Mesh& mesh)
   }
   return std::move(*net);
 }
+
+constexpr MaterialOptions kFittedWall{MaterialOptions::Body::Wall, EdgeFormula::VanGelder, true};
+constexpr MaterialOptions kFittedSolid{MaterialOptions::Body::Solid, EdgeFormula::VanGelder, true};
+/// A net of default tissue, but of little springiness, so that what swings comes to rest within the seconds
+/// of a test; no bed around it.
+SpringNet bodyOf(const Mesh& mesh, SupportOptions::Interior interior, const MaterialOptions& material);
 
 /// The volume within the surface at the given places [m^3], normals outwards; open rims closed by fans.
 double volumeWithin(const TriangleMatrix& triangles, const Eigen::Matrix3Xd& position);

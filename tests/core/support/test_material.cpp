@@ -172,8 +172,8 @@ double modulusOfBox(const SpringNet& net, const Eigen::Vector3d& size)
   return pull * size[0] / (size[1] * size[2]);
 }
 
-// After the fit a bar pulled end to end has the tissue's Young's modulus. The fit looks at the middle 80 % of
-// the bar, the test at all of it: 3 % for the ends (the coarse mesh is two cells thick).
+// After the fit a bar pulled end to end has the tissue's Young's modulus. The fit draws all of the
+// surface, the test its ends alone: 3 % for what lies between (the coarse mesh is two cells thick).
 TEST(Material, AfterTheFitYoungsModulusMeansYoungsModulus)
 {
   const Eigen::Vector3d size(0.06, 0.02, 0.02);
