@@ -119,19 +119,30 @@ double ErrorGauge::errorPower(double early, double late, double share) noexcept
   return std::clamp(std::log(late / early) / -std::log(share), kLeastPower, 1.0);
 }
 
-/// In a stretch that is short against a slow oscillation an error shows in the velocity first: its amplitude
-/// will be the velocity's error times the motion's own time. Where the velocities part faster than that, fast
-/// waves do it, which show in the positions at once.
-double ErrorGauge::distance(const NodeArray& otherX, const NodeArray& otherV, const MotionState& state,
-                            double length) const noexcept
+double ErrorGauge::distance(const NodeArray& otherX, const MotionState& state) const noexcept
+{
+  return rms(sumOfSquares(otherX, state.x), m_count);
+}
+
+/// Where the velocities part along the displacement, which slow motion has made, the error is one of slow
+/// motion: it shows in the positions only after a part of the motion's own time (displacement over speed),
+/// while fast waves hide it now. Modes are orthogonal under the masses, so the projection leaves the waves
+/// out.
+double ErrorGauge::slowDistance(const System& system, const NodeArray& otherV,
+                                const MotionState& state) const noexcept
 {
   constexpr double kSlowest = 0.08; ///< [s]
-  const double x = rms(sumOfSquares(otherX, state.x), m_count);
-  const double v = rms(sumOfSquares(otherV, state.v), m_count);
-  if (!(x > 0.0) || !(m_scale.recentPath > 0.0)) return x;
+  if (!(m_scale.recentPath > 0.0)) return 0.0;
   const double time = std::min(m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath), kSlowest);
-  const double slow = 2.0 / (length * v / x); // 1 where a constant acceleration parts the runs
-  return x * std::max(1.0, time * (v / x) * std::min(1.0, slow * slow));
+  if (otherV.size() < kFewNodes) return time * rms(sumOfSquares(otherV, state.v), m_count);
+  double along = 0.0, all = 0.0;
+  for (std::size_t i = 0; i < otherV.size(); ++i) {
+    const Lanes displacement = state.x[i] - m_rest[i];
+    along += system.mass()[i] * dot(otherV[i] - state.v[i], displacement);
+    all += system.mass()[i] * dot(displacement, displacement);
+  }
+  if (!(all > 0.0)) return 0.0;
+  return time * std::abs(along) / all * rms(sumOfSquares(state.x, m_rest), m_count);
 }
 
 /// How long an error lives [s]; infinity without damping. It fades as the motion itself does. Amplitudes of

@@ -30,6 +30,8 @@ struct ErrorScale {
 /// (ErrorScale::spent). Distances are RMS over the nodes of the whole net, of which a System may be a part.
 class ErrorGauge {
 public:
+  static constexpr std::size_t kFewNodes = 100; ///< a net below has few modes, and no waves among them
+
   void begin(const NodeArray& x, double extent);
   /// From now on positions are those of a part, whose positions at t = 0 are `rest`.
   /// @param squareElsewhere  sum of squared displacements of the other nodes [m^2]
@@ -56,8 +58,9 @@ public:
   /// `late` [m] at its end: 1 adds up without end, 0.85 is the least that is believed.
   static double errorPower(double early, double late, double share) noexcept;
   /// How far apart two ends of a stretch are [m].
-  double distance(const NodeArray& x, const NodeArray& v, const MotionState& state,
-                  double length) const noexcept;
+  double distance(const NodeArray& x, const MotionState& state) const noexcept;
+  /// How far apart their slow motion will bring them [m].
+  double slowDistance(const System& system, const NodeArray& v, const MotionState& state) const noexcept;
   /// From the whole net's RMS to that over `nodes` nodes, outside of which nothing errs.
   double shareOfWhole(std::size_t nodes) const noexcept;
 

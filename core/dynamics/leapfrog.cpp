@@ -210,11 +210,13 @@ private:
     return best;
   }
 
-  /// The fewest stages that are stable at h.
+  /// The fewest stages that are stable at h, with room for what the net's motion does to the limits until the
+  /// next look.
   std::size_t placeFor(double h) const noexcept
   {
+    constexpr double kRoom = 0.88; // 0.95 was seen to fail
     for (std::size_t i = 0; i < m_best; ++i)
-      if (h <= 0.95 * m_limit[i]) return i;
+      if (h <= kRoom * m_limit[i]) return i;
     return m_best;
   }
 

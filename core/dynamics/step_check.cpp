@@ -12,21 +12,36 @@ namespace {
 
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0, kMostErrorGrowth = 30.0;
+constexpr double kMostShrinking = 1.0 / 64.0; ///< errors beyond tell of waves out of control, not of accuracy
 /// The look at the two runs of a check comes after about a quarter of the steps, if there are so many, and so
 /// many nodes: the errors of a few modes add up, whatever one look may say.
 constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
-constexpr std::size_t kLeastNodesForLook = 100;
-/// A step whose error is this share of the budget stays as it is.
+/// Of the budget, see isKept().
 constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
 /// Of the budget: an error that, grown with the power of the dampers since the last check, asks for the next.
 constexpr double kSuspicious = 1.5;
-constexpr double kMostTransfer = 1.5;  ///< of what one method learned to others of lower order
-constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
-constexpr int kLongestCheckGap = 24;   ///< stretches
+constexpr double kMostTransfer = 1.5;   ///< of what one method learned to others of lower order
+constexpr double kSettlingTime = 0.15;  ///< after the start or an event, in which motion unfolds [s]
+constexpr int kLongestCheckGap = 24;    ///< stretches
+constexpr double kShareToCompare = 0.5; ///< of the budget, that the end may be off with which others compare
+constexpr int kProbes = 2, kLongestProbeGap = 4; ///< checks
 /// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
 /// and of parts, that make cutting the stretch worth while.
 constexpr double kOnsetError = 20.0, kOnsetParts = 16.0;
 constexpr double kOnsetShare = 1.0 / 16.0; ///< of a frame: what each part may err as much as
+
+/// To the step that would just spend the budget, of which the present one spends this share.
+double stepGain(double share, double order)
+{
+  return share > 0.0 ? std::min(0.9 * std::pow(share, -1.0 / order), 1e3) : 1e3;
+}
+
+/// A step whose error is near the budget stays: to follow every wave of the error would mean to check for
+/// ever.
+bool isKept(double share)
+{
+  return share >= kLeastShareKept && share <= kMostShareKept;
+}
 
 } // namespace
 
@@ -36,7 +51,7 @@ StepDriver::Run StepDriver::runWithLook(System& system, MotionState& state, doub
                                         StepReport& report)
 {
   m_look.steps = 0;
-  if (steps < kLeastStepsForLook || state.x.size() < kLeastNodesForLook)
+  if (steps < kLeastStepsForLook || state.x.size() < ErrorGauge::kFewNodes)
     return run(system, state, end, steps, report);
   const double begin = state.time;
   const std::int64_t early = steps / (2 * kLookShare) * 2;
@@ -46,7 +61,6 @@ StepDriver::Run StepDriver::runWithLook(System& system, MotionState& state, doub
   if (result != Run::Done) return result;
   m_look.steps = early;
   m_look.x = state.x;
-  m_look.v = state.v;
   return run(system, state, end, steps - early, report);
 }
 
@@ -56,10 +70,9 @@ StepDriver::Run StepDriver::runAgain(System& system, MotionState& state, double 
 {
   if (m_look.steps == 0) return run(system, state, end, steps, report);
   const auto early = static_cast<std::int64_t>(std::llround(kFiner * static_cast<double>(m_look.steps)));
-  const double begin = state.time;
   const Run result = run(system, state, m_look.time, early, report);
   if (result != Run::Done) return result;
-  m_look.error = m_gauge.distance(m_look.x, m_look.v, state, m_look.time - begin);
+  m_look.error = m_gauge.distance(m_look.x, state);
   return run(system, state, end, steps - early, report);
 }
 
@@ -93,8 +106,9 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
 {
   const double length = state.time - m_start.time, count = static_cast<double>(steps);
   const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
-  const double apart = m_gauge.distance(m_coarse, m_coarseV, state, length);
-  const double coarseError = apart * ratio / (ratio - 1.0);
+  const double apart = m_gauge.distance(m_coarse, state);
+  const double slow = m_gauge.slowDistance(system, m_coarseV, state);
+  const double coarseError = std::max(apart, slow) * ratio / (ratio - 1.0);
   if (m_look.steps > 0) m_errorPower = ErrorGauge::errorPower(m_look.error, apart, m_look.share);
   const double allowed = budget(state, length);
   const bool isFine = coarseError / ratio <= allowed;
@@ -109,9 +123,53 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   m_roughAtCheck = !isFine;
   report.rough = report.rough || m_roughAtCheck;
   if (m_roughAtCheck) sayToleranceGivenUp(system);
+  std::optional<Method> proven;
+  for (Candidate& candidate : m_candidates) --candidate.untilProbe;
+  if (coarseError / ratio <= kShareToCompare * allowed)
+    for (int i = 0; i < kProbes && !proven; ++i) proven = probe(system, state, allowed, report);
   keep(system, state, coarseError / ratio);
-  reconsider(system);
+  reconsider(system, proven);
   return true;
+}
+
+/// After a check: does another method that could be far cheaper err little enough? It takes the same stretch
+/// once, and the kept end tells its error: a change on a mere guess would cost more than such a look.
+std::optional<StepDriver::Method> StepDriver::probe(System& system, const MotionState& state, double allowed,
+                                                    StepReport& report)
+{
+  const double length = state.time - m_start.time;
+  double step = 0.0;
+  if (!m_auto || m_onset.longest > 0.0 || m_settled > 1) return std::nullopt;
+  const std::optional<Method> method = worthAProbe(system, step);
+  if (!method) return std::nullopt;
+  Candidate& candidate = m_candidates[*method];
+  const double count = std::ceil(length / step * (1.0 - 1e-9));
+  if (isTooDear(system, count * candidate.integrator->stepCost(system, step))) return std::nullopt;
+  layOut(*method, system);
+  candidate.integrator->restart();
+  m_probe = m_start; // same size: no allocation
+  const std::int64_t stepsBefore = report.steps;
+  const StepResult result =
+    candidate.integrator->run(system, m_probe, state.time, static_cast<std::int64_t>(count), report);
+  report.rejectedSteps += report.steps - stepsBefore;
+  report.steps = stepsBefore;
+  const double share =
+    result == StepResult::Done
+      ? std::max(m_gauge.distance(m_probe.x, state), m_gauge.slowDistance(system, m_probe.v, state)) / allowed
+      : kInfinity;
+  const double gain = stepGain(share, candidate.integrator->order());
+  candidate.accurateStep = length / count;
+  candidate.estimate = candidate.accurateStep * gain;
+  if (!isKept(share)) candidate.accurateStep *= std::clamp(gain, kMostShrinking, kMostGrowth);
+  candidate.isMeasured = true;
+  if (share <= 1.0) {
+    candidate.untilProbe = 0;
+    candidate.probeGap = 1;
+    return method;
+  }
+  candidate.untilProbe = candidate.probeGap;
+  candidate.probeGap = std::min(2 * candidate.probeGap, kLongestProbeGap);
+  return std::nullopt;
 }
 
 /// What is known before the first stretch after an event.
@@ -154,18 +212,16 @@ void StepDriver::continueOnset(System& system)
   explain(system);
 }
 
-/// From the error of steps of size `step` to the step that would just spend the budget. A step whose error is
-/// near the budget stays: to follow every wave of the error would mean to check for ever.
+/// From the error of steps of size `step` to the accurate one, for the method and for those like it.
 void StepDriver::learn(const MotionState& state, double error, double budget, double step)
 {
   const double order = current().order(), share = m_checkedShare = error / budget;
   const double mostGrowth = std::min(kMostGrowth, std::pow(kMostErrorGrowth, 1.0 / order));
   const bool isImplicit = !isExplicit(m_candidates[m_method]);
-  const double gain = share > 0.0 ? std::pow(1.0 / share, 1.0 / order) : 1e3;
+  const double gain = stepGain(share, order);
   double& accurate = m_candidates[m_method].accurateStep;
   accurate = step;
-  if (!(share <= kMostShareKept) || share < kLeastShareKept)
-    accurate *= std::clamp(0.9 * gain, isImplicit ? 0.1 : 1e-4, mostGrowth);
+  if (!isKept(share)) accurate *= std::clamp(gain, isImplicit ? 0.1 : kMostShrinking, mostGrowth);
   const double length = state.time - m_start.time;
   m_checkedError = std::min(error, budget) / length; // the next step will not err more
   m_checkedPower = (state.heat - m_start.heat) / length;
@@ -179,15 +235,11 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
   }
   m_untilCheck = grows ? 1 : m_checkGap;
   if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
-  m_shareAtLimit = std::numeric_limits<double>::infinity();
   if (isImplicit) return;
-  if (m_candidates[m_method].typicalError > 0.0)
-    m_shareAtLimit = share * std::pow(stableStep(m_candidates[m_method]) / step, order) /
-                     m_candidates[m_method].typicalError;
   // Motion that is easier or harder for this method is so for the others. Methods of low order err in slower
   // motion, which changes less: they gain little more than this one, although their order promises it.
   Candidate& here = m_candidates[m_method];
-  const double estimate = step * std::min(0.9 * gain, 1e3);
+  const double estimate = step * gain;
   const double change = here.estimate > 0.0 ? estimate / here.estimate : 1.0;
   here.estimate = estimate;
   for (Candidate& other : m_candidates)

@@ -61,7 +61,8 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_names.clear();
   m_start = state;
   m_startEnergies.reset();
-  m_coarse = m_look.x = m_look.v = state.x; // room for later
+  m_coarse = m_coarseV = m_look.x = state.x; // room for later
+  m_probe = state;
   m_gauge.begin(state.x, extentOf(system, state.x));
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
@@ -93,7 +94,8 @@ void StepDriver::guessSteps()
     candidate.accurateStep = kFrame / kImplicitGuess;
     candidate.estimate = 0.0;
     candidate.isMeasured = false;
-    candidate.untilTrial = candidate.trialGap = kFirstTrial;
+    candidate.untilProbe = 0;
+    candidate.probeGap = 1;
     if (isExplicit(candidate)) guessStep(candidate);
   }
 }
@@ -196,7 +198,7 @@ double StepDriver::explicitLimit() const noexcept
 StepDriver::Method StepDriver::cheapestExplicit(const System& system, double patience)
 {
   Method best = m_leapfrog;
-  double least = std::numeric_limits<double>::infinity();
+  double least = kInfinity;
   const bool isHeldUp = kFrame / explicitLimit() > kManySteps;
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
@@ -213,34 +215,25 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
   return best;
 }
 
-/// An explicit method that would cost far less than the present one if its step were somewhat larger than is
-/// known to be accurate: what one method tells of another is cautious, so that only a trial can show it.
-/// Trials that fail grow rare.
-StepDriver::Method StepDriver::worthATrial(const System& system)
+/// The method that would be cheapest at its stability limit, and cheap enough to change to, of those whose
+/// turn it is.
+/// @param step  receives the smallest with which it would be cheap enough [s]
+std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double& step)
 {
-  constexpr double kGain = 0.6, kReach = 2.5, kTypicalMargin = 5.0;
-  double least = kGain * cost(m_method, system);
-  Method best = m_method;
-  double bestStep = 0.0;
+  constexpr double kGain = 0.7; // of the present cost: below the patience of reconsider()
+  const double wanted = kGain * cost(m_method, system);
+  double least = wanted;
+  std::optional<Method> best;
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
-    if (candidate.role != MethodRole::Explicit || method == m_method || --candidate.untilTrial > 0) continue;
-    const double stable = stableStep(candidate);
-    // What is typical of both methods tells more where the present one errs far less than it may.
-    const double typical = stable * std::pow(1.0 / (kTypicalMargin * m_shareAtLimit * candidate.typicalError),
-                                             1.0 / candidate.integrator->order());
-    const double step = std::min(stable, std::max(typical, kReach * candidate.accurateStep));
-    const double hoped = candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step);
-    if (hoped >= least) continue;
-    least = hoped;
+    if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
+    const double stable = std::min(stableStep(candidate), kFrame);
+    const double atLimit = candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
+    if (atLimit >= least) continue;
+    least = atLimit;
     best = method;
-    bestStep = step;
+    step = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
   }
-  if (best == m_method) return best;
-  Candidate& candidate = m_candidates[best];
-  candidate.accurateStep = bestStep;
-  candidate.untilTrial = candidate.trialGap;
-  candidate.trialGap = std::min(2 * candidate.trialGap, kLongestTrialGap);
   return best;
 }
 
@@ -279,8 +272,8 @@ void StepDriver::choose(System& system, const MotionState&)
 }
 
 /// After a check: would another method have done it for less?
-/// @param mayTry  one that is only hoped to, too
-void StepDriver::reconsider(System& system, bool mayTry)
+/// @param proven  one that has been probed and found good
+void StepDriver::reconsider(System& system, std::optional<Method> proven)
 {
   constexpr double kPatience = 0.8;
   if (!m_auto || --m_settled > 0) return;
@@ -290,8 +283,7 @@ void StepDriver::reconsider(System& system, bool mayTry)
     const Method other = cheapestExplicit(system, kPatience);
     if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
   } else {
-    m_method = cheapestExplicit(system, kPatience);
-    if (m_method == before && mayTry) m_method = worthATrial(system);
+    m_method = proven ? *proven : cheapestExplicit(system, kPatience);
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
@@ -302,6 +294,10 @@ void StepDriver::reconsider(System& system, bool mayTry)
   if (m_method == before) return;
   use(m_method, system);
   m_settled = 2;
+  if (proven == m_method) { // it need not prove itself twice
+    m_candidates[m_method].isMeasured = true;
+    m_untilCheck = m_checkGap = 2;
+  }
   explain(system);
 }
 

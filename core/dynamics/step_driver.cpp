@@ -19,7 +19,6 @@ constexpr double kLeastOnsetShare = 1.0 / 8.0; ///< of that, when the others of 
 constexpr double kMostDescentSteps = 16.0;     ///< of one stretch
 constexpr int kLongestDescent = 64;            ///< stretches before something else is tried again
 constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 } // namespace
 
@@ -164,6 +163,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       const bool isDue = !unchecked && checkDue(state);
       // A step that nobody could afford to check is better than none.
       if (!isDue || isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system, step))) {
+        // The next one is larger, until a check can be paid for: else a wrong guess would hold for good.
+        if (isDue) m_candidates[m_method].accurateStep = 2.0 * step;
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
         keep(system, state, expectedError(state));
@@ -189,7 +190,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     end = m_start.time + length;
     state = m_start;
     m_settled = 0;
-    reconsider(system, false);
+    reconsider(system);
     current().restart();
   }
   if (!m_auto) {

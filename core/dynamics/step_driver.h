@@ -29,7 +29,8 @@ struct NetPart {
 /// the step, and the distance of the two ends tells the error. Single steps say much about fast modes whose
 /// error dies out before the next frame; whole stretches say what a frame shows. The second result is kept.
 /// How much error a stretch may add is told by ErrorGauge, which also takes a look at the two runs early in
-/// the stretch: it tells whether errors add up.
+/// the stretch: it tells whether errors add up. After a check other methods that could be far cheaper are
+/// probed: each takes the stretch once, and its distance from the kept end tells its error.
 ///
 /// Where loads jump, fast waves start that die out soon. If the first stretch errs far too much, it is cut
 /// into short ones that double (Onset), so that their small steps are not taken any longer than these waves
@@ -70,11 +71,11 @@ public:
 
 private:
   using Method = std::size_t; ///< place in integratorTable()
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   /// Energy may grow by this much in a stretch without cause: explicit steps stir up the fastest modes a
   /// little at their limit.
   static constexpr double kCoarseGrowth = 0.05;
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
-  static constexpr int kFirstTrial = 1, kLongestTrialGap = 32; ///< checks
   /// What is known of a method's errors.
   struct Knowledge {
     double accurateStep = 0.0; ///< by the last check, or a guess [s]
@@ -86,8 +87,8 @@ private:
     MethodRole role = MethodRole::ByName;
     double typicalError = 0.0; ///< see IntegratorEntry
     bool prepared = false;
-    int untilTrial = kFirstTrial; ///< checks until it may be tried at more than is known of it
-    int trialGap = kFirstTrial;
+    int untilProbe = 0; ///< checks until it may be probed
+    int probeGap = 1;
   };
   /// The first moments after an event, while stretches are shorter than usual.
   struct Onset {
@@ -113,14 +114,15 @@ private:
   void guessSteps();
   void guessStep(Candidate& candidate) const noexcept;
   void choose(System& system, const MotionState& state);
-  void reconsider(System& system, bool mayTry = true);
+  void reconsider(System& system, std::optional<Method> proven = std::nullopt);
   double cost(Method method, const System& system);
   void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system, double patience);
-  Method worthATrial(const System& system);
+  std::optional<Method> worthAProbe(System& system, double& step);
+  std::optional<Method> probe(System& system, const MotionState& state, double allowed, StepReport& report);
   bool toleranceIsTooDear(const System& system) const noexcept;
 
   bool stretchFixed(System& system, MotionState& state, double end, StepReport& report);
@@ -180,14 +182,13 @@ private:
   double m_checkedPower = 0.0; ///< of the dampers then [W]
   double m_errorPower = 1.0;   ///< with which errors grow over time, by the last check
   double m_checkedShare = 0.0; ///< of the budget, that the last check found
-  /// The share that the present method would have at its stability limit, over its typical error.
-  double m_shareAtLimit = std::numeric_limits<double>::infinity();
   Onset m_onset;
   std::int64_t m_maxSteps = 0;
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
   ErrorGauge m_gauge;
   MotionState m_start; ///< of the present stretch
+  MotionState m_probe; ///< the same stretch by another method
   struct Energies {
     double kinetic = 0.0, elastic = 0.0, height = 0.0; ///< [J]
   };
@@ -195,7 +196,7 @@ private:
   NodeArray m_coarse, m_coarseV;           ///< end of the first of two runs
   /// Of the present check, early in the stretch. No steps: none was taken.
   struct Look {
-    NodeArray x, v;         ///< of the first run
+    NodeArray x;            ///< of the first run
     std::int64_t steps = 0; ///< of it up to here, an even number
     double time = 0.0;
     double share = 1.0; ///< of the stretch

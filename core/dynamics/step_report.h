@@ -9,8 +9,8 @@ namespace esm {
 /// What one Simulation::advance() cost and whether it went well. Counters start at 0 with each call;
 /// add() sums calls up.
 struct StepReport {
-  std::int64_t steps = 0; ///< substeps taken (rejected ones included)
-  std::int64_t rejectedSteps = 0;
+  std::int64_t steps = 0;         ///< substeps taken (those of failed attempts included)
+  std::int64_t rejectedSteps = 0; ///< of failed attempts, and of methods that were only probed
   std::int64_t springsEvaluated =
     0; ///< spring force evaluations, the unit of cost; viscous forces alone count half
   std::int64_t factorizations = 0;

@@ -86,6 +86,23 @@ TEST(Stress, TubeAMillionTimesStifferStaysBoundedAtItsPrice)
   }
 }
 
+// Stiffness over six decades, and a tolerance whose first checks fail by far: the guess that follows asks for
+// steps too small to be checked within the effort. It must not stay: plain steps at their limit, with a check
+// now and then, keep this tolerance, and cost a fifth.
+TEST(Stress, AGuessThatNobodyCanCheckDoesNotLast)
+{
+  const bench::Scene scene = bench::stiff();
+  SolverSettings settings;
+  settings.tolerance = 7e-5;
+  settings.effort = 6e7;
+  Simulation simulation = simulate(scene.net, scene.loads, settings);
+  StepReport report;
+  for (int frame = 0; frame < 4; ++frame) report = simulation.advance(1.0 / 60.0);
+  ASSERT_TRUE(report.good()) << simulation.why();
+  const double plain = scene.net.springCount() / 60.0 / simulation.stableStep();
+  EXPECT_LT(static_cast<double>(report.springsEvaluated), 2.0 * plain);
+}
+
 // Where no step is good and affordable, why() names the node, the step that it would need, and the way out.
 TEST(Stress, WhyNamesCauseAndCureOfDampedSteps)
 {
