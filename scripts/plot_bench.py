@@ -126,7 +126,8 @@ def table(rows):
         return "Not measured in the run that made this page.\n"
     heads = list(rows[0])
     lines = ["| " + " | ".join(head.replace("_", " ") for head in heads) + " |", "|" + "---|" * len(heads)]
-    lines += ["| " + " | ".join(row[head] or "" for head in heads) + " |" for row in rows]
+    shown = {None: "", "nan": ""}  # what was not measured
+    lines += ["| " + " | ".join(shown.get(row[head], row[head]) for head in heads) + " |" for row in rows]
     return "\n".join(lines) + "\n"
 
 
