@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 // Loops that deserve the CPU's wide registers: the same arithmetic lane by lane on every CPU, so that all
@@ -21,6 +22,8 @@
 #define ESM_CPU_CLONES
 #endif
 
+#define ESM_INLINE [[gnu::always_inline]] inline
+
 namespace esm {
 
 /// Four doubles that the compiler keeps in one AVX register, or in two SSE2 ones.
@@ -28,5 +31,18 @@ using Lanes = double __attribute__((vector_size(32)));
 using LaneBits = std::int64_t __attribute__((vector_size(32)));
 /// The same where memory is aligned to single doubles only.
 using LooseLanes = double __attribute__((vector_size(32), aligned(8), may_alias));
+
+/// sum = what `take(i, to)` adds to `to` for all i < count. Four sums at a time, for one would wait for
+/// itself. (By reference: functions with versions for several CPUs cannot return Lanes.)
+template <class Take>
+ESM_INLINE void sumOver(std::size_t count, const Take& take, Lanes& sum) noexcept
+{
+  Lanes part[4] = {};
+  std::size_t i = 0;
+  for (; i + 4 <= count; i += 4)
+    for (std::size_t k = 0; k < 4; ++k) take(i + k, part[k]);
+  for (; i < count; ++i) take(i, part[0]);
+  sum = (part[0] + part[1]) + (part[2] + part[3]);
+}
 
 } // namespace esm

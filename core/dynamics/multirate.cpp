@@ -193,8 +193,7 @@ private:
       rates.work += tool.viscosity * slip.dot(tool.targetVelocity);
     }
     if (&rate == &m_layout.classes().front()) {
-      const NodeArray& weight = system.forces().weight();
-      for (std::size_t i = 0; i < weight.size(); ++i) m_force[i] += weight[i];
+      for (std::size_t i = 0; i < m_force.size(); ++i) m_force[i] += system.forces().weight(i);
       rates.work += system.schedule().addForces(t, m_p.data(), m_force.data());
     }
     for (const Index node : rate.driven) {

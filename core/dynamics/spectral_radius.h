@@ -30,23 +30,13 @@ public:
     double beta = 0.0;
     for (int j = 0; j < products; ++j) {
       multiply(m_now, m_next);
-      double alpha = 0.0;
-      for (std::size_t i = 0; i < count; ++i) {
-        m_next[i] -= m_before[i] * beta;
-        alpha += dot(m_next[i], m_now[i]);
-      }
-      double square = 0.0;
-      for (std::size_t i = 0; i < count; ++i) {
-        m_next[i] -= m_now[i] * alpha;
-        square += dot(m_next[i], m_next[i]);
-      }
+      const double alpha = takeOff(beta, m_before, m_next, m_now);
+      const double square = takeOff(alpha, m_now, m_next, m_next);
       m_diagonal.push_back(alpha);
       beta = std::sqrt(square);
       if (!(beta > 1e-12 * std::abs(alpha)) || !std::isfinite(beta)) break; // an invariant subspace
-      for (std::size_t i = 0; i < count; ++i) {
-        m_before[i] = m_now[i];
-        m_now[i] = m_next[i] * (1.0 / beta);
-      }
+      m_before.swap(m_now);
+      setScaled(1.0 / beta, m_next, m_now);
       if (j + 1 < products) m_off.push_back(beta);
     }
     m_off.resize(m_diagonal.size() - 1);
@@ -55,6 +45,9 @@ public:
 
 private:
   void start(std::size_t count);
+  /// y -= factor x. @return y.z, of the new y.
+  static double takeOff(double factor, const NodeArray& x, NodeArray& y, const NodeArray& z) noexcept;
+  static void setScaled(double factor, const NodeArray& x, NodeArray& y) noexcept; ///< y = factor x
 
   NodeArray m_before, m_now, m_next;
   std::vector<double> m_diagonal, m_off;

@@ -7,6 +7,21 @@
 #include <limits>
 
 namespace esm {
+namespace {
+
+ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, const Lanes* z, Lanes* y) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) y[i] = z[i] * factor[i];
+}
+
+/// y = factor y + diagonal z
+ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const double* diagonal,
+                                const Lanes* z, Lanes* y) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) y[i] = y[i] * factor[i] + z[i] * diagonal[i];
+}
+
+} // namespace
 
 void StepBound::prepare(const System& system)
 {
@@ -148,30 +163,33 @@ double StepBound::measure(const System& system, Blend blend)
 {
   constexpr int kProducts = 24;
   constexpr double kMargin = 1.02; // Ritz values come from below
-  m_rootInverseMass.resize(m_nodes.size());
-  for (std::size_t i = 0; i < m_nodes.size(); ++i) m_rootInverseMass[i] = std::sqrt(system.inverseMass()[i]);
-  const auto& ends = system.forces().springEnds();
+  const std::vector<SpringBatch>& batches = system.forces().batches();
+  m_springs.assign(batches, [&](std::size_t s) {
+    const SpringTangent& tangent = m_tangents[s];
+    return SpringMatrix::Block{
+      tangent.direction, blend.damping * tangent.viscous + blend.stiffness * std::max(tangent.axial, 0.0),
+      std::abs(blend.stiffness * tangent.lateral)};
+  });
+  const std::size_t nodes = m_nodes.size();
+  m_rootInverseMass.resize(nodes);
+  m_scaled.resize(nodes);
+  m_diagonal.resize(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) {
+    m_rootInverseMass[i] = std::sqrt(system.inverseMass()[i]);
+    m_diagonal[i] = blend.damping * m_nodes[i].damping + blend.stiffness * m_nodes[i].stiffness;
+  }
   const auto multiply = [&](const NodeArray& z, NodeArray& y) {
-    for (std::size_t i = 0; i < m_nodes.size(); ++i)
-      y[i] = z[i] * (blend.damping * m_nodes[i].damping + blend.stiffness * m_nodes[i].stiffness);
-    for (std::size_t s = 0; s < ends.size(); ++s) {
-      const auto a = static_cast<std::size_t>(ends[s].a), b = static_cast<std::size_t>(ends[s].b);
-      const SpringTangent& tangent = m_tangents[s];
-      const Lanes d = z[b] * m_rootInverseMass[b] - z[a] * m_rootInverseMass[a];
-      const Lanes u = toLanes(tangent.direction);
-      const double axial = blend.damping * tangent.viscous + blend.stiffness * std::max(tangent.axial, 0.0);
-      const double lateral = std::abs(blend.stiffness * tangent.lateral);
-      const Lanes pull = u * (dot(u, d) * (axial - lateral)) + d * lateral;
-      y[a] -= pull * m_rootInverseMass[a];
-      y[b] += pull * m_rootInverseMass[b];
-    }
+    scaleNodes(nodes, m_rootInverseMass.data(), z.data(), m_scaled.data());
+    std::fill(y.begin(), y.end(), Lanes{0, 0, 0, 0});
+    m_springs.addProduct(batches, m_scaled.data(), y.data());
+    addDiagonal(nodes, m_rootInverseMass.data(), m_diagonal.data(), z.data(), y.data());
     for (const NodeArray& column : m_pressure) {
       double along = 0.0;
       for (std::size_t i = 0; i < m_nodes.size(); ++i) along += dot(column[i], z[i]);
       for (std::size_t i = 0; i < m_nodes.size(); ++i) y[i] += column[i] * (blend.stiffness * along);
     }
   };
-  return kMargin * m_lanczos.largestEigenvalue(m_nodes.size(), kProducts, multiply);
+  return kMargin * m_lanczos.largestEigenvalue(nodes, kProducts, multiply);
 }
 
 /// See the class. Nothing that oscillates is slower than sqrt(stiffness): no need to know more exactly.

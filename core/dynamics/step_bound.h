@@ -5,6 +5,7 @@
 #include "core/base/grouped.h"
 #include "core/dynamics/spectral_radius.h"
 #include "core/dynamics/system.h"
+#include "core/forces/spring_matrix.h"
 
 namespace esm {
 
@@ -68,7 +69,10 @@ private:
   };
   std::vector<NodeSums> m_nodes;
   std::vector<double> m_undamped; ///< per node [1/s^2]
-  std::vector<double> m_rootInverseMass;
+  // What is being measured: R (springs) R + diagonal, R the roots of the inverse masses.
+  SpringMatrix m_springs;
+  std::vector<double> m_rootInverseMass, m_diagonal;
+  NodeArray m_scaled; ///< R z
   /// sqrt(K/V0) M^-1/2 dV/dx of each pressure body, N entries each.
   std::vector<NodeArray> m_pressure;
   double m_pressureStiffness = 0.0; ///< sum of their squares [1/s^2]

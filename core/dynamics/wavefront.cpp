@@ -214,7 +214,7 @@ private:
   /// Weight, pressure, nodal forces and tools, as they are at the start of a propagation.
   void gatherOutside(System& system, double t) noexcept
   {
-    m_outside = system.forces().weight(); // same size: no allocation
+    for (std::size_t i = 0; i < m_outside.size(); ++i) m_outside[i] = system.forces().weight(i);
     system.forces().pressure().addForces(m_x.data(), m_outside.data());
     m_outsidePower = system.schedule().addForces(t, m_v.data(), m_outside.data());
     m_outsideHeat = 0.0;

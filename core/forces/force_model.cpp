@@ -188,8 +188,7 @@ double ForceModel::elasticEnergy(const Lanes* x) const noexcept
 double ForceModel::gravityEnergy(const Lanes* x) const noexcept
 {
   double energy = 0.0;
-  for (std::size_t i = 0; i < m_nodeForces.weight().size(); ++i)
-    energy -= dot(m_nodeForces.weight()[i], x[i]);
+  for (std::size_t i = 0; i < nodeCount(); ++i) energy -= dot(weight(i), x[i]);
   return energy;
 }
 

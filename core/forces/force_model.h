@@ -40,7 +40,7 @@ public:
   ForceModel() = default;
   ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity);
 
-  std::size_t nodeCount() const noexcept { return m_nodeForces.weight().size(); }
+  std::size_t nodeCount() const noexcept { return m_nodeForces.nodeCount(); }
   /// Springs that one addForces() evaluates.
   std::int64_t activeSprings() const noexcept { return m_activeSprings; }
   bool isNonlinear() const noexcept { return m_nonlinear; }
@@ -85,7 +85,7 @@ public:
   // What acts on single nodes, as the implicit solver and the step bound need it.
   using Anchor = esm::Anchor;
   const std::vector<Anchor>& anchors() const noexcept { return m_anchors; }
-  const NodeArray& weight() const noexcept { return m_nodeForces.weight(); } ///< m g [N]
+  Lanes weight(std::size_t node) const noexcept { return m_nodeForces.weight(node); } ///< m g [N]
   /// alpha m of every node [kg/s]; empty without mass damping.
   const std::vector<double>& massDrag() const noexcept { return m_massDrag; }
 

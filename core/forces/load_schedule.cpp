@@ -38,6 +38,24 @@ Status checkNodes(const std::vector<Index>& list, Index nodes, const std::string
   return {};
 }
 
+/// Adds a force to each of `count` nodes, and their velocities up.
+ESM_CPU_CLONES void addToAll(std::size_t count, const Lanes* v, const Lanes& value, Lanes* force,
+                             Lanes& sum) noexcept
+{
+  const Lanes each = value;
+  const auto take = [=](std::size_t i, Lanes& to) noexcept {
+    force[i] += each;
+    to += v[i];
+  };
+  sumOver(count, take, sum);
+}
+
+ESM_CPU_CLONES void sumOfAll(std::size_t count, const Lanes* v, Lanes& sum) noexcept
+{
+  sumOver(
+    count, [=](std::size_t i, Lanes& to) noexcept { to += v[i]; }, sum);
+}
+
 } // namespace
 
 Status checkLoads(const Loads& loads, Index nodes)
@@ -71,7 +89,14 @@ LoadSchedule::LoadSchedule(const Loads& loads, const Eigen::Matrix3Xd& start,
                            const std::vector<std::uint8_t>& fixed)
 {
   for (const NodalForce& force : loads.forces) {
-    m_forces.push_back({force, {}, false});
+    Force& made = m_forces.emplace_back();
+    made.force = force.force;
+    for (const Index node : force.nodes) {
+      const auto place = static_cast<std::size_t>(node);
+      if (made.nodes.empty() || place != made.nodes.back().first + made.nodes.back().count)
+        made.nodes.push_back({place, 0});
+      ++made.nodes.back().count;
+    }
     m_events.insert(m_events.end(), force.force.time.begin(), force.force.time.end());
   }
   std::vector<std::uint8_t> taken = fixed;
@@ -99,7 +124,7 @@ void LoadSchedule::enter(double t) noexcept
     motion.line = {toLanes(motion.displacement.at(t)), toLanes(motion.displacement.slopeAt(t))};
   }
   for (Force& force : m_forces) {
-    const Eigen::Vector3d value = force.force.force.at(t), slope = force.force.force.slopeAt(t);
+    const Eigen::Vector3d value = force.force.at(t), slope = force.force.slopeAt(t);
     force.line = {toLanes(value), toLanes(slope)};
     force.absent = value.isZero(0.0) && slope.isZero(0.0);
   }
@@ -121,29 +146,36 @@ void LoadSchedule::place(double t, Lanes* x, Lanes* v) const noexcept
   }
 }
 
-double LoadSchedule::addForces(double t, const Lanes* v, Lanes* force) const noexcept
+/// @param visit  visit(run, force on each of its nodes, sum): sets the sum of their velocities.
+/// @return the power of all nodal forces [W]
+template <class Visit>
+double LoadSchedule::forEachRun(double t, const Visit& visit) const noexcept
 {
   double power = 0.0;
   for (const Force& load : m_forces) {
     if (load.absent) continue;
     const Lanes value = load.line.value + load.line.slope * (t - m_begin);
-    for (const Index node : load.force.nodes) {
-      force[node] += value;
-      power += dot(value, v[node]);
+    Lanes sum;
+    for (const NodeRun& run : load.nodes) {
+      visit(run, value, sum);
+      power += dot(value, sum);
     }
   }
   return power;
 }
 
+double LoadSchedule::addForces(double t, const Lanes* v, Lanes* force) const noexcept
+{
+  return forEachRun(t, [&](const NodeRun& run, const Lanes& value, Lanes& sum) noexcept {
+    addToAll(run.count, v + run.first, value, force + run.first, sum);
+  });
+}
+
 double LoadSchedule::power(double t, const Lanes* v) const noexcept
 {
-  double power = 0.0;
-  for (const Force& load : m_forces) {
-    if (load.absent) continue;
-    const Lanes value = load.line.value + load.line.slope * (t - m_begin);
-    for (const Index node : load.force.nodes) power += dot(value, v[node]);
-  }
-  return power;
+  return forEachRun(t, [&](const NodeRun& run, const Lanes&, Lanes& sum) noexcept {
+    sumOfAll(run.count, v + run.first, sum);
+  });
 }
 
 } // namespace esm

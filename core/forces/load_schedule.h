@@ -55,11 +55,19 @@ private:
     bool active = false;
     Line line;
   };
+  /// Nodes that follow each other, as those of a whole net or of a part that was numbered in one piece do.
+  struct NodeRun {
+    std::size_t first, count;
+  };
   struct Force {
-    NodalForce force;
+    VectorCurve force;
+    std::vector<NodeRun> nodes;
     Line line;
     bool absent = false; ///< zero on the whole line
   };
+  template <class Visit>
+  double forEachRun(double t, const Visit& visit) const noexcept;
+
   double m_begin = 0.0;
   std::vector<Motion> m_motions;
   std::vector<PrescribedNode> m_nodes;

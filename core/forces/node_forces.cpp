@@ -9,17 +9,39 @@
 namespace esm {
 namespace {
 
-ESM_CPU_CLONES double setBedded(std::size_t count, const Lanes* weight, const Lanes* point,
-                                const double* stiffness, const double* viscosity, const Lanes* x,
-                                const Lanes* v, Lanes* force) noexcept
+/// The arrays of a sweep, all from its first node on.
+struct Bedding {
+  std::size_t count;
+  Lanes gravity;
+  const double *mass, *stiffness, *viscosity;
+  const Lanes *point, *x, *v;
+};
+
+template <bool isHeavy>
+ESM_INLINE double setBeddedAs(const Bedding& bed, Lanes* force) noexcept
 {
   Lanes heat = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < count; ++i) {
-    const Lanes drag = v[i] * viscosity[i];
-    force[i] = weight[i] + ((point[i] - x[i]) * stiffness[i] - drag);
-    heat += drag * v[i];
+  for (std::size_t i = 0; i < bed.count; ++i) {
+    const Lanes drag = bed.v[i] * bed.viscosity[i];
+    const Lanes held = (bed.point[i] - bed.x[i]) * bed.stiffness[i] - drag;
+    if constexpr (isHeavy)
+      force[i] = bed.gravity * bed.mass[i] + held;
+    else
+      force[i] = held;
+    heat += drag * bed.v[i];
   }
   return sumLanes(heat);
+}
+
+ESM_CPU_CLONES double setBedded(const Bedding& bed, bool isHeavy, Lanes* force) noexcept
+{
+  return isHeavy ? setBeddedAs<true>(bed, force) : setBeddedAs<false>(bed, force);
+}
+
+ESM_CPU_CLONES void setWeight(std::size_t count, const Lanes& gravity, const double* mass,
+                              Lanes* force) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) force[i] = gravity * mass[i];
 }
 
 } // namespace
@@ -27,10 +49,13 @@ ESM_CPU_CLONES double setBedded(std::size_t count, const Lanes* weight, const La
 NodeForces::NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity,
                        const std::vector<Anchor>& anchors, const std::vector<double>& massDrag,
                        const NodeRanges& ranges)
-  : m_ranges(ranges), m_firstFew(ranges.count() + 1, 0)
+  : m_ranges(ranges),
+    m_mass(net.mass.begin(), net.mass.end()),
+    m_gravity(toLanes(gravity)),
+    m_isHeavy(!gravity.isZero(0.0)),
+    m_firstFew(ranges.count() + 1, 0)
 {
   const auto count = static_cast<std::size_t>(net.nodeCount());
-  for (Index node = 0; node < net.nodeCount(); ++node) m_weight.push_back(toLanes(net.mass[node] * gravity));
   if (4 * anchors.size() < count && massDrag.empty()) { // a list entry costs as much as four nodes
     m_few = anchors;
     m_firstFew.back() = m_few.size();
@@ -63,9 +88,13 @@ double NodeForces::set(std::size_t range, const Lanes* x, const Lanes* v, Lanes*
 {
   const std::size_t first = m_ranges.first(range), count = m_ranges.size(range);
   if (!m_stiffness.empty())
-    return setBedded(count, m_weight.data() + first, m_point.data() + first, m_stiffness.data() + first,
-                     m_viscosity.data() + first, x + first, v + first, force + first);
-  std::copy_n(m_weight.data() + first, count, force + first);
+    return setBedded({count, m_gravity, m_mass.data() + first, m_stiffness.data() + first,
+                      m_viscosity.data() + first, m_point.data() + first, x + first, v + first},
+                     m_isHeavy, force + first);
+  if (m_isHeavy)
+    setWeight(count, m_gravity, m_mass.data() + first, force + first);
+  else
+    std::fill_n(force + first, count, Lanes{0, 0, 0, 0});
   Lanes heat = {0, 0, 0, 0};
   for (const Anchor& anchor : few(range)) {
     const Lanes drag = v[anchor.node] * anchor.viscosity;

@@ -39,7 +39,8 @@ public:
   /// c of every node, anchors and mass damping together [N s/m]; N entries, or empty where few or none have
   /// any.
   const std::vector<double>& viscosity() const noexcept { return m_viscosity; }
-  const NodeArray& weight() const noexcept { return m_weight; } ///< m g [N]
+  std::size_t nodeCount() const noexcept { return m_mass.size(); }
+  Lanes weight(std::size_t node) const noexcept { return m_gravity * m_mass[node]; } ///< m g [N]
 
 private:
   /// Anchors of a range in m_few.
@@ -49,7 +50,9 @@ private:
   }
 
   NodeRanges m_ranges;
-  NodeArray m_weight;
+  std::vector<double> m_mass; ///< [kg]
+  Lanes m_gravity = {0, 0, 0, 0};
+  bool m_isHeavy = false;    ///< there is gravity
   std::vector<Anchor> m_few; ///< empty if bedded throughout
   std::vector<std::size_t> m_firstFew = {0, 0};
   // N entries each if bedded throughout, or else empty. Several anchors of a node act as one.

@@ -6,8 +6,6 @@
 
 namespace esm::detail {
 
-#define ESM_INLINE [[gnu::always_inline]] inline
-
 ESM_INLINE void squareRoot(Lanes& value) noexcept
 {
   for (int lane = 0; lane < 4; ++lane) value[lane] = __builtin_sqrt(value[lane]);

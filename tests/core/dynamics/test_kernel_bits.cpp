@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/forces/load_schedule.h"
 #include "core/forces/spring_law.h"
+#include "core/forces/spring_matrix.h"
 #include "core/net/net_builder.h"
 
 #include <gtest/gtest.h>
@@ -68,6 +70,74 @@ TEST(KernelBits, Avx2AndPlainKernelsAgreeToTheLastBit)
         EXPECT_EQ(a.heat, b.heat);
         EXPECT_EQ(a.degenerate, b.degenerate);
       }
+}
+
+// The same for the matrix of springs, against its definition, spring by spring.
+TEST(KernelBits, SpringMatrixIsWhatItsBlocksSay)
+{
+  constexpr std::size_t kNodes = 60;
+  std::mt19937 random(6);
+  const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+  NodeArray z(kNodes);
+  for (Lanes& node : z) node = Lanes{uniform(), uniform(), uniform(), 0.0};
+  std::vector<SpringBatch> batches(2); // neither fills its last four
+  std::vector<SpringMatrix::Block> blocks;
+  for (const std::size_t springs : {131u, 6u}) {
+    SpringBatch& batch = batches[blocks.empty() ? 0 : 1];
+    for (std::size_t s = 0; s < springs; ++s) {
+      batch.a.push_back(static_cast<Index>(random() % kNodes));
+      batch.b.push_back(static_cast<Index>(random() % kNodes));
+      for (auto* values : {&batch.restLength, &batch.stiffness, &batch.viscosity, &batch.parameter})
+        values->push_back(1.0);
+      batch.spring.push_back(static_cast<Index>(s));
+      blocks.push_back({Eigen::Vector3d(uniform(), uniform(), uniform()), 100.0 * uniform(), uniform()});
+    }
+    batch.finish();
+  }
+  SpringMatrix matrix;
+  matrix.assign(batches, [&](std::size_t s) { return blocks[s]; });
+  NodeArray product(kNodes, Lanes{1, 2, 3, 0}), wanted = product;
+  matrix.addProduct(batches, z.data(), product.data());
+  std::size_t place = 0;
+  for (const SpringBatch& batch : batches)
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      const SpringMatrix::Block& block = blocks[place++];
+      const Lanes d = z[batch.b[i]] - z[batch.a[i]], u = toLanes(block.direction);
+      const double along = dot(d, u) * (block.axial - block.lateral);
+      const Lanes pull = d * -block.lateral - u * along;
+      wanted[batch.a[i]] += pull;
+      wanted[batch.b[i]] -= pull;
+    }
+  EXPECT_EQ(std::memcmp(product.data(), wanted.data(), kNodes * sizeof(Lanes)), 0);
+}
+
+// Nodes of a force are taken together where they follow each other: in whatever order the list has them, each
+// gets the force once per mention, and the power is that of all.
+TEST(KernelBits, AForceActsOnEveryNodeOfItsList)
+{
+  constexpr std::size_t kNodes = 40;
+  std::mt19937 random(7);
+  Loads loads;
+  NodalForce& force = loads.forces.emplace_back();
+  for (Index node = 3; node < 17; ++node) force.nodes.push_back(node);
+  for (int i = 0; i < 30; ++i) force.nodes.push_back(static_cast<Index>(random() % kNodes));
+  force.nodes.insert(force.nodes.end(), {20, 21, 22, 22, 21, 20});
+  force.force.time = {0.0, 1.0};
+  force.force.value = Eigen::Matrix3Xd::Zero(3, 2);
+  force.force.value.col(1) << 4.0, -8.0, 12.0;
+  LoadSchedule schedule(loads, Eigen::Matrix3Xd::Zero(3, kNodes), std::vector<std::uint8_t>(kNodes, 0));
+  schedule.enter(0.0);
+  NodeArray v(kNodes), sum(kNodes, Lanes{1, 1, 1, 0}), wanted = sum;
+  for (std::size_t i = 0; i < kNodes; ++i)
+    v[i] = Lanes{static_cast<double>(i), 1.0, -0.5 * static_cast<double>(i), 0.0};
+  double power = 0.0;
+  for (const Index node : force.nodes) { // halves and quarters: exact in any order
+    wanted[static_cast<std::size_t>(node)] += Lanes{1, -2, 3, 0};
+    power += dot(v[static_cast<std::size_t>(node)], Lanes{1, -2, 3, 0});
+  }
+  EXPECT_EQ(schedule.addForces(0.25, v.data(), sum.data()), power);
+  EXPECT_EQ(schedule.power(0.25, v.data()), power);
+  EXPECT_EQ(std::memcmp(sum.data(), wanted.data(), kNodes * sizeof(Lanes)), 0);
 }
 
 // The order that spares the processor its waits is a permutation, and in a net that is not too small two

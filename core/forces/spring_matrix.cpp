@@ -1,0 +1,37 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/forces/spring_matrix.h"
+
+#include "core/forces/spring_pass.h"
+
+namespace esm {
+namespace {
+
+ESM_CPU_CLONES void addBlocks(const SpringBatch& batch, const Lanes* row, const Lanes* z, Lanes* y) noexcept
+{
+  const std::size_t count = batch.paddedCount();
+  for (std::size_t i = 0; i < count; i += 4, row += 5) {
+    const detail::FourEnds ends(batch, i);
+    Lanes d0, d1, d2, d3, dx, dy, dz, f0, f1, f2, f3;
+    ends.difference(z, d0, d1, d2, d3);
+    detail::transpose(d0, d1, d2, d3, dx, dy, dz);
+    const Lanes along = (dx * row[0] + dy * row[1] + dz * row[2]) * row[3], across = -row[4];
+    detail::transposeBack(dx * across - row[0] * along, dy * across - row[1] * along,
+                          dz * across - row[2] * along, f0, f1, f2, f3);
+    ends.pull(y, f0, f1, f2, f3);
+  }
+}
+
+} // namespace
+
+void SpringMatrix::addProduct(const std::vector<SpringBatch>& batches, const Lanes* z,
+                              Lanes* y) const noexcept
+{
+  const Lanes* row = m_rows.data();
+  for (const SpringBatch& batch : batches) {
+    addBlocks(batch, row, z, y);
+    row += batch.paddedCount() / 4 * kRows;
+  }
+}
+
+} // namespace esm
