@@ -124,7 +124,9 @@ def press():
     set_number("hapticGain", 0.3)  # so little that force may begin with the tool on the tissue
     click("hapticLead")
     until("the tip touches", lambda s: s["views"]["view3d"]["touches"])
-    seen = until("the hand has arrived", lambda s: s["forceNorm"] > 0.05)
+    until("the hand has arrived", lambda s: s["forceNorm"] > 0.05)
+    time.sleep(2)  # once more, the tip was on the tissue before the hand set out: it must have come, and rest
+    seen = state()
     assert seen["device"]["force"] == 0, "nobody has let force flow yet"
     click("hapticArm")
     until("the force comes", lambda s: s["device"]["state"] in (ARMING, ACTIVE))
