@@ -64,7 +64,8 @@ void keepBigArraysInHeap() noexcept
 void zeroInLargePages(void* data, std::size_t bytes) noexcept
 {
   char* const from = static_cast<char*>(data);
-#if defined(__linux__)                                      // elsewhere the pages may keep what was in them
+#if defined(__linux__)
+  // Elsewhere the pages may keep what was in them.
   constexpr std::size_t kWorthwhile = std::size_t{1} << 22; // two large pages
   if (bytes >= kWorthwhile) {
     const WholePages pages = pagesIn(data, bytes);

@@ -20,8 +20,10 @@ std::size_t countAbove(const std::vector<double>& diagonal, const std::vector<do
   return count;
 }
 
-ESM_CPU_CLONES double takeOffNodes(std::size_t count, double factor, const Lanes* x, Lanes* y,
-                                   const Lanes* z) noexcept
+} // namespace
+
+ESM_CPU_CLONES double detail::takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y,
+                                      const Lanes* z) noexcept
 {
   const auto take = [=](std::size_t i, Lanes& to) noexcept {
     y[i] -= x[i] * factor;
@@ -32,12 +34,10 @@ ESM_CPU_CLONES double takeOffNodes(std::size_t count, double factor, const Lanes
   return sumLanes(sum);
 }
 
-ESM_CPU_CLONES void setScaledNodes(std::size_t count, double factor, const Lanes* x, Lanes* y) noexcept
+ESM_CPU_CLONES void detail::setScaled(std::size_t count, double factor, const Lanes* x, Lanes* y) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) y[i] = x[i] * factor;
 }
-
-} // namespace
 
 double largestTridiagonalEigenvalue(const std::vector<double>& diagonal, const std::vector<double>& off)
 {
@@ -52,16 +52,6 @@ double largestTridiagonalEigenvalue(const std::vector<double>& diagonal, const s
     (countAbove(diagonal, off, middle) > 0 ? low : high) = middle;
   }
   return high;
-}
-
-double Lanczos::takeOff(double factor, const NodeArray& x, NodeArray& y, const NodeArray& z) noexcept
-{
-  return takeOffNodes(y.size(), factor, x.data(), y.data(), z.data());
-}
-
-void Lanczos::setScaled(double factor, const NodeArray& x, NodeArray& y) noexcept
-{
-  setScaledNodes(y.size(), factor, x.data(), y.data());
 }
 
 void Lanczos::start(std::size_t count)

@@ -14,6 +14,12 @@ namespace esm {
 /// plain arithmetic only.
 double largestTridiagonalEigenvalue(const std::vector<double>& diagonal, const std::vector<double>& off);
 
+namespace detail {
+/// y -= factor x, over `count` nodes. @return y.z, of the new y.
+double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y, const Lanes* z) noexcept;
+void setScaled(std::size_t count, double factor, const Lanes* x, Lanes* y) noexcept; ///< y = factor x
+} // namespace detail
+
 /// Lanczos' iteration for the largest eigenvalue of a symmetric matrix over nodes (1950). After two dozen
 /// products the largest Ritz value of a net's stiffness is within a per cent below the eigenvalue, where
 /// Gershgorin's circles are 30 to 100 % above it. Starts from fixed pseudo-random numbers: equal input, equal
@@ -30,13 +36,13 @@ public:
     double beta = 0.0;
     for (int j = 0; j < products; ++j) {
       multiply(m_now, m_next);
-      const double alpha = takeOff(beta, m_before, m_next, m_now);
-      const double square = takeOff(alpha, m_now, m_next, m_next);
+      const double alpha = detail::takeOff(count, beta, m_before.data(), m_next.data(), m_now.data());
+      const double square = detail::takeOff(count, alpha, m_now.data(), m_next.data(), m_next.data());
       m_diagonal.push_back(alpha);
       beta = std::sqrt(square);
       if (!(beta > 1e-12 * std::abs(alpha)) || !std::isfinite(beta)) break; // an invariant subspace
       m_before.swap(m_now);
-      setScaled(1.0 / beta, m_next, m_now);
+      detail::setScaled(count, 1.0 / beta, m_next.data(), m_now.data());
       if (j + 1 < products) m_off.push_back(beta);
     }
     m_off.resize(m_diagonal.size() - 1);
@@ -45,9 +51,6 @@ public:
 
 private:
   void start(std::size_t count);
-  /// y -= factor x. @return y.z, of the new y.
-  static double takeOff(double factor, const NodeArray& x, NodeArray& y, const NodeArray& z) noexcept;
-  static void setScaled(double factor, const NodeArray& x, NodeArray& y) noexcept; ///< y = factor x
 
   NodeArray m_before, m_now, m_next;
   std::vector<double> m_diagonal, m_off;

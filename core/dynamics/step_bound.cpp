@@ -9,11 +9,6 @@
 namespace esm {
 namespace {
 
-ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, const Lanes* z, Lanes* y) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) y[i] = z[i] * factor[i];
-}
-
 /// y = factor y + diagonal z
 ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const double* diagonal,
                                 const Lanes* z, Lanes* y) noexcept

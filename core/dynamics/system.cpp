@@ -82,19 +82,15 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
   return rates;
 }
 
-namespace {
-
-ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, Lanes* values) noexcept
+ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept
 {
-  for (std::size_t i = 0; i < count; ++i) values[i] *= factor[i];
+  for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor[i];
 }
-
-} // namespace
 
 void System::toAccelerations(NodeArray& force) const noexcept
 {
   sweepNodes([&](std::size_t first, std::size_t count) noexcept {
-    scaleNodes(count, m_inverseMass.data() + first, force.data() + first);
+    scaleNodes(count, m_inverseMass.data() + first, force.data() + first, force.data() + first);
   });
 }
 

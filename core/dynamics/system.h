@@ -112,4 +112,7 @@ private:
   std::vector<std::uint8_t> m_fixed;
 };
 
+/// to = factor from, node by node; both may be the same array.
+void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept;
+
 } // namespace esm

@@ -17,14 +17,19 @@ struct Bedding {
   const Lanes *point, *x, *v;
 };
 
-template <bool isHeavy>
+ESM_INLINE bool isHeavy(const Lanes& gravity) noexcept
+{
+  return gravity[0] != 0.0 || gravity[1] != 0.0 || gravity[2] != 0.0;
+}
+
+template <bool hasWeight>
 ESM_INLINE double setBeddedAs(const Bedding& bed, Lanes* force) noexcept
 {
   Lanes heat = {0, 0, 0, 0};
   for (std::size_t i = 0; i < bed.count; ++i) {
     const Lanes drag = bed.v[i] * bed.viscosity[i];
     const Lanes held = (bed.point[i] - bed.x[i]) * bed.stiffness[i] - drag;
-    if constexpr (isHeavy)
+    if constexpr (hasWeight)
       force[i] = bed.gravity * bed.mass[i] + held;
     else
       force[i] = held;
@@ -33,9 +38,9 @@ ESM_INLINE double setBeddedAs(const Bedding& bed, Lanes* force) noexcept
   return sumLanes(heat);
 }
 
-ESM_CPU_CLONES double setBedded(const Bedding& bed, bool isHeavy, Lanes* force) noexcept
+ESM_CPU_CLONES double setBedded(const Bedding& bed, Lanes* force) noexcept
 {
-  return isHeavy ? setBeddedAs<true>(bed, force) : setBeddedAs<false>(bed, force);
+  return isHeavy(bed.gravity) ? setBeddedAs<true>(bed, force) : setBeddedAs<false>(bed, force);
 }
 
 ESM_CPU_CLONES void setWeight(std::size_t count, const Lanes& gravity, const double* mass,
@@ -52,7 +57,6 @@ NodeForces::NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity,
   : m_ranges(ranges),
     m_mass(net.mass.begin(), net.mass.end()),
     m_gravity(toLanes(gravity)),
-    m_isHeavy(!gravity.isZero(0.0)),
     m_firstFew(ranges.count() + 1, 0)
 {
   const auto count = static_cast<std::size_t>(net.nodeCount());
@@ -90,8 +94,8 @@ double NodeForces::set(std::size_t range, const Lanes* x, const Lanes* v, Lanes*
   if (!m_stiffness.empty())
     return setBedded({count, m_gravity, m_mass.data() + first, m_stiffness.data() + first,
                       m_viscosity.data() + first, m_point.data() + first, x + first, v + first},
-                     m_isHeavy, force + first);
-  if (m_isHeavy)
+                     force + first);
+  if (isHeavy(m_gravity))
     setWeight(count, m_gravity, m_mass.data() + first, force + first);
   else
     std::fill_n(force + first, count, Lanes{0, 0, 0, 0});

@@ -52,7 +52,6 @@ private:
   NodeRanges m_ranges;
   std::vector<double> m_mass; ///< [kg]
   Lanes m_gravity = {0, 0, 0, 0};
-  bool m_isHeavy = false;    ///< there is gravity
   std::vector<Anchor> m_few; ///< empty if bedded throughout
   std::vector<std::size_t> m_firstFew = {0, 0};
   // N entries each if bedded throughout, or else empty. Several anchors of a node act as one.

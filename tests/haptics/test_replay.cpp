@@ -3,6 +3,7 @@
 
 // The whole way at once: a hand path, the sample uterus, the servo, the Falcon's driver and its emulated
 // twin.
+#include "core/geometry/distance.h"
 #include "core/project/project_io.h"
 #include "haptics/replay/true_force.h"
 
@@ -159,10 +160,8 @@ TEST(Replay, AHandAtTwoHertzGetsNoEnergyFromTheTissue)
     ReplayScene scene = uterus();
     Eigen::Vector3d start(0.0, 0.009, 0.0835); // 6 mm above the surface
     if (held) {
-      Index nearest = 0;
-      (scene.net.restPosition.colwise() - start).colwise().squaredNorm().minCoeff(&nearest);
-      scene.node = nearest;
-      start = scene.net.restPosition.col(nearest);
+      scene.node = nearestOf(scene.net.restPosition, start);
+      start = scene.net.restPosition.col(*scene.node);
     }
     HandPath path;
     for (double t = 0.0; t <= kEnd; t += 0.01) path.time.push_back(t);
