@@ -118,8 +118,6 @@ private:
       return fault(ErrorCode::BadFormat, m_origin, line, "the file ends in the middle of a statement");
     if (!isFace) {
       m_raw.addPolyline(m_corners);
-    } else if (m_corners.size() == 3) {
-      m_raw.addTriangle(m_corners[0], m_corners[1], m_corners[2]);
     } else if (!m_raw.addFace(m_corners)) {
       ++m_thinFaces;
     }

@@ -84,16 +84,13 @@ void RawMesh::addPolyline(const std::vector<Index>& line)
   for (std::size_t i = 1; i < line.size(); ++i) segments.insert(segments.end(), {line[i - 1], line[i]});
 }
 
-bool RawMesh::addFace(const std::vector<Index>& face)
+bool RawMesh::addOtherFace(const std::vector<Index>& face)
 {
   if (face.size() < 3) {
     addPolyline(face);
     return false;
   }
-  if (face.size() == 3)
-    addTriangle(face[0], face[1], face[2]);
-  else
-    addPolygon(face);
+  addPolygon(face);
   return true;
 }
 

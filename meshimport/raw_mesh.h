@@ -66,9 +66,15 @@ struct RawMesh {
     place[0] = a, place[1] = b, place[2] = c;
   }
   /// Two corners make a segment, one makes nothing; returns whether it was a face.
-  bool addFace(const std::vector<Index>& face);
+  bool addFace(const std::vector<Index>& face)
+  {
+    if (face.size() != 3) return addOtherFace(face);
+    addTriangle(face[0], face[1], face[2]);
+    return true;
+  }
 
 private:
+  bool addOtherFace(const std::vector<Index>& face); ///< than a triangle, see addFace()
   void noteIfNotFinite(double x, double y, double z, long line);
   void addPolygon(std::span<const Index> face);
 };
