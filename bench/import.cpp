@@ -9,6 +9,7 @@
 // reader's time. CSV: file, who, median and best of the runs [ns/triangle], peak memory above the start of
 // the run with and without the file's own size [bytes/triangle], nodes.
 #include "bench/import_files.h"
+#include "bench/runs.h"
 #include "bench/sub_benches.h"
 #include "core/base/large_pages.h"
 #include "core/net/net_builder.h"
@@ -147,12 +148,6 @@ const std::vector<Contender>& contenders()
   return all;
 }
 
-double medianOf(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 /// All contenders on one file, in turns. @return whether all could read it
 bool race(const std::filesystem::path& file, double triangles, int runs, bool alone)
 {
@@ -174,10 +169,10 @@ bool race(const std::filesystem::path& file, double triangles, int runs, bool al
   }
   const double size = static_cast<double>(std::filesystem::file_size(file));
   for (std::size_t c = 0; c < count; ++c) {
-    const double median = medianOf(times[c]), best = *std::min_element(times[c].begin(), times[c].end());
+    const double median = medianTime(times[c]), best = *std::min_element(times[c].begin(), times[c].end());
     std::printf("%s,%s,%.1f,%.1f,%.1f,%.1f,%ld,%.1f\n", file.filename().c_str(), contenders()[c].name, median,
                 best, last[c].peak / triangles, (last[c].peak - size) / triangles, last[c].nodes,
-                median / medianOf(times[0]));
+                median / medianTime(times[0]));
     std::fflush(stdout);
   }
   return true;

@@ -149,12 +149,6 @@ Mesh remeshed(const Mesh& mesh, Index triangles)
   return result;
 }
 
-double median(std::vector<double> values)
-{
-  std::sort(values.begin(), values.end());
-  return values[values.size() / 2];
-}
-
 template <class Make>
 double measure(const char* method, Index from, Index to, int repeats, double competitor, const Make& make)
 {
@@ -166,7 +160,7 @@ double measure(const char* method, Index from, Index to, int repeats, double com
     seconds.push_back(cpuSeconds() - start);
   }
   const Quality quality = qualityOf(mesh, 400'000);
-  const double time = median(seconds);
+  const double time = medianTime(seconds);
   std::printf("%s,%d,%d,%d,%s,%s,%s,%s,%s,%s,%d\n", method, static_cast<int>(from), static_cast<int>(to),
               static_cast<int>(mesh.triangleCount()), formatDouble(time, 3).c_str(),
               formatDouble(competitor > 0.0 ? time / competitor : 1.0, 3).c_str(),

@@ -4,6 +4,7 @@
 
 #include "core/base/text_number.h"
 
+#include <algorithm>
 #include <cmath>
 #include <ctime>
 
@@ -14,6 +15,12 @@ double cpuSeconds()
   timespec now{};
   clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
   return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+double medianTime(std::vector<double> times)
+{
+  std::sort(times.begin(), times.end());
+  return times[times.size() / 2];
 }
 
 void CpuClock::pause()

@@ -6,6 +6,7 @@
 #include "core/dynamics/simulation.h"
 
 #include <string>
+#include <vector>
 
 namespace esm::bench {
 
@@ -21,6 +22,7 @@ private:
   double m_start = 0.0, m_sum = 0.0;
 };
 double cpuSeconds();
+double medianTime(std::vector<double> times);
 
 /// One run, one point of a work-precision diagram.
 struct Row {

@@ -52,13 +52,6 @@ TissueModel tissueOf(const SpringNet& net, bool isBlendedEverywhere)
   return model;
 }
 
-double median(std::vector<double> values)
-{
-  std::nth_element(values.begin(), values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2),
-                   values.end());
-  return values[values.size() / 2];
-}
-
 bool sameBits(const SpringNet& a, const SpringNet& b)
 {
   const auto same = [](const Eigen::ArrayXd& x, const Eigen::ArrayXd& y) {
@@ -89,7 +82,7 @@ bool measure(const SpringNet& bare, const char* field, TissueModel model, const 
     full.push_back(cpuSeconds() - start);
     if (!sameBits(net, fullNet)) return false;
   }
-  const double milliseconds = 1e3 * median(ours), fullMilliseconds = 1e3 * median(full);
+  const double milliseconds = 1e3 * medianTime(ours), fullMilliseconds = 1e3 * medianTime(full);
   std::printf("%s,%s,%d,%d,%d,%s,%s,%s,%s\n", edit.name, field, static_cast<int>(net.springCount()),
               static_cast<int>(report.springsChanged), static_cast<int>(report.nodesChanged),
               formatDouble(milliseconds, 3).c_str(),

@@ -13,7 +13,7 @@ namespace esm::cli {
 
 namespace {
 
-using Kind = Edit::Kind;
+using EditKind = Edit::Kind;
 
 /// "hardness=0.8" or "hardness=very hard", over the variables' ids and names.
 Status setInput(const std::string& text, const fuzzy::RuleBase& rules, std::vector<fuzzy::InputValue>& inputs)
@@ -117,8 +117,8 @@ public:
   {
     bool inRegion = false, regionHasOwn = false;
     for (const Edit& edit : edits) {
-      inRegion |= edit.kind == Kind::Region;
-      regionHasOwn |= inRegion && edit.kind == Kind::Set;
+      inRegion |= edit.kind == EditKind::Region;
+      regionHasOwn |= inRegion && edit.kind == EditKind::Set;
     }
     m_setsAreForRegions = inRegion && !regionHasOwn;
   }
@@ -126,17 +126,17 @@ public:
   Status apply(const Edit& edit)
   {
     switch (edit.kind) {
-    case Kind::Set:
+    case EditKind::Set:
       if (m_setsAreForRegions) m_forRegions.push_back(edit.text);
       return m_setsAreForRegions ? Status{} : setInput(edit.text, m_tissue.rules, currentInputs());
-    case Kind::Region:
+    case EditKind::Region:
       m_tissue.regions.push_back(newRegion(edit, m_tissue));
       m_tissue.regions.back().falloff = m_falloff;
       m_inRegion = true;
       for (const std::string& text : m_forRegions)
         if (const Status status = setInput(text, m_tissue.rules, currentInputs()); !status) return status;
       return {};
-    case Kind::Falloff:
+    case EditKind::Falloff:
       (m_inRegion ? m_tissue.regions.back().falloff : m_falloff) = edit.numbers[0];
       return {};
     default:
@@ -162,19 +162,19 @@ Status applyEdits(const std::vector<Edit>& edits, Project& project)
 {
   // Fixed nodes first, so that a poke takes free nodes only, wherever it stands on the command line.
   for (const Edit& edit : edits)
-    if (edit.kind == Kind::FixBox)
+    if (edit.kind == EditKind::FixBox)
       if (const Status status = fixBox(edit, project.net); !status) return status;
-  if (std::any_of(edits.begin(), edits.end(), [](const Edit& e) { return e.kind == Kind::ClearLoads; }))
+  if (std::any_of(edits.begin(), edits.end(), [](const Edit& e) { return e.kind == EditKind::ClearLoads; }))
     project.loads = Loads{};
 
   TissueEditor tissue(edits, project.tissue);
   for (const Edit& edit : edits) {
     Status status;
-    if (edit.kind == Kind::Poke) {
+    if (edit.kind == EditKind::Poke) {
       status = poke(edit, project);
-    } else if (edit.kind == Kind::Gravity) {
+    } else if (edit.kind == EditKind::Gravity) {
       project.loads.gravity = Eigen::Map<const Eigen::Vector3d>(edit.numbers.data());
-    } else if (edit.kind == Kind::Rule) {
+    } else if (edit.kind == EditKind::Rule) {
       Result<fuzzy::Rule> rule = readRule(edit.text, project.tissue.rules);
       if (!rule) return rule.error();
       project.tissue.rules.rules.push_back(std::move(*rule));

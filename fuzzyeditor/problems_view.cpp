@@ -16,7 +16,7 @@
 
 namespace esm {
 
-using Kind = fis::FindingKind;
+using ProblemKind = fis::FindingKind;
 
 ProblemsModel::ProblemsModel(FuzzyDocument* document, ProblemFinder* finder, QObject* parent)
   : QAbstractListModel(parent), m_document(document), m_finder(finder)
@@ -75,28 +75,28 @@ QString ProblemsModel::sentence(const fuzzy::RuleFinding& f) const
     return toQt(variable->terms[static_cast<std::size_t>(term)].name.in(language));
   };
   switch (f.kind) {
-  case Kind::Uncovered:
+  case ProblemKind::Uncovered:
     return f.place.empty() ? tr("Gap: No rule for %1 ever fires.").arg(name)
                            : tr("Gap: No rule speaks of %1 where %2.").arg(name, placeText(f));
-  case Kind::Gap:
+  case ProblemKind::Gap:
     return tr("Gap: No word of %1 fits where %2.").arg(name, placeText(f));
-  case Kind::Contradiction:
+  case ProblemKind::Contradiction:
     return tr("Contradiction: Rules %1 and %2 conclude differently on the same condition.")
       .arg(f.rule + 1)
       .arg(f.otherRule + 1);
-  case Kind::Duplicate:
+  case ProblemKind::Duplicate:
     return tr("Duplicate: Rules %1 and %2 say the same.").arg(f.rule + 1).arg(f.otherRule + 1);
-  case Kind::Shadowed:
+  case ProblemKind::Shadowed:
     return tr("Hidden: Rule %1 never counts, because rule %2 concludes the same on a weaker condition.")
       .arg(f.rule + 1)
       .arg(f.otherRule + 1);
-  case Kind::NeverFires:
+  case ProblemKind::NeverFires:
     return tr("Idle: The condition of rule %1 holds nowhere.").arg(f.rule + 1);
-  case Kind::Overlap:
+  case ProblemKind::Overlap:
     return tr("Overlap: The words ‘%1’ and ‘%2’ of %3 share %4 % of their area, so that they hardly differ.")
       .arg(word(f.term), word(f.otherTerm), name)
       .arg(std::lround(100.0 * f.overlap));
-  case Kind::OutputNeverSet:
+  case ProblemKind::OutputNeverSet:
     return tr("Unset: No rule concludes on %1.").arg(name);
   }
   return {};

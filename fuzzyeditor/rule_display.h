@@ -12,6 +12,12 @@
 
 namespace esm {
 
+/// A count, as Qt's models want it.
+inline int toInt(std::size_t value)
+{
+  return static_cast<int>(value);
+}
+
 /// Core speaks UTF-8, Qt UTF-16.
 inline QString toQt(std::string_view text)
 {

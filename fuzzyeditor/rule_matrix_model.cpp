@@ -7,12 +7,7 @@
 namespace esm {
 namespace {
 
-using Kind = fuzzy::Condition::Kind;
-
-int toInt(std::size_t value)
-{
-  return static_cast<int>(value);
-}
+using NodeKind = fuzzy::Condition::Kind;
 
 template <class Named>
 int placeOf(const std::vector<Named>& things, const std::string& id)
@@ -37,13 +32,13 @@ public:
     const fuzzy::Condition::Node& n = condition.nodes[node];
     const auto holds = [&](int child) { return satisfy(condition, static_cast<std::size_t>(child)); };
     switch (n.kind) {
-    case Kind::And:
+    case NodeKind::And:
       return std::all_of(n.children.begin(), n.children.end(), holds);
-    case Kind::Or:
+    case NodeKind::Or:
       return std::any_of(n.children.begin(), n.children.end(), holds);
-    case Kind::Not:
+    case NodeKind::Not:
       return !holds(n.children.front());
-    case Kind::Proposition:
+    case NodeKind::Proposition:
       break;
     }
     const auto nots = std::count(n.proposition.hedges.begin(), n.proposition.hedges.end(), fuzzy::Hedge::Not);
@@ -83,7 +78,7 @@ void RuleMatrixModel::chooseAxes()
   m_ids = {base.inputs[0].id, base.inputs[1].id, base.outputs[0].id};
   for (const fuzzy::Rule& rule : base.rules) {
     const auto& nodes = rule.condition.nodes;
-    if (nodes.size() != 3 || nodes[0].kind != Kind::And) continue;
+    if (nodes.size() != 3 || nodes[0].kind != NodeKind::And) continue;
     const fuzzy::Proposition &first = nodes[1].proposition, &second = nodes[2].proposition;
     if (first.variable == second.variable || !first.hedges.empty() || !second.hedges.empty()) continue;
     m_ids = {first.variable, second.variable, rule.consequents.front().variable};
@@ -163,7 +158,7 @@ int RuleMatrixModel::columnCount(const QModelIndex& parent) const
 bool RuleMatrixModel::isOwn(const fuzzy::Rule& rule, int row, int column) const
 {
   const auto& nodes = rule.condition.nodes;
-  if (nodes.size() != 3 || nodes[0].kind != Kind::And) return false;
+  if (nodes.size() != 3 || nodes[0].kind != NodeKind::And) return false;
   const std::string& rowTerm = variable(m_row).terms[static_cast<std::size_t>(row)].id;
   const std::string& columnTerm = variable(m_column).terms[static_cast<std::size_t>(column)].id;
   for (const auto& [a, b] : {std::pair(1, 2), std::pair(2, 1)})
@@ -191,7 +186,7 @@ void RuleMatrixModel::sortIn(int rule, Cells& cells) const
 {
   const fuzzy::Condition& condition = rules().rules[static_cast<std::size_t>(rule)].condition;
   for (const fuzzy::Condition::Node& node : condition.nodes)
-    if (node.kind == Kind::Proposition && node.proposition.variable != m_ids.row &&
+    if (node.kind == NodeKind::Proposition && node.proposition.variable != m_ids.row &&
         node.proposition.variable != m_ids.column) {
       ++m_unshown;
       return;
@@ -334,9 +329,9 @@ fuzzy::Rule RuleMatrixModel::newRule(int row, int column, int term) const
   const auto is = [&](int input, int word) {
     const fuzzy::Variable& v = variable(input);
     return fuzzy::Condition::Node{
-      Kind::Proposition, {v.id, v.terms[static_cast<std::size_t>(word)].id, {}}, {}};
+      NodeKind::Proposition, {v.id, v.terms[static_cast<std::size_t>(word)].id, {}}, {}};
   };
-  rule.condition.nodes = {{Kind::And, {}, {1, 2}}, is(m_row, row), is(m_column, column)};
+  rule.condition.nodes = {{NodeKind::And, {}, {1, 2}}, is(m_row, row), is(m_column, column)};
   const fuzzy::Variable& output = rules().outputs[static_cast<std::size_t>(m_output)];
   rule.consequents = {{output.id, output.terms[static_cast<std::size_t>(term)].id, {}}};
   return rule;

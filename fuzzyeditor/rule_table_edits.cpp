@@ -13,11 +13,6 @@ namespace {
 
 constexpr const char* kRowsMime = "application/x-esm-rule-rows";
 
-int toInt(std::size_t value)
-{
-  return static_cast<int>(value);
-}
-
 bool contains(const std::vector<int>& rows, int row)
 {
   return std::find(rows.begin(), rows.end(), row) != rows.end();

@@ -13,14 +13,7 @@
 #include <cmath>
 
 namespace esm {
-namespace {
-
-int toInt(std::size_t value)
-{
-  return static_cast<int>(value);
-}
-
-} // namespace
+namespace {} // namespace
 
 RuleTableModel::RuleTableModel(FuzzyEvaluation* evaluation, QObject* parent)
   : QAbstractTableModel(parent),

@@ -20,7 +20,7 @@ namespace {
 
 constexpr double kReach = 9.0;      ///< [pixel] from which a point is grasped
 constexpr double kCurveReach = 5.0; ///< [pixel] from which a curve is grasped
-constexpr double kSteps = 100.0;    ///< of the arrow keys, over the range
+constexpr double kKeySteps = 100.0; ///< of the arrow keys, over the range
 
 double distanceToSegment(const QPointF& p, const QPointF& a, const QPointF& b)
 {
@@ -180,7 +180,7 @@ PlotPoint TermPlot::point(int index) const
   point.least = shown(std::min(place, limits.least));
   point.greatest = shown(std::max(place, limits.greatest));
   const fuzzy::Axis axis = fuzzy::axisOf(v);
-  point.step = std::abs(shown(place + (axis.high - axis.low) / kSteps) - point.value);
+  point.step = std::abs(shown(place + (axis.high - axis.low) / kKeySteps) - point.value);
   point.place = QRect(pixelOf(grip.term, grip.handle).toPoint() - QPoint(6, 6), QSize(13, 13));
   point.focused = hasFocus() && grip == m_focus;
   return point;
@@ -283,7 +283,7 @@ void TermPlot::stepBy(const Grip& grip, double steps)
   const fuzzy::Variable& v = *m_edits->variable();
   const fuzzy::Axis axis = fuzzy::axisOf(v);
   const double place = fuzzy::placeOf(v.terms[static_cast<std::size_t>(grip.term)], grip.handle);
-  m_edits->step(grip.term, grip.handle, place + steps * (axis.high - axis.low) / kSteps);
+  m_edits->step(grip.term, grip.handle, place + steps * (axis.high - axis.low) / kKeySteps);
 }
 
 void TermPlot::keyPressEvent(QKeyEvent* event)

@@ -34,8 +34,8 @@ std::string endingOf(const std::string& origin)
   return ending;
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readAssimp(std::string_view bytes, const std::string& origin, std::string& format,
+                        std::vector<std::string>& notes, WorkControl* control)
 {
   if (bytes.size() > kLargestFile)
     return fault(ErrorCode::Unsupported, origin, 0,
@@ -56,7 +56,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
   return std::move(reply->mesh);
 }
 
-bool recognises(std::string_view bytes, std::string_view ending)
+bool recognisesAssimp(std::string_view bytes, std::string_view ending)
 {
   if (!betrayedEnding(bytes).empty()) return true;
   const bool zipped =
@@ -81,7 +81,7 @@ std::span<const std::string_view> foreignEndings() noexcept
 
 MeshReader assimpReader()
 {
-  return {"assimp", recognises, read};
+  return {"assimp", recognisesAssimp, readAssimp};
 }
 
 } // namespace esm

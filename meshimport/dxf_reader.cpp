@@ -323,7 +323,7 @@ private:
 
 constexpr std::string_view kBinaryMagic = "AutoCAD Binary DXF";
 
-bool recognises(std::string_view bytes, std::string_view)
+bool recognisesDxf(std::string_view bytes, std::string_view)
 {
   if (bytes.substr(0, kBinaryMagic.size()) == kBinaryMagic) return true;
   if (!looksLikeText(bytes)) return false;
@@ -333,8 +333,8 @@ bool recognises(std::string_view bytes, std::string_view)
   return entities.next(first) && first.name == "SECTION";
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readDxf(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   format = "DXF";
   if (bytes.substr(0, kBinaryMagic.size()) == kBinaryMagic)
@@ -347,7 +347,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader dxfReader()
 {
-  return {"DXF", recognises, read};
+  return {"DXF", recognisesDxf, readDxf};
 }
 
 } // namespace esm

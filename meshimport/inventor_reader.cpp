@@ -15,13 +15,13 @@ constexpr bool kHasCoin = true;
 constexpr bool kHasCoin = false;
 #endif
 
-bool recognises(std::string_view bytes, std::string_view)
+bool recognisesInventor(std::string_view bytes, std::string_view)
 {
   return bytes.substr(0, 11) == "#Inventor V" || bytes.substr(0, 7) == "#VRML V";
 }
 
-Result<Mesh> read(std::string_view, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readInventor(std::string_view, const std::string& origin, std::string& format,
+                          std::vector<std::string>& notes, WorkControl* control)
 {
   if (!kHasCoin)
     return fault(
@@ -42,7 +42,7 @@ Result<Mesh> read(std::string_view, const std::string& origin, std::string& form
 
 MeshReader inventorReader()
 {
-  return {"Inventor", recognises, read};
+  return {"Inventor", recognisesInventor, readInventor};
 }
 
 } // namespace esm

@@ -275,7 +275,7 @@ private:
   bool m_known = false, m_isNew = false;
 };
 
-bool recognises(std::string_view bytes, std::string_view)
+bool recognisesMsh(std::string_view bytes, std::string_view)
 {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -285,8 +285,8 @@ bool recognises(std::string_view bytes, std::string_view)
          start.substr(0, 9) == "$Comments";
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readMsh(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   format = "Gmsh";
   if (bytes.substr(0, 64).find("$NOD") != std::string_view::npos)
@@ -299,7 +299,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader mshReader()
 {
-  return {"Gmsh", recognises, read};
+  return {"Gmsh", recognisesMsh, readMsh};
 }
 
 } // namespace esm

@@ -155,7 +155,7 @@ private:
 };
 
 /// A vertex statement with three numbers near the start; or text that calls itself OBJ.
-bool recognises(std::string_view bytes, std::string_view ending)
+bool recognisesObj(std::string_view bytes, std::string_view ending)
 {
   if (!looksLikeText(bytes)) return false;
   if (ending == "obj") return describeForeign(bytes).empty();
@@ -168,8 +168,8 @@ bool recognises(std::string_view bytes, std::string_view ending)
   return false;
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readObj(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   format = "OBJ";
   return ObjParser(bytes, origin).run(notes, control);
@@ -179,7 +179,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader objReader()
 {
-  return {"OBJ", recognises, read};
+  return {"OBJ", recognisesObj, readObj};
 }
 
 } // namespace esm

@@ -111,7 +111,7 @@ private:
   long long m_vertices = 0, m_faces = 0;
 };
 
-bool recognises(std::string_view bytes, std::string_view)
+bool recognisesOff(std::string_view bytes, std::string_view)
 {
   if (!looksLikeText(bytes)) return false;
   TextCursor cursor(bytes, TextCursor::HashComments);
@@ -119,8 +119,8 @@ bool recognises(std::string_view bytes, std::string_view)
   return isMagic(cursor.word());
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readOff(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   format = "OFF";
   return OffParser(bytes, origin).run(notes, control);
@@ -130,7 +130,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader offReader()
 {
-  return {"OFF", recognises, read};
+  return {"OFF", recognisesOff, readOff};
 }
 
 } // namespace esm

@@ -357,7 +357,7 @@ private:
   WorkControl* m_control = nullptr;
 };
 
-bool recognises(std::string_view bytes, std::string_view)
+bool recognisesPly(std::string_view bytes, std::string_view)
 {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   const std::size_t end = bytes.substr(0, 16).find_first_of("\r\n");
@@ -372,8 +372,8 @@ Result<Mesh> readBody(std::string_view bytes, const PlyHeader& header, const std
   return BodyParser<Source>(header, Source(bytes, header), origin).run(notes, control);
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readPly(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   format = "PLY";
   const Result<PlyHeader> header = parsePlyHeader(bytes, origin);
@@ -396,7 +396,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader plyReader()
 {
-  return {"PLY", recognises, read};
+  return {"PLY", recognisesPly, readPly};
 }
 
 } // namespace esm

@@ -38,7 +38,7 @@ bool isAscii(std::string_view bytes)
   return equalIgnoringCase(cursor.word(), "solid");
 }
 
-bool recognises(std::string_view bytes, std::string_view ending)
+bool recognisesStl(std::string_view bytes, std::string_view ending)
 {
   if (hasBinarySize(bytes) || isAscii(bytes)) return true;
   // Cut short or too long, but by its name an STL and by its bytes nothing else.
@@ -208,8 +208,8 @@ private:
   bool m_inSolid = false;
 };
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readStl(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   const bool ascii = isAscii(bytes);
   format = ascii ? "STL (ASCII)" : "STL (binary)";
@@ -224,7 +224,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader stlReader()
 {
-  return {"STL", recognises, read};
+  return {"STL", recognisesStl, readStl};
 }
 
 } // namespace esm

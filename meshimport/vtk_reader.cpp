@@ -276,14 +276,14 @@ private:
   bool m_hasTypes = false;
 };
 
-bool recognises(std::string_view bytes, std::string_view)
+bool recognisesVtk(std::string_view bytes, std::string_view)
 {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   return equalIgnoringCase(bytes.substr(0, 14), "# vtk DataFile");
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readVtk(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   format = "VTK";
   return VtkParser(bytes, origin, control).run(format, notes);
@@ -293,7 +293,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader vtkReader()
 {
-  return {"VTK", recognises, read};
+  return {"VTK", recognisesVtk, readVtk};
 }
 
 } // namespace esm

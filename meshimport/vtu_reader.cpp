@@ -216,15 +216,15 @@ private:
   std::vector<Index> m_nodes;
 };
 
-bool recognises(std::string_view bytes, std::string_view)
+bool recognisesVtu(std::string_view bytes, std::string_view)
 {
   XmlTags tags(bytes.substr(0, 4096));
   XmlTag tag;
   return bytes.substr(0, 64).find('<') != std::string_view::npos && tags.next(tag) && tag.name == "VTKFile";
 }
 
-Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string& format,
-                  std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readVtu(std::string_view bytes, const std::string& origin, std::string& format,
+                     std::vector<std::string>& notes, WorkControl* control)
 {
   format = "VTU";
   return VtuParser(bytes, origin, control).run(format, notes);
@@ -234,7 +234,7 @@ Result<Mesh> read(std::string_view bytes, const std::string& origin, std::string
 
 MeshReader vtuReader()
 {
-  return {"VTU", recognises, read};
+  return {"VTU", recognisesVtu, readVtu};
 }
 
 } // namespace esm

@@ -16,7 +16,7 @@ namespace esm {
 
 namespace {
 
-constexpr double kMetre = 1000.0; // [mm]
+constexpr double kMillimetresPerMetre = 1000.0; // [mm]
 
 } // namespace
 
@@ -37,8 +37,9 @@ TissuePanel::TissuePanel(Document* document, QWidget* parent)
   m_fromTissue->setObjectName(QStringLiteral("parametersFromTissue"));
   m_form->addRow(m_fromTissue);
 
-  connect(m_thickness, &GestureSpinBox::edited, this,
-          [this](double value, int gesture) { edit(&TissueSettings::thickness, value / kMetre, gesture); });
+  connect(m_thickness, &GestureSpinBox::edited, this, [this](double value, int gesture) {
+    edit(&TissueSettings::thickness, value / kMillimetresPerMetre, gesture);
+  });
   connect(m_density, &GestureSpinBox::edited, this,
           [this](double value, int gesture) { edit(&TissueSettings::density, value, gesture); });
   connect(m_lawParameter, &GestureSpinBox::edited, this,
@@ -85,7 +86,7 @@ void TissuePanel::refresh()
 {
   m_refreshing = true;
   const Project& project = m_document->project();
-  m_thickness->display(project.tissue.thickness * kMetre);
+  m_thickness->display(project.tissue.thickness * kMillimetresPerMetre);
   offer(m_density, tr("Density"), tr("Density of the tissue in kg/m³"), true, &TissueParameters::density);
   m_law->setCurrentIndex(static_cast<int>(project.tissue.law));
   offer(m_lawParameter, tr("Stiffening"), tr("Parameter of the force law: how fast the tissue stiffens"),

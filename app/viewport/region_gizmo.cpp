@@ -10,7 +10,7 @@ namespace esm {
 
 namespace {
 
-using Kind = GizmoHandle::Kind;
+using HandleKind = GizmoHandle::Kind;
 
 constexpr double kSpotReach = 10.0, kArrowReach = 7.0, kRingReach = 6.0;  ///< of the mouse [pixels]
 constexpr double kArrowGap = 16.0, kArrowLength = 30.0;                   ///< [pixels]
@@ -50,7 +50,7 @@ Eigen::Vector3d falloffArm(const Camera& camera, const Ellipsoid& ellipsoid)
 
 GizmoLayout::Ring ringOf(const Camera& camera, const Ellipsoid& ellipsoid, int axis)
 {
-  GizmoLayout::Ring ring{{Kind::Turn, axis, 1}, {}, {}};
+  GizmoLayout::Ring ring{{HandleKind::Turn, axis, 1}, {}, {}};
   const double radius = ringRadius(camera, ellipsoid);
   const Eigen::Vector3d u = axisOf(ellipsoid, (axis + 1) % 3), v = axisOf(ellipsoid, (axis + 2) % 3);
   const Eigen::Vector3d eye = towardsEye(camera, ellipsoid.centre);
@@ -94,21 +94,21 @@ GizmoLayout layoutGizmo(const Camera& camera, const GizmoShape& shape)
   const Eigen::Vector3d eye = towardsEye(camera, ellipsoid.centre);
 
   const Eigen::Vector3d inner = ellipsoid.centre + (1.0 - shape.falloff) * falloffArm(camera, ellipsoid);
-  layout.spots.push_back({{Kind::Falloff, 0, 1}, camera.project(inner).pixel});
+  layout.spots.push_back({{HandleKind::Falloff, 0, 1}, camera.project(inner).pixel});
   for (int axis = 0; axis < 3; ++axis) {
     const Eigen::Vector3d along = axisOf(ellipsoid, axis);
     if (along.cross(eye).norm() < kPointsAtEye) continue;
     for (const int side : {1, -1}) {
       const Eigen::Vector3d end = ellipsoid.centre + side * ellipsoid.semiAxes[axis] * along;
       const Eigen::Vector2d pixel = camera.project(end).pixel;
-      layout.spots.push_back({{Kind::Stretch, axis, side}, pixel});
+      layout.spots.push_back({{HandleKind::Stretch, axis, side}, pixel});
       if (side < 0) continue;
       const Eigen::Vector2d way = (pixel - centre).normalized();
       layout.arrows.push_back(
-        {{Kind::Slide, axis, 1}, pixel + kArrowGap * way, pixel + (kArrowGap + kArrowLength) * way});
+        {{HandleKind::Slide, axis, 1}, pixel + kArrowGap * way, pixel + (kArrowGap + kArrowLength) * way});
     }
   }
-  layout.spots.push_back({{Kind::Move, 0, 1}, centre});
+  layout.spots.push_back({{HandleKind::Move, 0, 1}, centre});
   for (int axis = 0; axis < 3; ++axis) layout.rings.push_back(ringOf(camera, ellipsoid, axis));
   return layout;
 }
@@ -168,13 +168,13 @@ GizmoDrag::GizmoDrag(const Camera& camera, const GizmoHandle& handle, const Gizm
   const Ellipsoid& ellipsoid = start.ellipsoid;
   m_along = axisOf(ellipsoid, handle.axis);
   switch (handle.kind) {
-  case Kind::Move:
+  case HandleKind::Move:
     m_grabOffset = camera.project(ellipsoid.centre).pixel - pixel;
     break;
-  case Kind::Falloff:
+  case HandleKind::Falloff:
     m_along = falloffArm(camera, ellipsoid).normalized();
     break;
-  case Kind::Turn: {
+  case HandleKind::Turn: {
     const Eigen::Vector3d normal = m_along;
     const auto taken = onPlane(camera, pixel, ellipsoid.centre, normal);
     m_edgeOn = std::abs(normal.dot(towardsEye(camera, ellipsoid.centre))) < kEdgeOn || !taken;
@@ -193,22 +193,22 @@ GizmoDrag::GizmoDrag(const Camera& camera, const GizmoHandle& handle, const Gizm
 const GizmoShape& GizmoDrag::to(const Eigen::Vector2d& pixel, bool uniform)
 {
   switch (m_handle.kind) {
-  case Kind::Move:
+  case HandleKind::Move:
     move(pixel);
     break;
-  case Kind::Slide:
+  case HandleKind::Slide:
     slide(pixel);
     break;
-  case Kind::Turn:
+  case HandleKind::Turn:
     turn(pixel);
     break;
-  case Kind::Stretch:
+  case HandleKind::Stretch:
     stretch(pixel, uniform);
     break;
-  case Kind::Falloff:
+  case HandleKind::Falloff:
     fade(pixel);
     break;
-  case Kind::None:
+  case HandleKind::None:
     break;
   }
   return m_shape;

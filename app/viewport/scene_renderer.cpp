@@ -20,7 +20,7 @@ QVector3D rgb(const QColor& colour)
   return {colour.redF(), colour.greenF(), colour.blueF()};
 }
 
-QMatrix4x4 toQt(const Eigen::Matrix4d& matrix)
+QMatrix4x4 toQMatrix(const Eigen::Matrix4d& matrix)
 {
   const Eigen::Matrix<float, 4, 4, Eigen::RowMajor> rows = matrix.cast<float>();
   return QMatrix4x4(rows.data());
@@ -204,8 +204,8 @@ void SceneRenderer::setMatrices(QOpenGLShaderProgram& program, const SceneModel&
 {
   Eigen::Matrix4d fromOrigin = Eigen::Matrix4d::Identity();
   fromOrigin.topRightCorner<3, 1>() = model.origin();
-  program.setUniformValue("toView", toQt(model.camera.view() * fromOrigin));
-  program.setUniformValue("toClip", toQt(model.camera.projection()));
+  program.setUniformValue("toView", toQMatrix(model.camera.view() * fromOrigin));
+  program.setUniformValue("toClip", toQMatrix(model.camera.projection()));
 }
 
 void SceneRenderer::draw(SceneModel& model, const Look& look)

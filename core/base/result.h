@@ -32,6 +32,12 @@ struct Error {
   std::string detail;
 };
 
+/// An error about a number or name outside its range.
+inline Error invalidValue(std::string detail)
+{
+  return {ErrorCode::InvalidValue, std::move(detail)};
+}
+
 /// A value, or the Error that came in its place. Shaped like std::expected, to be swapped in later.
 template <class T>
 class [[nodiscard]] Result {

@@ -2,12 +2,19 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 namespace esm {
 
 /// A place in an array. Cutting and importing renumber places; see NodeId for names that last.
 using Index = std::int32_t;
+
+/// An index that is no less than zero, as containers of the standard library want it.
+constexpr std::size_t at(Index i)
+{
+  return static_cast<std::size_t>(i);
+}
 
 /// The name of a node or spring: survives saving, cutting and renumbering. Interfaces between modules
 /// and files take ids, loops take indices.

@@ -9,11 +9,6 @@
 namespace esm {
 namespace {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 Index roundedUp(Index rows)
 {
   return (rows + 3) / 4 * 4;

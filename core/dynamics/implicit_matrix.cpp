@@ -18,8 +18,8 @@ constexpr double kPerIteration = 6.0; ///< of conjugate gradients, per spring
 constexpr double kFactorPrice = 20.0;
 constexpr std::size_t kMostNumbers = std::size_t{1} << 27; ///< of such a factor: 1 GB
 
-constexpr double kReduction = 1e-3;  ///< of the residual, by conjugate gradients
-constexpr int kMostIterations = 150; ///< more would be slower than a factor
+constexpr double kReduction = 1e-3;    ///< of the residual, by conjugate gradients
+constexpr int kMostCgIterations = 150; ///< more would be slower than a factor
 
 Lanes unit(int axis, double length) noexcept
 {
@@ -233,7 +233,7 @@ void ImplicitMatrix::solve(NodeArray& vector)
 void ImplicitMatrix::solveBlocks()
 {
   if (m_isIterative) {
-    const auto result = m_gradients.solve(m_vector.data(), kReduction, kMostIterations);
+    const auto result = m_gradients.solve(m_vector.data(), kReduction, kMostCgIterations);
     m_metNegative = m_metNegative != 0 || result == PreconditionedCg::Result::Indefinite;
     m_meanIterations += 0.1 * (m_gradients.iterations() - m_meanIterations);
     m_spent += m_gradients.iterations() * kPerIteration * static_cast<double>(m_springs);

@@ -13,13 +13,13 @@ constexpr int kMostClasses = 13;            ///< 4096 ticks of the fastest in a 
 constexpr double kLongestStep = 1.0 / 60.0; ///< [s]
 /// Share of the limit of a class by itself that is used: row sums bound it well from above, but the classes
 /// also act on each other.
-constexpr double kShare = 0.8;
+constexpr double kStepShare = 0.8;
 
 /// Largest step for w2 [1/s^2] and g [1/s] by Verlet's limit h^2 w2 / 4 + 3/5 h g < 1.
 double limit(double stiffness, double damping) noexcept
 {
   const double linear = 0.6 * damping;
-  return kShare * 2.0 / (linear + std::sqrt(linear * linear + stiffness));
+  return kStepShare * 2.0 / (linear + std::sqrt(linear * linear + stiffness));
 }
 
 void append(SpringBatch& to, const SpringBatch& from, std::size_t i)
@@ -73,8 +73,8 @@ MultirateLayout::Plan MultirateLayout::plan(const System& system)
   while (base + 1 < kMostClasses && cost(base) > 1.1 * cost(kMostClasses - 1) &&
          std::ldexp(shortest, base + 1) <= kLongestStep)
     ++base;
-  // Verlet would step with all springs at `shortest`, undivided by kShare, and has less to do per spring.
-  const bool pays = 1.5 * cost(base) < kShare * static_cast<double>(limits.size());
+  // Verlet would step with all springs at `shortest`, undivided by kStepShare, and has less to do per spring.
+  const bool pays = 1.5 * cost(base) < kStepShare * static_cast<double>(limits.size());
   return {std::ldexp(shortest, base), std::ldexp(cost(base), base), pays};
 }
 

@@ -12,7 +12,6 @@ namespace {
 
 constexpr Index kSmallestDivisible = 2000;            ///< nodes
 constexpr double kLargestPart = 0.6;                  ///< of the nodes; above it the whole net is as cheap
-constexpr int kFirstLayers = 8;                       ///< around what is touched
 constexpr double kLeastDecay = 0.5, kMostDecay = 8.0; ///< bounds of ratio - 8 in missedMotion()
 constexpr double kShare = 1.0 / 3.0;                  ///< of the tolerance that goes to sleepers
 

@@ -69,6 +69,7 @@ public:
 
 private:
   enum class Mode { Whole, Part, Rest };
+  static constexpr int kFirstLayers = 8; ///< that wake around what is touched
 
   // Steps
   double stretchEnd(double end, double interval) const noexcept;

@@ -9,8 +9,6 @@
 namespace esm {
 namespace {
 
-constexpr int kFirstLayers = 8; ///< around what is touched
-
 /// Flags the nodes whose parameters, or those of their springs, are not what they were. False if the two nets
 /// differ in more than that: in fixed nodes, in which nodes have anchors, in tables.
 bool flagTouched(const SpringNet& before, const SpringNet& now, std::vector<std::uint8_t>& touched)

@@ -16,9 +16,9 @@ constexpr int kMostKicks = 8;            ///< off saddles
 constexpr double kSmallestShift = 1e-10; ///< of the mass that keeps what nothing holds from drifting [1]
 constexpr double kLargestShift = 1e-2;
 constexpr double kArmijo = 1e-4;
-constexpr double kSlow = 0.25;       ///< an iteration that leaves more of the force asks for a new factor
-constexpr double kLongestMove = 0.1; ///< of the net's extent, RMS over nodes, in one iteration
-constexpr double kRounding = 1e-13;  ///< relative, of sums over a net
+constexpr double kSlowDescent = 0.25; ///< an iteration that leaves more of the force asks for a new factor
+constexpr double kLongestMove = 0.1;  ///< of the net's extent, RMS over nodes, in one iteration
+constexpr double kRounding = 1e-13;   ///< relative, of sums over a net
 
 /// The propagation of the first network model (ESM paper 1999, section 3.1): in each interval of time the net
 /// first goes to a minimum of its energy under the loads and prescribed positions of the interval's end, then
@@ -174,7 +174,7 @@ private:
         continue;
       }
       std::swap(m_x, m_trial);
-      isFactored = norm < kSlow * last;
+      isFactored = norm < kSlowDescent * last;
       convex = false;
     }
     return StepResult::NotConverged;

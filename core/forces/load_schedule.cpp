@@ -8,23 +8,19 @@
 namespace esm {
 namespace {
 
-Error invalid(std::string detail)
-{
-  return Error{ErrorCode::InvalidValue, std::move(detail)};
-}
-
 Status checkCurve(const VectorCurve& curve, const std::string& where)
 {
-  if (curve.time.empty()) return invalid(where + " has no times; give at least one");
+  if (curve.time.empty()) return invalidValue(where + " has no times; give at least one");
   if (curve.value.cols() != static_cast<Eigen::Index>(curve.time.size()))
-    return invalid(where + " has " + std::to_string(curve.time.size()) + " times but " +
-                   std::to_string(curve.value.cols()) + " values; give one value for each time");
-  if (!curve.value.allFinite()) return invalid(where + " holds a value that is not a finite number");
+    return invalidValue(where + " has " + std::to_string(curve.time.size()) + " times but " +
+                        std::to_string(curve.value.cols()) + " values; give one value for each time");
+  if (!curve.value.allFinite()) return invalidValue(where + " holds a value that is not a finite number");
   for (std::size_t i = 0; i < curve.time.size(); ++i) {
-    if (!std::isfinite(curve.time[i])) return invalid(where + " holds a time that is not a finite number");
+    if (!std::isfinite(curve.time[i]))
+      return invalidValue(where + " holds a time that is not a finite number");
     if (i > 0 && curve.time[i] < curve.time[i - 1])
-      return invalid(where + ": time " + std::to_string(i) +
-                     " is before the one that precedes it; sort the times");
+      return invalidValue(where + ": time " + std::to_string(i) +
+                          " is before the one that precedes it; sort the times");
   }
   return {};
 }
@@ -33,8 +29,8 @@ Status checkNodes(const std::vector<Index>& list, Index nodes, const std::string
 {
   for (const Index node : list)
     if (node < 0 || node >= nodes)
-      return invalid(where + " names node " + std::to_string(node) + ", but the net has nodes 0 to " +
-                     std::to_string(nodes - 1));
+      return invalidValue(where + " names node " + std::to_string(node) + ", but the net has nodes 0 to " +
+                          std::to_string(nodes - 1));
   return {};
 }
 
@@ -60,7 +56,7 @@ ESM_CPU_CLONES void sumOfAll(std::size_t count, const Lanes* v, Lanes& sum) noex
 
 Status checkLoads(const Loads& loads, Index nodes)
 {
-  if (!loads.gravity.allFinite()) return invalid("gravity is not a finite vector");
+  if (!loads.gravity.allFinite()) return invalidValue("gravity is not a finite vector");
   for (std::size_t i = 0; i < loads.forces.size(); ++i) {
     const std::string where = "nodal force " + std::to_string(i);
     if (Status status = checkNodes(loads.forces[i].nodes, nodes, where); !status) return status;
@@ -73,12 +69,12 @@ Status checkLoads(const Loads& loads, Index nodes)
     if (Status status = checkNodes(motion.nodes, nodes, where); !status) return status;
     if (Status status = checkCurve(motion.displacement, where); !status) return status;
     if (motion.release && std::isnan(*motion.release))
-      return invalid(where + ": the release time is not a number");
+      return invalidValue(where + ": the release time is not a number");
     for (const Index node : motion.nodes) {
       std::size_t& former = motionOf[static_cast<std::size_t>(node)];
       if (former < loads.motions.size() && former != i)
-        return invalid("node " + std::to_string(node) + " is in motions " + std::to_string(former) + " and " +
-                       std::to_string(i) + "; only one may move it");
+        return invalidValue("node " + std::to_string(node) + " is in motions " + std::to_string(former) +
+                            " and " + std::to_string(i) + "; only one may move it");
       former = i;
     }
   }

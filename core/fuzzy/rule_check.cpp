@@ -18,11 +18,6 @@ constexpr double kLargestNumber = 1e100;
 /// An output term narrower than this share of the range has no area to speak of.
 constexpr double kLeastShare = 1e-9;
 
-Error invalid(std::string detail)
-{
-  return {ErrorCode::InvalidValue, std::move(detail)};
-}
-
 /// Ids stand in files and, quoted, in rule texts: no blanks at the ends, no quotes, nothing invisible.
 bool isUsableId(const std::string& id)
 {
@@ -41,16 +36,16 @@ Status checkCorners(const Term& term, const std::string& where)
   const std::vector<double>& p = term.parameters;
   const bool triangle = term.shape == Shape::Triangle;
   if (p.size() != (triangle ? 3U : 4U))
-    return invalid(where + (triangle ? " needs 3 numbers a b c" : " needs 4 numbers a b c d") + ", it has " +
-                   std::to_string(p.size()));
+    return invalidValue(where + (triangle ? " needs 3 numbers a b c" : " needs 4 numbers a b c d") +
+                        ", it has " + std::to_string(p.size()));
   for (std::size_t i = 0; i < p.size(); ++i) {
     const bool shoulder = (i == 0 && p[i] == -HUGE_VAL) || (i + 1 == p.size() && p[i] == HUGE_VAL);
     if (!shoulder && !isReasonable(p[i]))
-      return invalid(where + ": corner " + formatDouble(p[i]) +
-                     " is not a usable number; only the outer corners may be infinite");
+      return invalidValue(where + ": corner " + formatDouble(p[i]) +
+                          " is not a usable number; only the outer corners may be infinite");
     if (i > 0 && p[i] < p[i - 1])
-      return invalid(where + ": corners must not fall, but " + formatDouble(p[i - 1]) + " stands before " +
-                     formatDouble(p[i]));
+      return invalidValue(where + ": corners must not fall, but " + formatDouble(p[i - 1]) +
+                          " stands before " + formatDouble(p[i]));
   }
   return {};
 }
@@ -59,12 +54,12 @@ Status checkTerm(const Term& term, const std::string& where)
 {
   if (term.shape != Shape::Gaussian) return checkCorners(term, where);
   if (term.parameters.size() != 2)
-    return invalid(where + " needs 2 numbers, mean and deviation, it has " +
-                   std::to_string(term.parameters.size()));
+    return invalidValue(where + " needs 2 numbers, mean and deviation, it has " +
+                        std::to_string(term.parameters.size()));
   if (!isReasonable(term.parameters[0]) || !isReasonable(term.parameters[1]) ||
       !(term.parameters[1] > 1e-100))
-    return invalid(where + ": mean " + formatDouble(term.parameters[0]) + " and deviation " +
-                   formatDouble(term.parameters[1]) + " must be finite, the deviation above 0");
+    return invalidValue(where + ": mean " + formatDouble(term.parameters[0]) + " and deviation " +
+                        formatDouble(term.parameters[1]) + " must be finite, the deviation above 0");
   return {};
 }
 
@@ -79,8 +74,8 @@ Status checkOutputTerm(const Term& term, const Axis& axis, const std::string& wh
   }
   const double width = std::min(to, axis.high) - std::max(from, axis.low);
   if (!(width > kLeastShare * (axis.high - axis.low)))
-    return invalid(where +
-                   " has no width within the range of its variable, so that it cannot be a conclusion");
+    return invalidValue(where +
+                        " has no width within the range of its variable, so that it cannot be a conclusion");
   return {};
 }
 
@@ -88,26 +83,27 @@ Status checkVariable(const Variable& variable, bool isOutput)
 {
   const std::string where = "variable '" + variable.id + "'";
   if (!isUsableId(variable.id))
-    return invalid(where + ": an id needs letters, without quotes or control characters");
+    return invalidValue(where + ": an id needs letters, without quotes or control characters");
   if (!isReasonable(variable.minimum) || !isReasonable(variable.maximum) ||
       !(variable.maximum > variable.minimum))
-    return invalid(where + ": the range " + formatDouble(variable.minimum) + " to " +
-                   formatDouble(variable.maximum) + " is empty or not finite");
+    return invalidValue(where + ": the range " + formatDouble(variable.minimum) + " to " +
+                        formatDouble(variable.maximum) + " is empty or not finite");
   if (variable.logarithmic && !(variable.minimum >= 1e-100))
-    return invalid(where + ": a logarithmic range must start above 0, not at " +
-                   formatDouble(variable.minimum));
+    return invalidValue(where + ": a logarithmic range must start above 0, not at " +
+                        formatDouble(variable.minimum));
   if (!(variable.defaultValue >= variable.minimum && variable.defaultValue <= variable.maximum))
-    return invalid(where + ": the default " + formatDouble(variable.defaultValue) + " is outside the range " +
-                   formatDouble(variable.minimum) + " to " + formatDouble(variable.maximum));
+    return invalidValue(where + ": the default " + formatDouble(variable.defaultValue) +
+                        " is outside the range " + formatDouble(variable.minimum) + " to " +
+                        formatDouble(variable.maximum));
   const Axis axis = axisOf(variable);
-  if (!(axis.high > axis.low)) return invalid(where + ": the range is too narrow");
+  if (!(axis.high > axis.low)) return invalidValue(where + ": the range is too narrow");
 
   std::set<std::string> ids;
   for (const Term& term : variable.terms) {
     const std::string termWhere = "term '" + term.id + "' of " + where;
     if (!isUsableId(term.id))
-      return invalid(termWhere + ": an id needs letters, without quotes or control characters");
-    if (!ids.insert(foldCase(term.id)).second) return invalid(termWhere + " occurs twice");
+      return invalidValue(termWhere + ": an id needs letters, without quotes or control characters");
+    if (!ids.insert(foldCase(term.id)).second) return invalidValue(termWhere + " occurs twice");
     if (Status status = checkTerm(term, termWhere); !status) return status;
     if (!isOutput) continue;
     if (Status status = checkOutputTerm(term, axis, termWhere); !status) return status;
@@ -118,11 +114,12 @@ Status checkVariable(const Variable& variable, bool isOutput)
 Status checkProposition(const Proposition& proposition, const Variable* variable, const std::string& where,
                         const char* role)
 {
-  if (!variable) return invalid(where + ": " + role + " '" + proposition.variable + "' is unknown");
+  if (!variable) return invalidValue(where + ": " + role + " '" + proposition.variable + "' is unknown");
   const bool known = std::any_of(variable->terms.begin(), variable->terms.end(),
                                  [&](const Term& term) { return term.id == proposition.term; });
   if (!known)
-    return invalid(where + ": term '" + proposition.term + "' is unknown to variable '" + variable->id + "'");
+    return invalidValue(where + ": term '" + proposition.term + "' is unknown to variable '" + variable->id +
+                        "'");
   return {};
 }
 
@@ -130,7 +127,7 @@ Status checkProposition(const Proposition& proposition, const Variable* variable
 Status checkTree(const Condition& condition, const std::string& where)
 {
   const auto count = condition.nodes.size();
-  if (count == 0) return invalid(where + " has no condition");
+  if (count == 0) return invalidValue(where + " has no condition");
   std::vector<int> depth(count, 0); // 0: no parent met yet
   depth[0] = 1;
   for (std::size_t i = 0; i < count; ++i) {
@@ -140,12 +137,12 @@ Status checkTree(const Condition& condition, const std::string& where)
                       : node.kind == Condition::Kind::Not       ? children == 1
                                                                 : children >= 2;
     if (!fits || depth[i] == 0 || depth[i] > kMaximumConditionDepth)
-      return invalid(where + ": node " + std::to_string(i) + " of the condition is misplaced");
+      return invalidValue(where + ": node " + std::to_string(i) + " of the condition is misplaced");
     for (const int child : node.children) {
       if (child <= static_cast<int>(i) || child >= static_cast<int>(count) ||
           depth[static_cast<std::size_t>(child)] != 0)
-        return invalid(where + ": node " + std::to_string(i) + " of the condition has an impossible child " +
-                       std::to_string(child));
+        return invalidValue(where + ": node " + std::to_string(i) +
+                            " of the condition has an impossible child " + std::to_string(child));
       depth[static_cast<std::size_t>(child)] = depth[i] + 1;
     }
   }
@@ -160,15 +157,15 @@ Status checkRule(const Rule& rule, const RuleBase& ruleBase, const std::string& 
     const Variable* variable = ruleBase.findInput(node.proposition.variable);
     if (Status status = checkProposition(node.proposition, variable, where, "input"); !status) return status;
   }
-  if (rule.consequents.empty()) return invalid(where + " has no conclusion");
+  if (rule.consequents.empty()) return invalidValue(where + " has no conclusion");
   for (const Proposition& consequent : rule.consequents) {
     const Variable* variable = ruleBase.findOutput(consequent.variable);
     if (Status status = checkProposition(consequent, variable, where, "output"); !status) return status;
     if (std::find(consequent.hedges.begin(), consequent.hedges.end(), Hedge::Not) != consequent.hedges.end())
-      return invalid(where + ": a conclusion cannot be negated");
+      return invalidValue(where + ": a conclusion cannot be negated");
   }
   if (!(rule.weight >= 0.0 && rule.weight <= 1.0))
-    return invalid(where + ": the weight " + formatDouble(rule.weight) + " is outside 0 to 1");
+    return invalidValue(where + ": the weight " + formatDouble(rule.weight) + " is outside 0 to 1");
   return {};
 }
 
@@ -181,7 +178,7 @@ Status checkRuleBase(const RuleBase& ruleBase)
     for (const Variable& variable : *variables) {
       if (Status status = checkVariable(variable, variables == &ruleBase.outputs); !status) return status;
       if (!ids.insert(foldCase(variable.id)).second)
-        return invalid("variable '" + variable.id + "' occurs twice");
+        return invalidValue("variable '" + variable.id + "' occurs twice");
     }
   for (std::size_t i = 0; i < ruleBase.rules.size(); ++i)
     if (Status status = checkRule(ruleBase.rules[i], ruleBase, "rule " + std::to_string(i + 1)); !status)

@@ -11,11 +11,6 @@ namespace esm {
 
 namespace {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Walks along borders. When the path comes to a vertex that lies on it, the round is cut off as a loop.
 class BorderWalk {
 public:

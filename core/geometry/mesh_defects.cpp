@@ -15,11 +15,6 @@ namespace esm {
 
 namespace {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 SegmentMatrix edgesOf(const EdgeTable& edges, const std::vector<Index>& numbers)
 {
   SegmentMatrix ends(2, static_cast<Eigen::Index>(numbers.size()));

@@ -17,7 +17,7 @@ namespace esm {
 
 namespace {
 
-constexpr Index kLeafSize = 4;
+constexpr Index kPairLeafSize = 4;
 
 struct Box {
   Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
@@ -90,7 +90,7 @@ private:
     here.box = box;
     here.first = first;
     here.count = count;
-    if (count <= kLeafSize || isOver()) return;
+    if (count <= kPairLeafSize || isOver()) return;
     int axis = 0;
     (box.high - box.low).maxCoeff(&axis);
     const auto begin = m_order.begin() + first;

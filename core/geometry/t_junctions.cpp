@@ -16,11 +16,6 @@ namespace {
 constexpr double kDefaultTolerance =
   1e-5; // of the diagonal: single precision and six digits of text round to less
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// The edges on which something may lie, spatially ordered, as triangles without area.
 struct LooseEdges {
   std::vector<Index> edge;

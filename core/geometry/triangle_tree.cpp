@@ -13,7 +13,7 @@ namespace esm {
 
 namespace {
 
-constexpr Index kLeafSize = 4;
+constexpr Index kTrianglesPerLeaf = 4;
 /// Triangles and boxes are larger by this share, so that no ray slips through between two triangles.
 constexpr double kMargin = 1e-9;
 
@@ -57,7 +57,7 @@ void TriangleTree::split(Index node, Index first, Index count, const Eigen::Matr
   Node& here = m_nodes[static_cast<std::size_t>(node)];
   here.low = low.array() - margin;
   here.high = high.array() + margin;
-  if (count <= kLeafSize || stopWanted(control)) {
+  if (count <= kTrianglesPerLeaf || stopWanted(control)) {
     here.first = first;
     here.count = count;
     return;

@@ -18,6 +18,9 @@ struct RayHit {
   double distance = 0.0;     ///< along the ray, in lengths of its direction
 };
 
+/// Along no axis and no diagonal, so that a ray in it meets edges by accident only; for crossings().
+inline const Eigen::Vector3d kObliqueDirection = Eigen::Vector3d(0.5377, 0.7236, 0.4321).normalized();
+
 /// Finds what a ray meets among many triangles: a binary tree of boxes, split at the median of the longest
 /// side. Holds copies, so that the mesh may go away. Deterministic; any thread.
 class TriangleTree {

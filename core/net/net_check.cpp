@@ -14,11 +14,6 @@ namespace esm {
 
 namespace {
 
-Error invalid(std::string detail)
-{
-  return Error{ErrorCode::InvalidValue, std::move(detail)};
-}
-
 template <class Id>
 std::string named(const char* what, const std::vector<Id>& ids, Index i)
 {
@@ -30,8 +25,8 @@ std::string named(const char* what, const std::vector<Id>& ids, Index i)
 Error badNumber(const std::string& owner, const char* quantity, double value, const char* unit,
                 const char* rule)
 {
-  return invalid(owner + ": " + quantity + " is " + formatDouble(value) + (*unit ? " " : "") + unit +
-                 ", it must be " + rule);
+  return invalidValue(owner + ": " + quantity + " is " + formatDouble(value) + (*unit ? " " : "") + unit +
+                      ", it must be " + rule);
 }
 
 struct Shape {
@@ -69,8 +64,9 @@ Status checkShapes(const SpringNet& net)
   };
   for (const Shape& shape : shapes)
     if (shape.size != shape.wanted && !(shape.mayBeAbsent && shape.size == 0))
-      return invalid("the net's array " + std::string(shape.name) + " holds " + std::to_string(shape.size) +
-                     " entries, it must hold " + std::to_string(shape.wanted));
+      return invalidValue("the net's array " + std::string(shape.name) + " holds " +
+                          std::to_string(shape.size) + " entries, it must hold " +
+                          std::to_string(shape.wanted));
   return {};
 }
 
@@ -85,8 +81,8 @@ Status checkDistinct(const char* what, const std::vector<Id>& ids)
   std::stable_sort(order.begin(), order.end(), [&](Index a, Index b) { return id(a) < id(b); });
   for (std::size_t k = 1; k < order.size(); ++k)
     if (id(order[k - 1]) == id(order[k]))
-      return invalid(named(what, ids, order[k]) + ": the id is already taken by " + what + " " +
-                     std::to_string(order[k - 1]));
+      return invalidValue(named(what, ids, order[k]) + ": the id is already taken by " + what + " " +
+                          std::to_string(order[k - 1]));
   return {};
 }
 
@@ -120,9 +116,9 @@ Status checkTables(const SpringNet& net)
     const ForceTable& table = net.tables[t];
     const std::string owner = "force table " + std::to_string(t);
     if (table.strain.size() != table.force.size())
-      return invalid(owner + ": it holds " + std::to_string(table.strain.size()) + " strains but " +
-                     std::to_string(table.force.size()) + " forces");
-    if (table.strain.size() < 2) return invalid(owner + ": it must hold at least two points");
+      return invalidValue(owner + ": it holds " + std::to_string(table.strain.size()) + " strains but " +
+                          std::to_string(table.force.size()) + " forces");
+    if (table.strain.size() < 2) return invalidValue(owner + ": it must hold at least two points");
     for (std::size_t i = 0; i < table.strain.size(); ++i) {
       const std::string point = owner + ", point " + std::to_string(i);
       if (!std::isfinite(table.strain[i])) return badNumber(point, "strain", table.strain[i], "", "finite");
@@ -162,9 +158,9 @@ Status checkSprings(const SpringNet& net)
 
     const std::string owner = named("spring", net.springId, s);
     if (!inRange)
-      return invalid(owner + ": its ends are nodes " + std::to_string(a) + " and " + std::to_string(b) +
-                     ", they must be below " + std::to_string(net.nodeCount()));
-    if (a == b) return invalid(owner + ": both ends are node " + std::to_string(a));
+      return invalidValue(owner + ": its ends are nodes " + std::to_string(a) + " and " + std::to_string(b) +
+                          ", they must be below " + std::to_string(net.nodeCount()));
+    if (a == b) return invalidValue(owner + ": both ends are node " + std::to_string(a));
     if (!notNegative(net.restLength[s]))
       return badNumber(owner, "rest length", net.restLength[s], "m", ">= 0");
     if (!notNegative(net.stiffness[s])) return badNumber(owner, "stiffness", net.stiffness[s], "N/m", ">= 0");
@@ -183,8 +179,8 @@ Status checkAnchors(const SpringNet& net)
     const Index node = anchors.node[static_cast<std::size_t>(i)];
     const std::string owner = "anchor " + std::to_string(i);
     if (node < 0 || node >= net.nodeCount())
-      return invalid(owner + ": it holds node " + std::to_string(node) + ", the net has " +
-                     std::to_string(net.nodeCount()) + " nodes");
+      return invalidValue(owner + ": it holds node " + std::to_string(node) + ", the net has " +
+                          std::to_string(net.nodeCount()) + " nodes");
     for (int k = 0; k < 3; ++k)
       if (!std::isfinite(anchors.point(k, i)))
         return badNumber(owner, "point", anchors.point(k, i), "m", "finite");
@@ -226,14 +222,15 @@ Status checkPressure(const SpringNet& net)
     const std::string owner = "pressure body " + std::to_string(i);
     if (!(std::isfinite(body.bulkModulus) && body.bulkModulus > 0.0))
       return badNumber(owner, "bulk modulus", body.bulkModulus, "Pa", "> 0");
-    if (body.triangles.cols() == 0) return invalid(owner + ": it has no triangles");
+    if (body.triangles.cols() == 0) return invalidValue(owner + ": it has no triangles");
     std::vector<std::pair<Index, Index>> sides;
     for (Eigen::Index t = 0; t < body.triangles.cols(); ++t)
       for (int k = 0; k < 3; ++k) {
         const Index a = body.triangles(k, t), b = body.triangles((k + 1) % 3, t);
         if (a < 0 || a >= net.nodeCount() || a == b)
-          return invalid(owner + ": triangle " + std::to_string(t) + " uses node " + std::to_string(a) +
-                         ", its corners must be three nodes of the net's " + std::to_string(net.nodeCount()));
+          return invalidValue(owner + ": triangle " + std::to_string(t) + " uses node " + std::to_string(a) +
+                              ", its corners must be three nodes of the net's " +
+                              std::to_string(net.nodeCount()));
         sides.emplace_back(a, b);
       }
     std::sort(sides.begin(), sides.end());
@@ -242,7 +239,8 @@ Status checkPressure(const SpringNet& net)
     };
     if (std::adjacent_find(sides.begin(), sides.end()) != sides.end() ||
         std::any_of(sides.begin(), sides.end(), isAlone))
-      return invalid(owner + ": its surface must be closed, with normals to the same side across each edge");
+      return invalidValue(owner +
+                          ": its surface must be closed, with normals to the same side across each edge");
     if (const double volume = enclosedVolume(net, body.triangles); !(std::isfinite(volume) && volume > 0.0))
       return badNumber(owner, "volume", volume, "m^3", "> 0; the normals must look outwards");
   }
@@ -254,8 +252,8 @@ Status checkTriangles(const SpringNet& net)
   for (Index t = 0; t < net.triangleCount(); ++t)
     for (int k = 0; k < 3; ++k)
       if (const Index node = net.triangles(k, t); node < 0 || node >= net.nodeCount())
-        return invalid("triangle " + std::to_string(t) + ": it uses node " + std::to_string(node) +
-                       ", the net has " + std::to_string(net.nodeCount()) + " nodes");
+        return invalidValue("triangle " + std::to_string(t) + ": it uses node " + std::to_string(node) +
+                            ", the net has " + std::to_string(net.nodeCount()) + " nodes");
   return {};
 }
 

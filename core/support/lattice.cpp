@@ -18,7 +18,6 @@ constexpr double kMostNodes = 2e6;
 constexpr double kLeastDistance = 0.35; ///< of a lattice node from the surface's nodes, in cells
 constexpr double kReach = 1.5;          ///< as far the surface looks for lattice nodes, in cells
 constexpr std::size_t kTies = 4;        ///< at most, of a node of the surface
-const Eigen::Vector3d kOblique = Eigen::Vector3d(0.5377, 0.7236, 0.4321).normalized();
 
 /// The body-centred cubic lattice in half cells: all coordinates even (corners) or all odd (middles).
 class Lattice {
@@ -119,7 +118,7 @@ Result<Layer> makeLattice(const SpringNet& net, const SupportOptions& options, W
         const Lattice::Place place = {i, j, k};
         if (!isLatticePlace(place)) continue;
         const Eigen::Vector3d point = lattice.pointAt(place);
-        if (isFarEnough(point) && surface.tree().crossings(point, kOblique, none) % 2 == 1)
+        if (isFarEnough(point) && surface.tree().crossings(point, kObliqueDirection, none) % 2 == 1)
           lattice.add(place);
       }
   }

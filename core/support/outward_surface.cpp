@@ -14,9 +14,6 @@ namespace esm {
 
 namespace {
 
-/// Along no axis and no diagonal, so that rays meet edges by accident only.
-const Eigen::Vector3d kOblique = Eigen::Vector3d(0.5377, 0.7236, 0.4321).normalized();
-
 /// Whether the side from a to b runs along the triangle's own sense.
 bool runsAlong(const TriangleMatrix& triangles, Index triangle, Index a, Index b)
 {
@@ -114,9 +111,10 @@ void OutwardSurface::turnOutwards(WorkControl* control)
         return static_cast<std::size_t>(partOf(t)) != p &&
                m_parts[static_cast<std::size_t>(partOf(t))].isClosed;
       };
-      part.isCavity = m_tree.crossings(m_position.col(m_triangles(0, first[p])), kOblique, [&](Index t) {
-        return !isOther(t);
-      }) % 2 == 1;
+      part.isCavity = m_tree.crossings(m_position.col(m_triangles(0, first[p])), kObliqueDirection,
+                                       [&](Index t) { return !isOther(t); }) %
+                        2 ==
+                      1;
     }
     turn[p] = (part.volume < 0.0) != part.isCavity ? 1 : 0;
     part.volume = part.isCavity ? -std::abs(part.volume) : std::abs(part.volume);

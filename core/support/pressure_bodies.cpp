@@ -9,9 +9,6 @@ namespace esm::support {
 
 namespace {
 
-/// Along no axis and no diagonal, so that rays meet edges by accident only.
-const Eigen::Vector3d kOblique = Eigen::Vector3d(0.4321, 0.5377, 0.7236).normalized();
-
 /// The smallest closed part around a cavity; kNoIndex if there is none.
 Index partAround(const OutwardSurface& surface, const Eigen::Vector3d& place)
 {
@@ -21,7 +18,7 @@ Index partAround(const OutwardSurface& surface, const Eigen::Vector3d& place)
     const OutwardSurface::Part& part = surface.parts()[static_cast<std::size_t>(p)];
     if (!part.isClosed || part.isCavity || part.volume >= least) continue;
     const auto isOther = [&](Index t) { return surface.partOf(t) != p; };
-    if (surface.tree().crossings(place, kOblique, isOther) % 2 == 0) continue;
+    if (surface.tree().crossings(place, kObliqueDirection, isOther) % 2 == 0) continue;
     around = p;
     least = part.volume;
   }

@@ -18,7 +18,7 @@ namespace esm {
 namespace {
 
 using Finding = QualityFinding;
-using Kind = Finding::Kind;
+using FindingKind = Finding::Kind;
 using Severity = Finding::Severity;
 
 constexpr Index kMostNodes = 40000; ///< whose factor is a matter of seconds
@@ -36,7 +36,7 @@ std::string counted(std::size_t count, const char* one, const char* many)
   return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
-Finding at(Kind kind, Severity severity, const SpringNet& net, const std::vector<Index>& nodes,
+Finding at(FindingKind kind, Severity severity, const SpringNet& net, const std::vector<Index>& nodes,
            std::string text)
 {
   Finding finding;
@@ -60,7 +60,7 @@ void lookForHinges(const SpringNet& net, QualityReport& report)
 {
   if (const std::vector<Index> nodes = hingeNodes(net); !nodes.empty())
     report.findings.push_back(
-      at(Kind::HingeNode, Severity::Warning, net, nodes,
+      at(FindingKind::HingeNode, Severity::Warning, net, nodes,
          "Parts hang together at " + counted(nodes.size(), "single node", "single nodes") +
            " only and turn about it freely. Join them by more springs, or weld the mesh with a "
            "larger tolerance."));
@@ -69,14 +69,14 @@ void lookForHinges(const SpringNet& net, QualityReport& report)
   for (const std::vector<Index>& line : lines) onLines.insert(onLines.end(), line.begin(), line.end());
   if (!lines.empty()) {
     report.findings.push_back(
-      at(Kind::HingeLine, Severity::Warning, net, onLines,
+      at(FindingKind::HingeLine, Severity::Warning, net, onLines,
          "Parts hang together along " + counted(lines.size(), "straight line", "straight lines") +
            " only and swing about it like a door. Join them by springs off the line."));
     report.findings.back().count = static_cast<std::int64_t>(lines.size());
   }
   if (const std::vector<Index> flat = flatNodes(net); !flat.empty())
     report.findings.push_back(
-      at(Kind::FlatNodes, Severity::Warning, net, flat,
+      at(FindingKind::FlatNodes, Severity::Warning, net, flat,
          "At " + counted(flat.size(), "node", "nodes") +
            " all springs lie in one plane: nothing holds it against a push across that plane. "
            "Add interior struts or anchors."));
@@ -95,7 +95,7 @@ void lookForHold(const SpringNet& net, QualityReport& report)
   if (loose.empty()) return;
   const bool all = static_cast<Index>(loose.size()) == rigid.partCount();
   report.findings.push_back(
-    at(Kind::Unheld, Severity::Note, net, loose,
+    at(FindingKind::Unheld, Severity::Note, net, loose,
        (all && loose.size() == 1 ? std::string("Nothing holds the net")
                                  : "Nothing holds " + counted(loose.size(), "part", "parts") + " of " +
                                      std::to_string(rigid.partCount())) +
@@ -139,11 +139,11 @@ void judgeDent(const SpringNet& net, QualityReport& report)
   if (report.dent > 0.0) finding.nodes = {report.dentNode};
   const std::string depth = "would dent it by about " + inMillimetres(report.dent);
   if (collapses) {
-    finding.kind = Kind::Collapses;
+    finding.kind = FindingKind::Collapses;
     finding.severity = Severity::Warning;
     finding.text = poke + "would push it in by more than half its size: the net collapses.";
   } else if (isSoft) {
-    finding.kind = Kind::Soft;
+    finding.kind = FindingKind::Soft;
     finding.severity = Severity::Warning;
     finding.text =
       poke + depth + ", " + formatDouble(100.0 * report.dent / report.size, 2) + " % of its size.";
@@ -153,7 +153,7 @@ void judgeDent(const SpringNet& net, QualityReport& report)
   }
   if (net.triangleCount() > 0 && !hasInside(net)) {
     Finding inside;
-    inside.kind = Kind::NothingInside;
+    inside.kind = FindingKind::NothingInside;
     inside.severity = isSoft || report.mechanisms > 0 ? Severity::Warning : Severity::Note;
     inside.text = "The wall alone holds: nothing inside. Add interior struts.";
     report.findings.push_back(std::move(inside));
@@ -161,7 +161,7 @@ void judgeDent(const SpringNet& net, QualityReport& report)
   report.findings.push_back(std::move(finding));
   if (report.mechanisms > 0) {
     Finding loose;
-    loose.kind = Kind::Mechanisms;
+    loose.kind = FindingKind::Mechanisms;
     loose.severity = Severity::Warning;
     loose.count = report.mechanisms;
     loose.text = counted(static_cast<std::size_t>(report.mechanisms), "motion", "motions") + " of the net " +
@@ -195,7 +195,7 @@ Result<QualityReport> judgeNet(const SpringNet& net, WorkControl* control)
   report.pokeRadius = std::min(0.005, report.size / 8.0);
   if (net.nodeCount() > kMostNodes) {
     Finding finding;
-    finding.kind = Kind::TooLarge;
+    finding.kind = FindingKind::TooLarge;
     finding.severity = Severity::Note;
     finding.count = net.nodeCount();
     finding.text = "The net has more than " + std::to_string(kMostNodes) +

@@ -132,7 +132,7 @@ std::vector<Variable> outputs()
            {10.0 / 3.0, 10.0, 30.0})};
 }
 
-using Kind = fuzzy::Condition::Kind;
+using NodeKind = fuzzy::Condition::Kind;
 
 Proposition is(const char* variable, const char* term)
 {
@@ -140,7 +140,7 @@ Proposition is(const char* variable, const char* term)
 }
 
 /// "IF all of these THEN conclusion WITH weight"; `kind` Or: any of these.
-fuzzy::Rule rule(Kind kind, const std::vector<Proposition>& findings, const Proposition& conclusion,
+fuzzy::Rule rule(NodeKind kind, const std::vector<Proposition>& findings, const Proposition& conclusion,
                  double weight = 1.0)
 {
   fuzzy::Rule made;
@@ -150,7 +150,7 @@ fuzzy::Rule rule(Kind kind, const std::vector<Proposition>& findings, const Prop
       made.condition.nodes[0].children.push_back(static_cast<int>(i));
   }
   for (const Proposition& finding : findings)
-    made.condition.nodes.push_back({Kind::Proposition, finding, {}});
+    made.condition.nodes.push_back({NodeKind::Proposition, finding, {}});
   made.consequents.push_back(conclusion);
   made.weight = weight;
   return made;
@@ -163,7 +163,7 @@ void addRules(RuleBase& ruleBase, const char* inputId, const char* outputId,
   const std::vector<Term>& terms = ruleBase.findInput(inputId)->terms;
   for (std::size_t i = 0; i < terms.size(); ++i)
     ruleBase.rules.push_back(
-      rule(Kind::And, {is(inputId, terms[i].id.c_str())}, is(outputId, conclusions[i])));
+      rule(NodeKind::And, {is(inputId, terms[i].id.c_str())}, is(outputId, conclusions[i])));
 }
 
 /// Findings that mean more together than each for itself. The less certain, the lower the weight; a weight
@@ -172,7 +172,7 @@ void addInteractions(RuleBase& ruleBase)
 {
   const auto add = [&](const std::vector<Proposition>& findings, const Proposition& conclusion,
                        double weight) {
-    ruleBase.rules.push_back(rule(Kind::And, findings, conclusion, weight));
+    ruleBase.rules.push_back(rule(NodeKind::And, findings, conclusion, weight));
   };
   // A soft organ without a cavity is a bag of liquid: it moves aside, but keeps its volume.
   add({is("wall", "solid"), is("hardness", "soft")}, is("volume_ratio", "high"), 0.8);
@@ -209,8 +209,9 @@ RuleBase defaultRules()
 
   // What is full of liquid keeps its volume; a hollow organ gives way by emptying.
   const char* volume = "volume_ratio";
-  ruleBase.rules.push_back(rule(Kind::Or, {is("wall", "hollow"), is("wall", "thin")}, is(volume, "low")));
-  ruleBase.rules.push_back(rule(Kind::Or, {is("wall", "thick"), is("wall", "solid")}, is(volume, "medium")));
+  ruleBase.rules.push_back(rule(NodeKind::Or, {is("wall", "hollow"), is("wall", "thin")}, is(volume, "low")));
+  ruleBase.rules.push_back(
+    rule(NodeKind::Or, {is("wall", "thick"), is("wall", "solid")}, is(volume, "medium")));
   addInteractions(ruleBase);
   return ruleBase;
 }

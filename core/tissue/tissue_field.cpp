@@ -14,11 +14,6 @@ constexpr double kZeroLog = -900.0;
 /// Of rule bases that do not speak of them.
 constexpr double kUsualRuptureStrain = 0.5, kUsualVolumeRatio = 10.0;
 
-Error invalid(std::string detail)
-{
-  return {ErrorCode::InvalidValue, std::move(detail)};
-}
-
 bool isPositive(double x)
 {
   return std::isfinite(x) && x > 0.0;
@@ -41,18 +36,18 @@ Status checkInputs(const TissueModel& model, const std::vector<fuzzy::InputValue
 {
   const auto& variables = model.rules.inputs;
   if (inputs.size() != variables.size())
-    return invalid(where + " has " + std::to_string(inputs.size()) + " inputs, the rule base asks for " +
-                   std::to_string(variables.size()));
+    return invalidValue(where + " has " + std::to_string(inputs.size()) + " inputs, the rule base asks for " +
+                        std::to_string(variables.size()));
   for (std::size_t i = 0; i < inputs.size(); ++i) {
     const std::string input = where + ": input '" + variables[i].id + "'";
     if (const double* value = std::get_if<double>(&inputs[i])) {
-      if (!std::isfinite(*value)) return invalid(input + " is not a finite number");
+      if (!std::isfinite(*value)) return invalidValue(input + " is not a finite number");
       continue;
     }
     const std::string& word = std::get<fuzzy::Word>(inputs[i]).term;
     const auto& terms = variables[i].terms;
     if (std::none_of(terms.begin(), terms.end(), [&](const fuzzy::Term& term) { return term.id == word; }))
-      return invalid(input + ": term '" + word + "' is unknown");
+      return invalidValue(input + ": term '" + word + "' is unknown");
   }
   return {};
 }
@@ -60,16 +55,16 @@ Status checkInputs(const TissueModel& model, const std::vector<fuzzy::InputValue
 Status checkRegion(const TissueModel& model, const Region& region, const std::string& where)
 {
   const Ellipsoid& e = region.ellipsoid;
-  if (!e.centre.allFinite()) return invalid(where + ": the centre is not finite");
+  if (!e.centre.allFinite()) return invalidValue(where + ": the centre is not finite");
   if (!isPositive(e.semiAxes[0]) || !isPositive(e.semiAxes[1]) || !isPositive(e.semiAxes[2]))
-    return invalid(where + ": every semi-axis must be above 0 m");
+    return invalidValue(where + ": every semi-axis must be above 0 m");
   if (!(std::abs(e.rotation.norm() - 1.0) < 1e-6))
-    return invalid(where + ": the rotation is not a unit quaternion");
+    return invalidValue(where + ": the rotation is not a unit quaternion");
   if (!(region.falloff >= 0.0 && region.falloff <= 1.0))
-    return invalid(where + ": the falloff must lie in 0 to 1");
+    return invalidValue(where + ": the falloff must lie in 0 to 1");
   if (region.mirror && !(region.mirror->point.allFinite() && region.mirror->normal.allFinite() &&
                          isPositive(region.mirror->normal.squaredNorm())))
-    return invalid(where + ": the mirror needs a finite point and a normal above 0");
+    return invalidValue(where + ": the mirror needs a finite point and a normal above 0");
   return checkInputs(model, region.inputs, where);
 }
 
@@ -78,17 +73,17 @@ Status checkModel(const TissueModel& model)
   for (const TissueOutput& known : kTissueOutputs) {
     const fuzzy::Variable* output = model.rules.findOutput(known.id);
     if (!output && known.required)
-      return invalid(std::string("the rule base has no output '") + known.id + "'");
+      return invalidValue(std::string("the rule base has no output '") + known.id + "'");
     if (output && output->minimum < 0.0)
-      return invalid(std::string("the range of output '") + known.id + "' must not go below 0");
+      return invalidValue(std::string("the range of output '") + known.id + "' must not go below 0");
     if (output && known.value == &TissueParameters::density && !(output->minimum > 0.0))
-      return invalid("the range of output 'density' must lie above 0 kg/m^3");
+      return invalidValue("the range of output 'density' must lie above 0 kg/m^3");
   }
-  if (!isPositive(model.thickness)) return invalid("the wall's thickness must be above 0 m");
-  if (!isPositive(model.density)) return invalid("the density must be above 0 kg/m^3");
-  if (model.law == SpringLaw::Table) return invalid("tissue offers no force table, choose another law");
+  if (!isPositive(model.thickness)) return invalidValue("the wall's thickness must be above 0 m");
+  if (!isPositive(model.density)) return invalidValue("the density must be above 0 kg/m^3");
+  if (model.law == SpringLaw::Table) return invalidValue("tissue offers no force table, choose another law");
   if (!std::isfinite(model.lawParameter) || model.lawParameter < 0.0)
-    return invalid("the parameter of the force law must be finite and not below 0");
+    return invalidValue("the parameter of the force law must be finite and not below 0");
   return checkInputs(model, model.inputs, "the base tissue");
 }
 

@@ -14,8 +14,8 @@ namespace {
 
 constexpr std::uint8_t kGetReport = 0x01, kGetDescriptor = 0x06, kSetReport = 0x09;
 constexpr std::size_t kLongestDescriptor = 4096;
-constexpr std::size_t kInSize = 64;
-constexpr int kInTransfers = 2, kMostOut = 3;
+constexpr std::size_t kPidInSize = 64;
+constexpr int kPidInTransfers = 2, kPidMostOut = 3;
 constexpr double kOutTimeout = 0.02; ///< [s]; a device that takes no force for so long does not reply
 constexpr int kOutWaits = 100;       ///< of kOutWait each, while opening and closing
 constexpr double kOutWait = 0.001;   ///< [s]
@@ -83,7 +83,7 @@ bool PidDriver::output(std::span<const std::uint8_t> report) noexcept
     std::copy(report.begin(), report.end(), bytes.begin());
     return control(outputSetup(report), {bytes.data(), report.size()});
   }
-  if (m_outUnderWay >= kMostOut || !m_handle->submitOut(report)) return false;
+  if (m_outUnderWay >= kPidMostOut || !m_handle->submitOut(report)) return false;
   if (m_outUnderWay++ == 0) m_outSince = m_now;
   return !m_waits || waitForOut();
 }
@@ -137,7 +137,7 @@ void PidDriver::step(double now, const Eigen::Vector3d& force, bool) noexcept
 
 void PidDriver::keepListening() noexcept
 {
-  while (m_listening < kInTransfers && m_handle->submitIn(kInSize)) ++m_listening;
+  while (m_listening < kPidInTransfers && m_handle->submitIn(kPidInSize)) ++m_listening;
 }
 
 void PidDriver::drain(double now) noexcept

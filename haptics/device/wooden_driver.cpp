@@ -12,9 +12,9 @@ namespace esm {
 
 namespace {
 
-constexpr int kInTransfers = 2, kMostOut = 2;
-constexpr std::size_t kInSize = 64;
-constexpr double kResendAfter = 0.005; ///< [s]; reports that do not end are counted as gone
+constexpr int kWoodenInTransfers = 2, kWoodenMostOut = 2;
+constexpr std::size_t kWoodenInSize = 64;
+constexpr double kWoodenResendAfter = 0.005; ///< [s]; reports that do not end are counted as gone
 
 Serial3RGeometry geometryOf(const DriverProfile& profile)
 {
@@ -41,7 +41,7 @@ void WoodenDriver::lose() noexcept
 
 void WoodenDriver::keepListening() noexcept
 {
-  while (m_listening < kInTransfers && m_handle->submitIn(kInSize)) ++m_listening;
+  while (m_listening < kWoodenInTransfers && m_handle->submitIn(kWoodenInSize)) ++m_listening;
 }
 
 void WoodenDriver::drain(double now) noexcept
@@ -87,7 +87,7 @@ void WoodenDriver::step(double now, const Eigen::Vector3d& force, bool fresh) no
   if (m_handle->lost()) return lose();
   const double since = now - m_sentAt;
   if (!fresh && since < kKeepAlive) return;
-  if (m_outUnderWay >= kMostOut && since < kResendAfter) return;
+  if (m_outUnderWay >= kWoodenMostOut && since < kWoodenResendAfter) return;
   std::array<std::int16_t, 4> words{};
   if (m_homed) words = wooden::currentWords(m_arm.currents(m_angles, force));
   const wooden::Report report = wooden::encode(words);

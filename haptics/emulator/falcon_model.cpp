@@ -16,7 +16,7 @@ namespace {
 constexpr std::array<std::uint8_t, 2> kModemStatus{0x01, 0x60};
 constexpr double kOutHome = 0.03, kInHome = -0.03; ///< ways of the grip that home it [m]
 
-UsbDeviceModel::Identity describe()
+UsbDeviceModel::Identity describeFalcon()
 {
   UsbDeviceModel::Identity id;
   id.vendor = 0x0403;
@@ -27,7 +27,7 @@ UsbDeviceModel::Identity describe()
 } // namespace
 
 FalconModel::FalconModel(const Settings& settings, std::unique_ptr<Hand> hand)
-  : UsbDeviceModel(describe()),
+  : UsbDeviceModel(describeFalcon()),
     m_settings(settings),
     m_grip(settings.mechanics, std::move(hand)),
     m_pose(settings.origin),

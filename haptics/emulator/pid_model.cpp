@@ -17,7 +17,7 @@ namespace {
 
 using pid::usage;
 
-UsbDeviceModel::Identity describe(bool noOutEndpoint)
+UsbDeviceModel::Identity describePid(bool noOutEndpoint)
 {
   UsbDeviceModel::Identity id;
   id.vendor = 0x1209; // pid.codes, for tests only
@@ -32,7 +32,7 @@ UsbDeviceModel::Identity describe(bool noOutEndpoint)
 } // namespace
 
 PidModel::PidModel(const Settings& settings, std::unique_ptr<Hand> hand)
-  : UsbDeviceModel(describe(settings.noOutEndpoint)),
+  : UsbDeviceModel(describePid(settings.noOutEndpoint)),
     m_settings(settings),
     m_descriptor(std::make_unique<hid::ReportDescriptor>()),
     m_grip(settings.mechanics, std::move(hand)),

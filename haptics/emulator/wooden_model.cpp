@@ -18,7 +18,7 @@ const std::vector<std::uint8_t> kDescriptor{0x06, 0x00, 0xff, 0x09, 0x01, 0xa1, 
                                             0x81, 0x02, 0x09, 0x03, 0x91, 0x02, 0xc0};
 constexpr double kReportPeriod = 0.001; ///< [s]
 
-UsbDeviceModel::Identity describe()
+UsbDeviceModel::Identity describeWooden()
 {
   UsbDeviceModel::Identity id;
   id.vendor = 0x1234;
@@ -32,7 +32,7 @@ UsbDeviceModel::Identity describe()
 } // namespace
 
 WoodenModel::WoodenModel(const SimulatedDeviceSettings& mechanics, std::unique_ptr<Hand> hand)
-  : UsbDeviceModel(describe()), m_grip(mechanics, std::move(hand))
+  : UsbDeviceModel(describeWooden()), m_grip(mechanics, std::move(hand))
 {
   m_arm.inverse(Eigen::Vector3d::Zero(), m_angles);
   m_start = m_arm.countsOfAngles(m_angles);

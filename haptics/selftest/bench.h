@@ -6,10 +6,13 @@
 #include "haptics/simulated_device.h"
 
 #include <functional>
+#include <limits>
 #include <memory>
 #include <utility>
 
 namespace esm {
+
+inline constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A hand that follows a formula.
 class FormulaHand final : public Hand {

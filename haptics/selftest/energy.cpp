@@ -11,8 +11,6 @@ namespace esm {
 
 namespace {
 
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
 /// Some centimetres deep into the wall at x = 0, sliding along it, restless; from outside, where it is armed.
 Eigen::Vector3d restlessHand(double t)
 {

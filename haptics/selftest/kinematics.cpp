@@ -3,6 +3,7 @@
 #include "haptics/device/falcon_driver.h"
 #include "haptics/kinematics/delta3.h"
 #include "haptics/protocol/falcon_packet.h"
+#include "haptics/selftest/bench.h"
 #include "haptics/selftest/selftest.h"
 
 #include <Eigen/SVD>
@@ -15,8 +16,6 @@
 namespace esm {
 
 namespace {
-
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 /// A pose of the workspace whose condition is below 8; angles and their Jacobian with it.
 struct Pose {

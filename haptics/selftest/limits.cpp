@@ -14,7 +14,6 @@ namespace {
 
 constexpr int kUpdates = 1000000;
 constexpr double kUserLimit = 3.0; ///< [N]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 
 /// Any numbers of any size, now and then none.

@@ -20,7 +20,6 @@ constexpr double kNothing = 40e-6;    ///< [m]
 constexpr int kSeconds = 10;          ///< weak damping takes its time
 constexpr double kPush = 1.0;         ///< [N] by which the device is pressed to the wall
 constexpr double kImpact = 0.1;       ///< [m/s]
-constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 struct Wall {
   double ownDamping, addedDamping, tick;

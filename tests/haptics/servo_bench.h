@@ -11,6 +11,8 @@
 
 namespace esm {
 
+inline constexpr double kTick = 0.001; ///< of the servo loop [s]
+
 /// A hand that follows a formula.
 class PathHand final : public Hand {
 public:

@@ -12,7 +12,6 @@ namespace esm {
 
 namespace {
 
-constexpr double kTick = 0.001; // [s]
 const Eigen::Vector3d kOrigin = Eigen::Vector3d::Zero();
 
 /// A law with a device of b = 3 N s/m, no delay, T = 1 ms, driven in steps of a tick.

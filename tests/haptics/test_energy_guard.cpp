@@ -13,8 +13,6 @@ namespace esm {
 
 namespace {
 
-constexpr double kTick = 0.001; // [s]
-
 Eigen::Vector3d along(double x)
 {
   return {x, 0.0, 0.0};

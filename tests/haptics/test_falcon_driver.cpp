@@ -43,7 +43,7 @@ protected:
   std::filesystem::path m_image;
 };
 
-using Bench = DriverBench<FalconModel>;
+using FalconBench = DriverBench<FalconModel>;
 
 // From switch-on to work: upload, the user's homing, no force before it is done.
 TEST_F(FalconDriverTest, UploadsThenWaitsForHomeThenWorks)
@@ -55,7 +55,7 @@ TEST_F(FalconDriverTest, UploadsThenWaitsForHomeThenWorks)
     if (s < 0.0) return Eigen::Vector3d::Zero();
     return {0.0, 0.0, s < 0.5 ? 0.045 : s < 1.0 ? -0.04 : 0.0};
   });
-  Bench bench("falcon", std::make_shared<FalconModel>(settings, std::move(hand)), options);
+  FalconBench bench("falcon", std::make_shared<FalconModel>(settings, std::move(hand)), options);
   bench.tick(10);
   EXPECT_EQ(bench.phase(), DevicePhase::Opening);
   EXPECT_LT(bench.tickUntil([&] { return bench.phase() == DevicePhase::Upload; }, 2000), 2000);
@@ -77,7 +77,7 @@ TEST_F(FalconDriverTest, UploadsThenWaitsForHomeThenWorks)
 
 TEST_F(FalconDriverTest, WithoutFirmwareItSaysWhatIsMissing)
 {
-  Bench bench("falcon", std::make_shared<FalconModel>(FalconModel::Settings{}), {});
+  FalconBench bench("falcon", std::make_shared<FalconModel>(FalconModel::Settings{}), {});
   bench.tick(1000);
   EXPECT_EQ(bench.phase(), DevicePhase::Fault);
   EXPECT_NE(std::string(bench.loop.device().report().reason).find("firmware"), std::string::npos);
@@ -86,10 +86,10 @@ TEST_F(FalconDriverTest, WithoutFirmwareItSaysWhatIsMissing)
 // The position is read through encoders of 0.02 to 0.09 mm, the force written in words of 1e-4 N m.
 TEST_F(FalconDriverTest, ForceAtTheGripIsTheForceComputed)
 {
-  Bench bench("falcon", running(handAlong([](double t) {
-                return Eigen::Vector3d(0.0, 0.0, -0.02 * std::clamp(t - 1.0, 0.0, 1.0));
-              })),
-              options);
+  FalconBench bench("falcon", running(handAlong([](double t) {
+                      return Eigen::Vector3d(0.0, 0.0, -0.02 * std::clamp(t - 1.0, 0.0, 1.0));
+                    })),
+                    options);
   bench.tickUntil([&] { return bench.phase() == DevicePhase::Running; }, 1000);
   bench.order(ForceOrder::Arm);
   double worst = 0.0;
@@ -105,7 +105,7 @@ TEST_F(FalconDriverTest, ForceAtTheGripIsTheForceComputed)
 // A12: a silent device is a fault after 20 ms of silence; counted from the first tick without a reply.
 TEST_F(FalconDriverTest, SilenceIsAFault)
 {
-  Bench bench("falcon", running(), options);
+  FalconBench bench("falcon", running(), options);
   bench.tickUntil([&] { return bench.phase() == DevicePhase::Running; }, 1000);
   bench.tick(50);
   EXPECT_EQ(bench.status().reason, ServoReason::Plain);
@@ -120,8 +120,8 @@ TEST_F(FalconDriverTest, UnpluggedInAnyStateIsLostAtOnceAndComesBackTwentyTimes)
 {
   const auto model = running();
   for (int cycle = 0; cycle < 20; ++cycle) {
-    Bench bench("falcon", cycle % 2 ? model : std::make_shared<FalconModel>(FalconModel::Settings{}),
-                options);
+    FalconBench bench("falcon", cycle % 2 ? model : std::make_shared<FalconModel>(FalconModel::Settings{}),
+                      options);
     bench.tick(1 + cycle * 60); // opening, upload, homed
     const DevicePhase before = bench.phase();
     bench.usb.unplug();
@@ -134,7 +134,7 @@ TEST_F(FalconDriverTest, UnpluggedInAnyStateIsLostAtOnceAndComesBackTwentyTimes)
 
 TEST_F(FalconDriverTest, ABadByteMovesNothing)
 {
-  Bench bench("falcon", running(), options);
+  FalconBench bench("falcon", running(), options);
   bench.tickUntil([&] { return bench.phase() == DevicePhase::Running; }, 1000);
   bench.tick(50);
   const Eigen::Vector3d rest = bench.status().position;
@@ -156,7 +156,7 @@ TEST_F(FalconDriverTest, ClosingLeavesZeroForce)
   const auto model = running(
     handAlong([](double t) { return Eigen::Vector3d(0.0, 0.0, -0.02 * std::clamp(t - 1.0, 0.0, 1.0)); }));
   {
-    Bench bench("falcon", model, options);
+    FalconBench bench("falcon", model, options);
     bench.tickUntil([&] { return bench.phase() == DevicePhase::Running; }, 1000);
     bench.order(ForceOrder::Arm);
     for (int i = 0; i < 4000; ++i) {
@@ -171,7 +171,7 @@ TEST_F(FalconDriverTest, ClosingLeavesZeroForce)
 
 TEST_F(FalconDriverTest, TheTickNeverAllocates)
 {
-  Bench bench("falcon", running(), options);
+  FalconBench bench("falcon", running(), options);
   bench.tickUntil([&] { return bench.phase() == DevicePhase::Running; }, 1000);
   DeviceSample sample;
   HapticDevice& device = bench.loop.device();
@@ -182,12 +182,12 @@ TEST_F(FalconDriverTest, TheTickNeverAllocates)
   ASSERT_TRUE(driver);
   DrivenDevice threaded(std::move(*driver));
   SteadyClock clock;
-  const auto before = testing::allocationsOfThisThread();
+  const auto before = test::allocationsOfThisThread();
   for (int i = 0; i < 300; ++i) {
     threaded.read(clock.now(), sample);
     threaded.write(Eigen::Vector3d::Zero());
   }
-  EXPECT_EQ(testing::allocationsOfThisThread(), before);
+  EXPECT_EQ(test::allocationsOfThisThread(), before);
   EXPECT_EQ(device.profile().name, "Novint Falcon");
 }
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/force_limiter.h"
 
+#include "servo_bench.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -12,7 +14,6 @@ namespace esm {
 
 namespace {
 
-constexpr double kTick = 0.001; // [s]
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNaN = std::numeric_limits<double>::quiet_NaN();
 

@@ -73,7 +73,7 @@ TEST(HidValues, ComeBackWhereverTheyLie)
   }
 }
 
-using Bench = DriverBench<PidModel>;
+using PidBench = DriverBench<PidModel>;
 
 std::shared_ptr<PidModel> stick(PidModel::Settings settings = {}, std::unique_ptr<Hand> hand = nullptr)
 {
@@ -87,7 +87,7 @@ TEST(PidDevice, SetsUpTwoEffectsAndClosesThem)
   settings.busyAnswers = 20; // fewer than it asks for
   const auto model = stick(settings);
   {
-    Bench bench("pid", model, {});
+    PidBench bench("pid", model, {});
     bench.tick(5);
     EXPECT_EQ(bench.phase(), DevicePhase::Running);
     EXPECT_EQ(model->effects(), 2);
@@ -108,7 +108,7 @@ TEST(PidDevice, GivesUpOnAFullOrSilentDevice)
   full.full = true;
   busy.busyAnswers = 1000000;
   for (const auto& settings : {full, busy}) {
-    Bench bench("pid", stick(settings), {});
+    PidBench bench("pid", stick(settings), {});
     bench.tick(5);
     EXPECT_EQ(bench.phase(), DevicePhase::Fault);
     EXPECT_STRNE(bench.loop.device().report().reason, "");

@@ -257,13 +257,13 @@ TEST(ServoLoop, ATickAllocatesNothing)
 {
   ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
   bringUp(bench);
-  const std::uint64_t before = testing::allocationsOfThisThread();
+  const std::uint64_t before = test::allocationsOfThisThread();
   tickUnder(bench, springTo({0.001, 0.0, 0.0}, 500.0), 1000);
   bench.order(ForceOrder::Stop);
   tickUnder(bench, constantForce(Eigen::Vector3d::Constant(std::numeric_limits<double>::quiet_NaN())), 10);
-  EXPECT_EQ(testing::allocationsOfThisThread(), before);
+  EXPECT_EQ(test::allocationsOfThisThread(), before);
   auto counted = std::make_unique<int>(1); // the counter does count
-  EXPECT_EQ(testing::allocationsOfThisThread(), before + 1);
+  EXPECT_EQ(test::allocationsOfThisThread(), before + 1);
 }
 
 } // namespace esm

@@ -48,7 +48,7 @@ TEST(ServoTiming, ReportsWhatATickTakes)
   constexpr int kTicks = 100000;
   std::vector<double> times;
   times.reserve(kTicks);
-  const std::uint64_t before = testing::allocationsOfThisThread();
+  const std::uint64_t before = test::allocationsOfThisThread();
   for (int i = 0; i < kTicks; ++i) {
     contact.back() = springTo({0.0001, 0.0, 0.0}, 500.0);
     contact.back().sequence = static_cast<std::uint64_t>(i) + 1;
@@ -57,7 +57,7 @@ TEST(ServoTiming, ReportsWhatATickTakes)
     core.tick(0.001 * i, 0.001);
     times.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count());
   }
-  EXPECT_EQ(testing::allocationsOfThisThread(), before);
+  EXPECT_EQ(test::allocationsOfThisThread(), before);
   std::sort(times.begin(), times.end());
   std::printf("A13  a tick: %.2f us (half), %.2f us (99.9 %%; 50 wanted), %.1f us (worst)\n",
               1e6 * percentile(times, 0.5), 1e6 * percentile(times, 0.999), 1e6 * times.back());

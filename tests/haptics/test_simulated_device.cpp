@@ -11,8 +11,6 @@ namespace esm {
 
 namespace {
 
-constexpr double kTick = 0.001; // [s]
-
 SimulatedDeviceSettings frictionless(double damping)
 {
   SimulatedDeviceSettings settings;

@@ -16,6 +16,27 @@
 
 namespace esm::test {
 
+inline const std::filesystem::path kSamples = std::filesystem::path(ESM_SOURCE_DIR) / "resources" / "samples";
+
+/// A file that a reader must refuse, and what it must say.
+struct Refused {
+  const char* name;
+  std::string bytes;
+  ErrorCode code;
+  const char* message;
+};
+inline void PrintTo(const Refused& file, std::ostream* out)
+{
+  *out << file.name;
+}
+
+inline std::string replaced(std::string text, const std::string& from, const std::string& to)
+{
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
 /// A folder of this process that is gone at the end of the test.
 class TempFolder {
 public:

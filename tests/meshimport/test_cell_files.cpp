@@ -271,7 +271,7 @@ TEST(Inventor, facesAndLinesOfBothFormatsArriveWhereTheirTransformsPutThem)
 
 // === What is refused, and why
 
-struct Refused {
+struct RefusedCells {
   const char* test;
   const char* name;
   std::string bytes;
@@ -283,7 +283,7 @@ std::string without(std::string text, const std::string& part, const std::string
   return text.replace(text.find(part), part.size(), with);
 }
 
-class CellFileRefused : public ::testing::TestWithParam<Refused> {};
+class CellFileRefused : public ::testing::TestWithParam<RefusedCells> {};
 
 TEST_P(CellFileRefused, saysFileAndCauseInOneLine)
 {
@@ -294,7 +294,7 @@ TEST_P(CellFileRefused, saysFileAndCauseInOneLine)
   EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
 }
 
-const Refused kRefused[] = {
+const RefusedCells kRefused[] = {
   {"vtkLyingPoints", "x.vtk", without(kVtkGrid, "POINTS 5", "POINTS 1000000000"), "too small"},
   {"vtkLyingCells", "x.vtk", without(kVtkGrid, "CELLS 3 13", "CELLS 3 2000000000"), "too small"},
   {"vtkIndex", "x.vtk", without(kVtkGrid, "4 0 1 2 4", "4 0 1 2 9"), "there is no point 9"},

@@ -15,7 +15,6 @@ using namespace esm::test;
 using ::testing::HasSubstr;
 
 const std::filesystem::path kData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
-const std::filesystem::path kSamples = std::filesystem::path(ESM_SOURCE_DIR) / "resources" / "samples";
 
 const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::string kPng("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\x02\0\0\0", 29);

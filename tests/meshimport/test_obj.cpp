@@ -57,16 +57,6 @@ const Readable kReadable[] = {
 INSTANTIATE_TEST_SUITE_P(Files, ObjReadable, ::testing::ValuesIn(kReadable),
                          [](const auto& file) { return std::string(file.param.name); });
 
-struct Refused {
-  const char* name;
-  std::string bytes;
-  ErrorCode code;
-  const char* message;
-};
-void PrintTo(const Refused& file, std::ostream* out)
-{
-  *out << file.name;
-}
 class ObjRefused : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(ObjRefused, saysFileLineAndCauseInOneLine)
@@ -79,7 +69,7 @@ TEST_P(ObjRefused, saysFileLineAndCauseInOneLine)
   EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
 }
 
-const Refused kRefused[] = {
+const Refused kRefusedObj[] = {
   {"indexTooLarge", kThree + "\nf 1 2 4\n", ErrorCode::InvalidValue, "line 5: there is no vertex 4"},
   {"indexZero", kThree + "f 0 1 2\n", ErrorCode::InvalidValue, "line 4: there is no vertex 0"},
   {"indexTooNegative", kThree + "f -4 1 2\n", ErrorCode::InvalidValue, "line 4: there is no vertex -4"},
@@ -100,7 +90,7 @@ const Refused kRefused[] = {
   {"empty", "", ErrorCode::EmptyResult, "the file is empty (0 bytes)"},
   {"allInOnePlace", "v 1 1 1\nv 1 1 1\nv 1 1 1\nf 1 2 3\n", ErrorCode::EmptyResult, "no spring"},
 };
-INSTANTIATE_TEST_SUITE_P(Files, ObjRefused, ::testing::ValuesIn(kRefused),
+INSTANTIATE_TEST_SUITE_P(Files, ObjRefused, ::testing::ValuesIn(kRefusedObj),
                          [](const auto& file) { return std::string(file.param.name); });
 
 TEST(Obj, verticesKeepTheOrderOfTheFileAndTheirDoublePrecision)

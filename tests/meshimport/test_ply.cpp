@@ -13,15 +13,8 @@ using ::testing::HasSubstr;
 const std::string kHeader = "ply\nformat ascii 1.0\ncomment made by a test\n"
                             "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n"
                             "element face 1\nproperty list uchar int vertex_indices\n";
-const std::string kFourVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
-const std::string kSquare = kHeader + "end_header\n" + kFourVertices + "4 0 1 2 3\n";
-
-std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
-}
+const std::string kPlyVertices = "0 0 0\n1 0 0\n1 1 0\n0 1 0\n";
+const std::string kSquare = kHeader + "end_header\n" + kPlyVertices + "4 0 1 2 3\n";
 
 /// A square with one edge across, each number in another type, in the given byte order.
 std::string binarySquare(std::endian order, const std::string& lineEnd = "\n")
@@ -79,7 +72,7 @@ TEST(Ply, edgesBecomeSegments)
 {
   const std::string bytes = kHeader +
                             "element edge 2\nproperty int vertex1\nproperty int vertex2\nend_header\n" +
-                            kFourVertices + "3 0 1 2\n0 3\n3 2\n";
+                            kPlyVertices + "3 0 1 2\n0 3\n3 2\n";
   EXPECT_EQ(summary(importBytes("x.ply", bytes)), "4/5/1");
 }
 
@@ -103,7 +96,7 @@ TEST(Ply, otherElementsAndTrailingBytesAreNoted)
 {
   const std::string bytes =
     replaced(kHeader, "element face", "element marker 1\nproperty int a\nelement face") + "end_header\n" +
-    kFourVertices + "17\n3 0 1 2\nmore\n";
+    kPlyVertices + "17\n3 0 1 2\nmore\n";
   const auto imported = importBytes("x.ply", bytes);
   ASSERT_TRUE(imported) << imported.error().detail;
   const std::string notes = ::testing::PrintToString(imported->notes);
@@ -111,16 +104,6 @@ TEST(Ply, otherElementsAndTrailingBytesAreNoted)
   EXPECT_THAT(notes, HasSubstr("5 bytes behind the last element"));
 }
 
-struct Refused {
-  const char* name;
-  std::string bytes;
-  ErrorCode code;
-  const char* message;
-};
-void PrintTo(const Refused& file, std::ostream* out)
-{
-  *out << file.name;
-}
 class PlyRefused : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(PlyRefused, saysFileAndCauseInOneLine)
@@ -134,7 +117,7 @@ TEST_P(PlyRefused, saysFileAndCauseInOneLine)
 }
 
 const std::string kBinary = binarySquare(std::endian::little);
-const Refused kRefused[] = {
+const Refused kRefusedPly[] = {
   {"headerCutShort", kSquare.substr(0, kSquare.find("end_header")), ErrorCode::BadFormat, "no 'end_header'"},
   {"bodyCutShort", kSquare.substr(0, kSquare.size() - 4), ErrorCode::BadFormat,
    "line 15: face 1: a list of impossible length"},
@@ -167,7 +150,7 @@ const Refused kRefused[] = {
   {"pointCloud", replaced(replaced(kSquare, "face 1", "face 0"), "4 0 1 2 3\n", ""), ErrorCode::EmptyResult,
    "point cloud"},
 };
-INSTANTIATE_TEST_SUITE_P(Files, PlyRefused, ::testing::ValuesIn(kRefused),
+INSTANTIATE_TEST_SUITE_P(Files, PlyRefused, ::testing::ValuesIn(kRefusedPly),
                          [](const auto& file) { return std::string(file.param.name); });
 
 } // namespace

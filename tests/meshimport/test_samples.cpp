@@ -11,8 +11,6 @@ namespace {
 
 using namespace esm;
 
-const std::filesystem::path kSamples = std::filesystem::path(ESM_SOURCE_DIR) / "resources" / "samples";
-
 nlohmann::json counts()
 {
   std::ifstream file(kSamples / "counts.json");

@@ -20,13 +20,6 @@ const std::string kAscii = "solid a square\n"
                            "facet normal 0 0 1\n outer loop\n  vertex 1 0 0\n  vertex 1 1 0\n  vertex 0 1 0\n"
                            " endloop\nendfacet\nendsolid a square\n";
 
-std::string replaced(std::string text, const std::string& from, const std::string& to)
-{
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
-}
-
 std::string upperCase(std::string text)
 {
   std::transform(text.begin(), text.end(), text.begin(),
@@ -79,16 +72,6 @@ TEST(Stl, bytesBehindTheLastFacetAreNoted)
   EXPECT_THAT(imported->notes[0], HasSubstr("17 bytes behind the last facet"));
 }
 
-struct Refused {
-  const char* name;
-  std::string bytes;
-  ErrorCode code;
-  const char* message;
-};
-void PrintTo(const Refused& file, std::ostream* out)
-{
-  *out << file.name;
-}
 class StlRefused : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(StlRefused, saysFileAndCauseInOneLine)
@@ -101,7 +84,7 @@ TEST_P(StlRefused, saysFileAndCauseInOneLine)
   EXPECT_EQ(imported.error().detail.find('\n'), std::string::npos);
 }
 
-const Refused kRefused[] = {
+const Refused kRefusedStl[] = {
   {"truncated", binaryStl(kTwoFacets, 2).substr(0, 150), ErrorCode::BadFormat,
    "promises 2 facets in 184 bytes, but it has 150"},
   {"truncatedSolid", binaryStl(kTwoFacets, 2, "solid x").substr(0, 150), ErrorCode::BadFormat,
@@ -128,7 +111,7 @@ const Refused kRefused[] = {
   {"asciiOddWord", replaced(kAscii, "endfacet", "endface"), ErrorCode::BadFormat,
    "line 8: 'endface' is no word"},
 };
-INSTANTIATE_TEST_SUITE_P(Files, StlRefused, ::testing::ValuesIn(kRefused),
+INSTANTIATE_TEST_SUITE_P(Files, StlRefused, ::testing::ValuesIn(kRefusedStl),
                          [](const auto& file) { return std::string(file.param.name); });
 
 } // namespace

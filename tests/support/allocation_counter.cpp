@@ -98,11 +98,11 @@ void operator delete[](void* memory, std::size_t, std::align_val_t) noexcept
   std::free(memory);
 }
 
-namespace esm::testing {
+namespace esm::test {
 
 std::uint64_t allocationsOfThisThread() noexcept
 {
   return count;
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -4,9 +4,9 @@
 
 #include <cstdint>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// How often this thread has called operator new so far.
 std::uint64_t allocationsOfThisThread() noexcept;
 
-} // namespace esm::testing
+} // namespace esm::test

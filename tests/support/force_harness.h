@@ -9,7 +9,7 @@
 #include <cmath>
 #include <vector>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// The checks that every force law must pass, over any net (after SOFA's idea). Positions and velocities are
 /// those of the net; they should be well away from kinks of the law. Differences are central with h = 1e-6:
@@ -182,4 +182,4 @@ private:
   NodeArray m_x, m_v;
 };
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <random>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 /// Uniform in [low, high) from the raw bits, so that every standard library gives the same net.
@@ -113,4 +113,4 @@ SpringNet randomNet(std::uint32_t seed, Index nodes, SpringLaw law)
   return net;
 }
 
-} // namespace esm::testing
+} // namespace esm::test

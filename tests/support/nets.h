@@ -6,7 +6,7 @@
 
 #include <cstdint>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// Small nets for physics tests. All have nodes of 1 kg, free, linear springs at rest length, without
 /// viscosity; the test changes what it is about.
@@ -26,4 +26,4 @@ Index addNode(SpringNet& net, const Eigen::Vector3d& position);
 Index addSpring(SpringNet& net, Index a, Index b, double k, double c = 0.0);
 void addAnchor(SpringNet& net, Index node, const Eigen::Vector3d& point, double k, double c = 0.0);
 
-} // namespace esm::testing
+} // namespace esm::test

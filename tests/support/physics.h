@@ -12,7 +12,7 @@
 #include <string>
 #include <utility>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// Creation that must succeed.
 inline Simulation simulate(SpringNet net, Loads loads = {}, SolverSettings settings = {})
@@ -42,4 +42,4 @@ inline void advanceWell(Simulation& simulation, double time)
   ASSERT_TRUE(report.good()) << simulation.why();
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <random>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0; // [s]
@@ -285,4 +285,4 @@ StressCase stressCase(std::uint32_t seed)
   return result;
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// A net that no modeller would want, with a story of what happens to it. Plain data.
 struct StressCase {
@@ -37,4 +37,4 @@ struct StressCase {
 ///                  other stiffness, viscosity, mass, laws
 StressCase stressCase(std::uint32_t seed);
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 bool isFinite(const Simulation& simulation)
@@ -119,4 +119,4 @@ StressSummary sweepStress(std::uint32_t first, std::uint32_t last, const SolverS
   return summary;
 }
 
-} // namespace esm::testing
+} // namespace esm::test

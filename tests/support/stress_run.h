@@ -8,7 +8,7 @@
 #include <map>
 #include <string>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// What a case did at its worst.
 struct StressResult {
@@ -45,4 +45,4 @@ struct StressSummary {
 StressSummary sweepStress(std::uint32_t first, std::uint32_t last, const SolverSettings& settings,
                           double growth, double cost);
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -6,14 +6,14 @@ namespace esm::fis {
 
 namespace {
 
-constexpr std::array<std::string_view, kTNormCount> kTNorms = {
+constexpr std::array<std::string_view, kTNormCount> kTNormNames = {
   "Minimum",         "AlgebraicProduct", "BoundedDifference", "DrasticProduct",
   "EinsteinProduct", "HamacherProduct",  "NilpotentMinimum"};
-constexpr std::array<std::string_view, kSNormCount> kSNorms = {
+constexpr std::array<std::string_view, kSNormCount> kSNormNames = {
   "Maximum",     "AlgebraicSum",     "BoundedSum",    "DrasticSum",  "EinsteinSum",
   "HamacherSum", "NilpotentMaximum", "NormalizedSum", "UnboundedSum"};
-constexpr std::array<std::string_view, kHedgeCount> kHedges = {"any",      "extremely", "not",  "seldom",
-                                                               "somewhat", "very",      "cubed"};
+constexpr std::array<std::string_view, kHedgeCount> kHedgeNames = {"any",      "extremely", "not",  "seldom",
+                                                                   "somewhat", "very",      "cubed"};
 
 template <class Enum, std::size_t N>
 std::optional<Enum> find(const std::array<std::string_view, N>& names, std::string_view name)
@@ -27,27 +27,27 @@ std::optional<Enum> find(const std::array<std::string_view, N>& names, std::stri
 
 std::string_view nameOf(TNorm norm) noexcept
 {
-  return kTNorms[static_cast<std::size_t>(norm)];
+  return kTNormNames[static_cast<std::size_t>(norm)];
 }
 std::string_view nameOf(SNorm norm) noexcept
 {
-  return kSNorms[static_cast<std::size_t>(norm)];
+  return kSNormNames[static_cast<std::size_t>(norm)];
 }
 std::string_view nameOf(Hedge hedge) noexcept
 {
-  return kHedges[static_cast<std::size_t>(hedge)];
+  return kHedgeNames[static_cast<std::size_t>(hedge)];
 }
 std::optional<TNorm> tNormNamed(std::string_view name) noexcept
 {
-  return find<TNorm>(kTNorms, name);
+  return find<TNorm>(kTNormNames, name);
 }
 std::optional<SNorm> sNormNamed(std::string_view name) noexcept
 {
-  return find<SNorm>(kSNorms, name);
+  return find<SNorm>(kSNormNames, name);
 }
 std::optional<Hedge> hedgeNamed(std::string_view name) noexcept
 {
-  return find<Hedge>(kHedges, name);
+  return find<Hedge>(kHedgeNames, name);
 }
 
 } // namespace esm::fis

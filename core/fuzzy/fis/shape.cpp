@@ -18,7 +18,7 @@ struct ShapeInfo {
   int parameters;
   std::array<std::string_view, 4> parameterNames;
 };
-constexpr std::array<ShapeInfo, kShapeCount> kShapes = {
+constexpr std::array<ShapeInfo, kShapeCount> kShapeInfos = {
   {{"Bell", 3, {"center", "width", "slope", ""}},
    {"Binary", 2, {"start", "direction", "", ""}},
    {"Concave", 2, {"inflection", "end", "", ""}},
@@ -43,7 +43,7 @@ constexpr std::array<ShapeInfo, kShapeCount> kShapes = {
 
 const ShapeInfo& infoOf(Shape shape)
 {
-  return kShapes[static_cast<std::size_t>(shape)];
+  return kShapeInfos[static_cast<std::size_t>(shape)];
 }
 
 /// Height of a flank that is 0 at `zero` and 1 at `one`, for x beyond `one` on the side of `zero`.
@@ -221,11 +221,6 @@ double linear(const Curve& curve)
   return count > inputs ? sum + curve.parameters.back() : sum;
 }
 
-Error invalid(std::string detail)
-{
-  return {ErrorCode::InvalidValue, std::move(detail)};
-}
-
 /// Beyond this, differences and squares of numbers may overflow.
 constexpr double kLargestNumber = 1e100;
 
@@ -238,8 +233,8 @@ std::string_view nameOf(Shape shape) noexcept
 
 std::optional<Shape> shapeNamed(std::string_view name) noexcept
 {
-  for (std::size_t i = 0; i < kShapes.size(); ++i)
-    if (kShapes[i].name == name) return static_cast<Shape>(i);
+  for (std::size_t i = 0; i < kShapeInfos.size(); ++i)
+    if (kShapeInfos[i].name == name) return static_cast<Shape>(i);
   return std::nullopt;
 }
 
@@ -287,14 +282,14 @@ Status checkDiscrete(const Term& term)
 {
   const auto& p = term.parameters;
   if (p.size() < 2 || p.size() % 2 != 0)
-    return invalid("needs pairs of numbers x y, it has " + std::to_string(p.size()) + " numbers");
+    return invalidValue("needs pairs of numbers x y, it has " + std::to_string(p.size()) + " numbers");
   if (p.size() > 2 * kMaximumPoints)
-    return invalid("has " + std::to_string(p.size() / 2) + " points, more than " +
-                   std::to_string(kMaximumPoints));
+    return invalidValue("has " + std::to_string(p.size() / 2) + " points, more than " +
+                        std::to_string(kMaximumPoints));
   for (std::size_t i = 2; i < p.size(); i += 2)
     if (!(p[i] > p[i - 2]))
-      return invalid("needs rising x, but " + formatDouble(p[i - 2]) + " stands before " +
-                     formatDouble(p[i]));
+      return invalidValue("needs rising x, but " + formatDouble(p[i - 2]) + " stands before " +
+                          formatDouble(p[i]));
   return {};
 }
 
@@ -303,8 +298,8 @@ Status checkOrder(const Term& term)
   const auto& p = term.parameters;
   for (std::size_t i = 1; i < p.size(); ++i)
     if (!(p[i] >= p[i - 1]))
-      return invalid("needs numbers that do not fall, but " + formatDouble(p[i - 1]) + " stands before " +
-                     formatDouble(p[i]));
+      return invalidValue("needs numbers that do not fall, but " + formatDouble(p[i - 1]) +
+                          " stands before " + formatDouble(p[i]));
   return {};
 }
 
@@ -320,7 +315,8 @@ Status checkWidths(const Term& term)
   const auto& p = term.parameters;
   const auto zero = [&](std::size_t i) {
     return std::abs(p[i]) < 1e-100
-             ? Status(invalid(std::string(parameterName(term.shape, static_cast<int>(i))) + " must not be 0"))
+             ? Status(
+                 invalidValue(std::string(parameterName(term.shape, static_cast<int>(i))) + " must not be 0"))
              : Status();
   };
   switch (term.shape) {
@@ -329,14 +325,14 @@ Status checkWidths(const Term& term)
   case Shape::Spike:
     return zero(1);
   case Shape::Cosine:
-    if (!(p[1] > 1e-100)) return invalid("width must be above 0");
+    if (!(p[1] > 1e-100)) return invalidValue("width must be above 0");
     return {};
   case Shape::GaussianProduct: {
     Status first = zero(1);
     return first ? zero(3) : first;
   }
   case Shape::Binary:
-    if (p[0] == p[1]) return invalid("direction must differ from start");
+    if (p[0] == p[1]) return invalidValue("direction must differ from start");
     return {};
   case Shape::Discrete:
     return checkDiscrete(term);
@@ -359,18 +355,19 @@ Status checkTerm(const Term& term)
   const auto& p = term.parameters;
   const int needed = parameterCount(term.shape);
   if (needed >= 0 && p.size() != static_cast<std::size_t>(needed))
-    return invalid("needs " + std::to_string(needed) + " parameters, it has " + std::to_string(p.size()));
-  if (term.shape == Shape::Linear && p.empty()) return invalid("needs coefficients");
+    return invalidValue("needs " + std::to_string(needed) + " parameters, it has " +
+                        std::to_string(p.size()));
+  if (term.shape == Shape::Linear && p.empty()) return invalidValue("needs coefficients");
   if (term.shape == Shape::Function && (term.formula.empty() || !p.empty()))
-    return invalid("needs a formula and no parameters");
+    return invalidValue("needs a formula and no parameters");
   for (std::size_t i = 0; i < p.size(); ++i) {
     if (std::abs(p[i]) <= kLargestNumber ||
         (std::isinf(p[i]) && mayBeInfinite(term.shape, i, p.size(), p[i])))
       continue;
-    return invalid("parameter " + formatDouble(p[i]) + " is not a usable number");
+    return invalidValue("parameter " + formatDouble(p[i]) + " is not a usable number");
   }
   if (!(std::abs(term.height) <= kLargestNumber) || (isNumber(term.shape) && term.height != 1.0))
-    return invalid("the height " + formatDouble(term.height) + " is not usable");
+    return invalidValue("the height " + formatDouble(term.height) + " is not usable");
   return checkWidths(term);
 }
 

@@ -178,11 +178,6 @@ std::string ruleText(const System& system, const Rule& rule)
 
 namespace {
 
-Error invalid(std::string detail)
-{
-  return {ErrorCode::InvalidValue, std::move(detail)};
-}
-
 bool isOneLine(const std::string& text)
 {
   return std::none_of(text.begin(), text.end(), [](char c) { return c == '\n' || c == '\r' || c == '#'; }) &&
@@ -197,7 +192,7 @@ public:
   Status check()
   {
     if (!isOneLine(m_system.name) || !isOneLine(m_system.description))
-      return invalid("the name or description of the system is not one plain line of text");
+      return invalidValue("the name or description of the system is not one plain line of text");
     std::set<std::string> names;
     for (const InputVariable& input : m_system.inputs) {
       if (Status status = checkVariable(input, "input", names); !status) return status;
@@ -209,8 +204,8 @@ public:
       const OutputVariable& output = m_system.outputs[i];
       if (Status status = checkVariable(output, "output", names); !status) return status;
       if (output.resolution < 1 || output.resolution > 1000000)
-        return invalid("output '" + output.name + "': the resolution " + std::to_string(output.resolution) +
-                       " is outside 1 to 1000000");
+        return invalidValue("output '" + output.name + "': the resolution " +
+                            std::to_string(output.resolution) + " is outside 1 to 1000000");
       for (const Term& term : output.terms)
         if (Status status = checkFormula(term, i, where(term, "output", output.name)); !status) return status;
     }
@@ -230,22 +225,22 @@ private:
   {
     const std::string place = std::string(role) + " '" + variable.name + "'";
     if (!isUsableName(variable.name))
-      return invalid(place + ": a name is one word of letters, digits, _ and ., and no keyword");
-    if (!names.insert(variable.name).second) return invalid(place + ": the name is taken");
+      return invalidValue(place + ": a name is one word of letters, digits, _ and ., and no keyword");
+    if (!names.insert(variable.name).second) return invalidValue(place + ": the name is taken");
     if (!isOneLine(variable.description))
-      return invalid(place + ": the description is not one plain line of text");
+      return invalidValue(place + ": the description is not one plain line of text");
     if (!(variable.maximum >= variable.minimum))
-      return invalid(place + ": the range " + formatDouble(variable.minimum) + " to " +
-                     formatDouble(variable.maximum) + " is empty");
+      return invalidValue(place + ": the range " + formatDouble(variable.minimum) + " to " +
+                          formatDouble(variable.maximum) + " is empty");
     std::set<std::string_view> termNames;
     for (const Term& term : variable.terms) {
       if (!isUsableName(term.name))
-        return invalid(where(term, role, variable.name) +
-                       ": a name is one word of letters, digits, _ and ., and no keyword");
+        return invalidValue(where(term, role, variable.name) +
+                            ": a name is one word of letters, digits, _ and ., and no keyword");
       if (!termNames.insert(term.name).second)
-        return invalid(where(term, role, variable.name) + " occurs twice");
+        return invalidValue(where(term, role, variable.name) + " occurs twice");
       if (const Status status = checkTerm(term); !status)
-        return invalid(where(term, role, variable.name) + ": " + status.error().detail);
+        return invalidValue(where(term, role, variable.name) + ": " + status.error().detail);
     }
     return {};
   }
@@ -253,10 +248,11 @@ private:
   Status checkFormula(const Term& term, std::size_t output, const std::string& place) const
   {
     if (term.shape != Shape::Function) return {};
-    if (!isOneLine(term.formula)) return invalid(place + ": the formula is not one plain line of text");
+    if (!isOneLine(term.formula)) return invalidValue(place + ": the formula is not one plain line of text");
     const auto names = formulaNames(m_system, output);
     const auto parsed = Formula::parse(term.formula, names);
-    if (const auto* error = std::get_if<FormulaError>(&parsed)) return invalid(place + ": " + error->message);
+    if (const auto* error = std::get_if<FormulaError>(&parsed))
+      return invalidValue(place + ": " + error->message);
     return {};
   }
 
@@ -264,9 +260,9 @@ private:
   {
     const std::string place = "block '" + block.name + "'";
     if (!isOneLine(block.name) || !isOneLine(block.description))
-      return invalid(place + ": the name or description is not one plain line of text");
+      return invalidValue(place + ": the name or description is not one plain line of text");
     if (block.activation.count < 0 || !std::isfinite(block.activation.threshold))
-      return invalid(place + ": the activation needs a count from 0 on and a finite threshold");
+      return invalidValue(place + ": the activation needs a count from 0 on and a finite threshold");
     for (std::size_t i = 0; i < block.rules.size(); ++i)
       if (Status status = checkRule(block, block.rules[i], "rule " + std::to_string(i + 1) + " of " + place);
           !status)
@@ -280,19 +276,19 @@ private:
     for (const Antecedent::Node& node : rule.antecedent.nodes) {
       using Kind = Antecedent::Kind;
       if (node.kind == Kind::And && !block.conjunction)
-        return invalid(place + " has 'and', but its block no conjunction");
+        return invalidValue(place + " has 'and', but its block no conjunction");
       if (node.kind == Kind::Or && !block.disjunction)
-        return invalid(place + " has 'or', but its block no disjunction");
+        return invalidValue(place + " has 'or', but its block no disjunction");
       if (node.kind != Kind::Proposition) continue;
       if (Status status = checkProposition(node.proposition, place, true); !status) return status;
     }
-    if (rule.consequents.empty()) return invalid(place + " has no conclusion");
+    if (rule.consequents.empty()) return invalidValue(place + " has no conclusion");
     for (const Proposition& consequent : rule.consequents) {
-      if (!consequent.onOutput) return invalid(place + " concludes on an input");
+      if (!consequent.onOutput) return invalidValue(place + " concludes on an input");
       if (Status status = checkProposition(consequent, place, false); !status) return status;
       if (Status status = checkConclusion(block, consequent, place); !status) return status;
     }
-    if (!std::isfinite(rule.weight)) return invalid(place + ": the weight is not a finite number");
+    if (!std::isfinite(rule.weight)) return invalidValue(place + ": the weight is not a finite number");
     return {};
   }
 
@@ -300,18 +296,18 @@ private:
   {
     const std::size_t count = proposition.onOutput ? m_system.outputs.size() : m_system.inputs.size();
     if (proposition.variable < 0 || proposition.variable >= static_cast<int>(count))
-      return invalid(place + " names a variable that does not exist");
+      return invalidValue(place + " names a variable that does not exist");
     const auto variable = static_cast<std::size_t>(proposition.variable);
     const auto& terms =
       proposition.onOutput ? m_system.outputs[variable].terms : m_system.inputs[variable].terms;
     if (proposition.term >= static_cast<int>(terms.size()) || proposition.term < -1)
-      return invalid(place + " names a term that does not exist");
+      return invalidValue(place + " names a term that does not exist");
     const bool any = hasHedge(proposition, Hedge::Any);
     if (proposition.term < 0 && (!mayBeAny || !any || proposition.hedges.back() != Hedge::Any))
-      return invalid(place + " has a proposition without a term");
+      return invalidValue(place + " has a proposition without a term");
     if (any && (proposition.term >= 0 || proposition.hedges.back() != Hedge::Any ||
                 std::count(proposition.hedges.begin(), proposition.hedges.end(), Hedge::Any) > 1))
-      return invalid(place + ": 'any' stands in place of a term, at the end");
+      return invalidValue(place + ": 'any' stands in place of a term, at the end");
     return {};
   }
 
@@ -322,13 +318,13 @@ private:
     const OutputVariable& output = m_system.outputs[static_cast<std::size_t>(consequent.variable)];
     if (!output.enabled || !block.enabled) return {};
     const std::string on = place + " concludes on '" + output.name + "', ";
-    if (output.defuzzifier == Defuzzifier::None) return invalid(on + "which has no defuzzifier");
+    if (output.defuzzifier == Defuzzifier::None) return invalidValue(on + "which has no defuzzifier");
     if (!isArea(output.defuzzifier)) return {};
-    if (!output.aggregation) return invalid(on + "which has no aggregation");
-    if (!block.implication) return invalid(on + "but its block has no implication");
+    if (!output.aggregation) return invalidValue(on + "which has no aggregation");
+    if (!block.implication) return invalidValue(on + "but its block has no implication");
     if (!std::isfinite(output.minimum) || !std::isfinite(output.maximum) ||
         !std::isfinite(output.maximum - output.minimum))
-      return invalid(on + "whose range is not finite, so that its set has no area");
+      return invalidValue(on + "whose range is not finite, so that its set has no area");
     return {};
   }
 
@@ -336,7 +332,7 @@ private:
   {
     using Kind = Antecedent::Kind;
     const std::size_t count = antecedent.nodes.size();
-    if (count == 0) return invalid(place + " has no condition");
+    if (count == 0) return invalidValue(place + " has no condition");
     std::vector<int> depth(count, 0); // 0: no parent met yet
     depth[0] = 1;
     for (std::size_t i = 0; i < count; ++i) {
@@ -346,11 +342,11 @@ private:
                         : node.kind == Kind::Not       ? children == 1
                                                        : children >= 2;
       if (!fits || depth[i] == 0 || depth[i] > Antecedent::kMaximumDepth)
-        return invalid(place + ": the condition is nested too deeply or no tree");
+        return invalidValue(place + ": the condition is nested too deeply or no tree");
       for (const int child : node.children) {
         if (child <= static_cast<int>(i) || child >= static_cast<int>(count) ||
             depth[static_cast<std::size_t>(child)] != 0)
-          return invalid(place + ": the condition is no tree");
+          return invalidValue(place + ": the condition is no tree");
         depth[static_cast<std::size_t>(child)] = depth[i] + 1;
       }
     }

@@ -18,11 +18,6 @@ namespace esm {
 
 namespace {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 std::vector<Index> firstSameSegment(const Mesh& mesh)
 {
   return firstAppearances<Index>(mesh.segmentCount(), mesh.vertexCount(), [&](Index s) {

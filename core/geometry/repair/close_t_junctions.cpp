@@ -14,11 +14,6 @@ namespace esm {
 
 namespace {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// One round: each loose vertex is tied to one edge.
 class Closing {
 public:

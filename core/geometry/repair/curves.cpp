@@ -15,11 +15,6 @@ using Freedom = HalfEdgeMesh::Freedom;
 constexpr double kCreaseCosine = 0.766; // 40 degrees between the normals
 constexpr double kCornerCosine = 0.5;   // 60 degrees between the directions of a curve
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// The curves of a surface: which edges belong to them, and where they turn.
 class Curves {
 public:

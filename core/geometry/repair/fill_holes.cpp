@@ -24,11 +24,6 @@ namespace esm {
 
 namespace {
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// The edges between border vertices: a patch must not make one of them again.
 class KnownEdges {
 public:

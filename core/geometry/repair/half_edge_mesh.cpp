@@ -8,15 +8,6 @@
 
 namespace esm {
 
-namespace {
-
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
-} // namespace
-
 Index HalfEdgeMesh::valence(Index vertex) const
 {
   Index count = 0;

@@ -13,11 +13,6 @@ namespace {
 constexpr double kNever = std::numeric_limits<double>::infinity();
 constexpr std::size_t kLargestWhole = 200;
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 using Triangles = std::vector<std::array<Index, 3>>;
 
 class LoopTriangulation {

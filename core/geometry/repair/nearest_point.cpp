@@ -18,11 +18,6 @@ namespace {
 /// Single precision of the boxes and of the point is taken off their distance: no box is passed over wrongly.
 constexpr float kSlack = 1e-6f;
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Puts two zero bits before each of the ten low ones.
 std::uint32_t spread(std::uint32_t x)
 {

@@ -22,11 +22,6 @@ namespace {
 constexpr double kMostTriangles = 2e7;               // some gigabytes
 constexpr double kEquilateral = 0.43301270189221932; // area of the triangle with sides of 1: sqrt(3) / 4
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 double areaOf(const Mesh& mesh)
 {
   double twice = 0.0;

@@ -15,11 +15,6 @@ using Freedom = HalfEdgeMesh::Freedom;
 
 constexpr double kTooShort = 0.8, kTooLong = 4.0 / 3.0; // of the wished length: Botsch and Kobbelt
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 } // namespace
 
 double Remesher::squaredLength(Index h) const

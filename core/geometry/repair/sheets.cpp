@@ -13,11 +13,6 @@ namespace {
 
 using Freedom = HalfEdgeMesh::Freedom;
 
-std::size_t at(Index i)
-{
-  return static_cast<std::size_t>(i);
-}
-
 /// Makes neighbours of half-edges over the same edge; what cannot be joined becomes a rigid border.
 class Stitcher {
 public:

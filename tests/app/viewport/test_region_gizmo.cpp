@@ -11,7 +11,7 @@
 using namespace esm;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Kind = GizmoHandle::Kind;
+using HandleKind = GizmoHandle::Kind;
 
 namespace {
 
@@ -58,11 +58,11 @@ std::optional<Vector2d> placeOf(const GizmoLayout& layout, const GizmoHandle& ha
 
 std::vector<GizmoHandle> allHandles()
 {
-  std::vector<GizmoHandle> handles{{Kind::Move, 0, 1}, {Kind::Falloff, 0, 1}};
+  std::vector<GizmoHandle> handles{{HandleKind::Move, 0, 1}, {HandleKind::Falloff, 0, 1}};
   for (int axis = 0; axis < 3; ++axis)
     for (const GizmoHandle& handle :
-         {GizmoHandle{Kind::Slide, axis, 1}, GizmoHandle{Kind::Turn, axis, 1},
-          GizmoHandle{Kind::Stretch, axis, 1}, GizmoHandle{Kind::Stretch, axis, -1}})
+         {GizmoHandle{HandleKind::Slide, axis, 1}, GizmoHandle{HandleKind::Turn, axis, 1},
+          GizmoHandle{HandleKind::Stretch, axis, 1}, GizmoHandle{HandleKind::Stretch, axis, -1}})
       handles.push_back(handle);
   return handles;
 }
@@ -88,9 +88,9 @@ TEST(RegionGizmo, AnAxisThatPointsAtTheEyeHasNoHandles)
   GizmoShape ball;
   ball.ellipsoid.semiAxes.setConstant(0.04);
   const GizmoLayout layout = layoutGizmo(camera(0.0, 0.0), ball);
-  EXPECT_FALSE(spotOf(layout, {Kind::Stretch, 1, 1}));
+  EXPECT_FALSE(spotOf(layout, {HandleKind::Stretch, 1, 1}));
   EXPECT_EQ(layout.arrows.size(), 2u);
-  EXPECT_EQ(handleAt(layout, {400, 300}).kind, Kind::Move);
+  EXPECT_EQ(handleAt(layout, {400, 300}).kind, HandleKind::Move);
 }
 
 TEST(RegionGizmo, NothingIsThereBehindTheEye)
@@ -111,7 +111,7 @@ TEST(RegionGizmo, AnArrowMovesAlongItsAxisWithTheMouse)
     const GizmoShape start = egg();
     for (int axis = 0; axis < 3; ++axis) {
       const GizmoLayout layout = layoutGizmo(eye, start);
-      const GizmoHandle handle{Kind::Slide, axis, 1};
+      const GizmoHandle handle{HandleKind::Slide, axis, 1};
       const Vector2d at = *placeOf(layout, handle);
       const Vector3d direction = start.ellipsoid.rotation * Vector3d::Unit(axis);
       const Vector3d taken =
@@ -135,7 +135,7 @@ TEST(RegionGizmo, TheCentreFollowsTheMouseInThePlaneOfTheScreen)
 {
   const GizmoShape start = egg();
   const Vector2d at = camera().project(start.ellipsoid.centre).pixel + Vector2d(3, -2);
-  GizmoDrag drag(camera(), {Kind::Move, 0, 1}, start, at);
+  GizmoDrag drag(camera(), {HandleKind::Move, 0, 1}, start, at);
   EXPECT_LT((drag.to(at).ellipsoid.centre - start.ellipsoid.centre).norm(), 1e-12) << "no jump";
   const Vector3d centre = drag.to(at + Vector2d(40, 30)).ellipsoid.centre;
   EXPECT_NEAR((centre - start.ellipsoid.centre).dot(camera().backward()), 0.0, 1e-12);
@@ -157,7 +157,7 @@ TEST(RegionGizmo, ATurnOf360DegreesInStepsGivesTheSameEllipsoid)
       return eye.project(start.ellipsoid.centre + Eigen::AngleAxisd(i * step, normal) * arm).pixel;
     };
     for (int i = 0; i < 24; ++i) {
-      GizmoDrag drag(eye, {Kind::Turn, axis, 1}, shape, pixel(i));
+      GizmoDrag drag(eye, {HandleKind::Turn, axis, 1}, shape, pixel(i));
       shape = drag.to(pixel(i + 1));
       EXPECT_NEAR(drag.angle(), step, 1e-9);
     }
@@ -165,7 +165,7 @@ TEST(RegionGizmo, ATurnOf360DegreesInStepsGivesTheSameEllipsoid)
     EXPECT_EQ(shape.ellipsoid.centre, start.ellipsoid.centre);
     EXPECT_EQ(shape.ellipsoid.semiAxes, start.ellipsoid.semiAxes);
 
-    GizmoDrag once(eye, {Kind::Turn, axis, 1}, start, pixel(0)); // and in one drag of many moves
+    GizmoDrag once(eye, {HandleKind::Turn, axis, 1}, start, pixel(0)); // and in one drag of many moves
     for (int i = 1; i <= 24; ++i) once.to(pixel(i));
     EXPECT_TRUE(sameTurn(once.shape().ellipsoid.rotation, start.ellipsoid.rotation, 1e-12));
   }
@@ -177,7 +177,7 @@ TEST(RegionGizmo, ARingSeenFromItsEdgeStillTurns)
   GizmoShape ball;
   ball.ellipsoid.semiAxes = {0.04, 0.03, 0.02};
   const Camera eye = camera(0.0, 0.0);
-  GizmoDrag drag(eye, {Kind::Turn, 2, 1}, ball, {400, 300});
+  GizmoDrag drag(eye, {HandleKind::Turn, 2, 1}, ball, {400, 300});
   const GizmoShape turned = drag.to({420, 300});
   EXPECT_GT(drag.angle(), 0.05);
   const Vector3d near = turned.ellipsoid.rotation * Vector3d(0, -0.03, 0); // looked at the eye before
@@ -191,7 +191,7 @@ TEST(RegionGizmo, TheEndOfAnAxisFollowsTheMouseAndTheCentreStays)
   const GizmoLayout layout = layoutGizmo(camera(), start);
   for (int axis = 0; axis < 3; ++axis)
     for (const int side : {1, -1}) {
-      const GizmoHandle handle{Kind::Stretch, axis, side};
+      const GizmoHandle handle{HandleKind::Stretch, axis, side};
       const Vector2d at = *spotOf(layout, handle);
       const Vector2d outward = (at - camera().project(start.ellipsoid.centre).pixel).normalized();
       GizmoDrag drag(camera(), handle, start, at);
@@ -213,7 +213,7 @@ TEST(RegionGizmo, TheEndOfAnAxisFollowsTheMouseAndTheCentreStays)
 TEST(RegionGizmo, TheInnerShellIsDraggedBetweenTheCentreAndTheSurface)
 {
   const GizmoShape start = egg();
-  const GizmoHandle handle{Kind::Falloff, 0, 1};
+  const GizmoHandle handle{HandleKind::Falloff, 0, 1};
   const Vector2d at = *spotOf(layoutGizmo(camera(), start), handle);
   const Vector2d centre = camera().project(start.ellipsoid.centre).pixel;
   GizmoDrag drag(camera(), handle, start, at);

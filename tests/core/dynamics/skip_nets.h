@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// A sheet of nodes 1 mm apart, each bedded softly and so viscously that nothing swings: a poke dies out
 /// within some ten springs. At rest.
@@ -70,4 +70,4 @@ inline VectorCurve curve(std::vector<double> time, const Eigen::Matrix3Xd& value
   return {std::move(time), value};
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -12,7 +12,7 @@
 
 #include <cmath>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 double errorOf(const bench::Scene& scene, const std::string& solver, double tolerance, int stepsPerFrame)
@@ -51,4 +51,4 @@ TEST(Accuracy, TrajectoryErrorStaysBelowTheTolerance)
   }
 }
 
-} // namespace esm::testing
+} // namespace esm::test

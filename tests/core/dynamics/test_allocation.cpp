@@ -5,7 +5,7 @@
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 
-namespace esm::testing {
+namespace esm::test {
 
 // After the first frame (buffers and the step bound are made then) explicit frames do not allocate, checks of
 // the accuracy included.
@@ -31,4 +31,4 @@ TEST(Allocation, ExplicitFramesDoNotAllocate)
   }
 }
 
-} // namespace esm::testing
+} // namespace esm::test

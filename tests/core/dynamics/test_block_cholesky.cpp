@@ -12,7 +12,7 @@
 #include <cstring>
 #include <random>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 using Vectors = NodeArray;
@@ -230,4 +230,4 @@ TEST(BlockCholesky, OrderNamesEachNodeOnce)
   }
 }
 
-} // namespace esm::testing
+} // namespace esm::test

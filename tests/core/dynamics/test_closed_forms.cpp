@@ -5,7 +5,7 @@
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 
-namespace esm::testing {
+namespace esm::test {
 
 class ClosedForms : public ::testing::TestWithParam<const char*> {
 protected:
@@ -159,4 +159,4 @@ TEST_P(ClosedForms, StaticExtensionOfAHangingChain)
   EXPECT_NEAR(simulation.reaction(0).z(), (kLinks + 1) * m * g, 1e-3 * m * g);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -7,7 +7,7 @@
 
 #include <Eigen/Geometry>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 VectorCurve curve(std::vector<double> time, std::vector<Eigen::Vector3d> values)
@@ -205,4 +205,4 @@ TEST_P(Conservation, FixedNodesStayWhateverALoadSays)
   EXPECT_TRUE(simulation.state().velocity.col(1).isZero(0.0));
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -5,7 +5,7 @@
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 struct Case {
@@ -113,4 +113,4 @@ TEST_P(Convergence, EnergyBalance)
   EXPECT_GT(std::log2(drift(GetParam().step / 2) / drift(GetParam().step / 8)) / 2.0, order - 0.4);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

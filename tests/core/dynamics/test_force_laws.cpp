@@ -6,7 +6,7 @@
 #include <random>
 #include <tuple>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 /// One spring from the origin to (length, 0, 0), rest length 2 m, k = 3 N/m.
@@ -155,4 +155,4 @@ TEST(ForceLaws, IdleSpringsCostNothing)
   EXPECT_EQ(ForceModel(net, Eigen::Vector3d::Zero()).activeSprings(), 6);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 struct Motion {
@@ -220,4 +220,4 @@ TEST(LinearizedEuler, IsOfFirstOrder)
   EXPECT_NEAR(errors[0] / errors[1], 2.0, 0.05);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

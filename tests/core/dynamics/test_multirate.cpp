@@ -13,7 +13,7 @@
 #include <cstring>
 #include <random>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 struct Trial {
@@ -198,4 +198,4 @@ TEST(Multirate, IsBoundedOrSaysSo)
   EXPECT_GT(done, 100);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

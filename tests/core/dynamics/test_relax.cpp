@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 /// A net with the relaxation, without the step driver.
@@ -61,7 +61,7 @@ VectorCurve constant(const Eigen::Vector3d& value)
   return curve;
 }
 
-SpringNet framedSheet()
+SpringNet sheetHeldAtTwoSides()
 {
   SpringNet net = sheet(8, 0.01, 100.0);
   net.mass.setConstant(1e-3);
@@ -135,7 +135,7 @@ TEST(Relax, ChainBetweenTwoSupportsHasTheFunicularShape)
 TEST(Relax, MinimumAgreesWithALongDampedRun)
 {
   for (const SpringLaw law : {SpringLaw::Linear, SpringLaw::Cubic, SpringLaw::Exponential}) {
-    SpringNet net = framedSheet();
+    SpringNet net = sheetHeldAtTwoSides();
     net.law.assign(net.law.size(), law);
     net.lawParameter.setConstant(2.0);
     Loads loads;
@@ -159,7 +159,7 @@ TEST(Relax, MinimumAgreesWithALongDampedRun)
 // Nothing moves afterwards, and kinetic energy is in the heat.
 TEST(Relax, MotionEndsAsHeat)
 {
-  SpringNet net = framedSheet();
+  SpringNet net = sheetHeldAtTwoSides();
   net.initialVelocity = Eigen::Matrix3Xd::Zero(3, net.nodeCount());
   net.initialVelocity(2, 30) = 2.0;
   Relaxation relaxation(net);
@@ -175,7 +175,7 @@ TEST(Relax, MotionEndsAsHeat)
 // the finer the steps; the store is the same.
 TEST(Relax, WorkIsStoredOrHeatAndFineStepsLoseLess)
 {
-  SpringNet net = framedSheet();
+  SpringNet net = sheetHeldAtTwoSides();
   Loads loads;
   loads.gravity = {0, 0, -9.81};
   PrescribedMotion pull;
@@ -223,7 +223,7 @@ TEST(Relax, PressedColumnBuckles)
 // A tool pulls, a node is released, a slack thread hangs: balance each time.
 TEST(Relax, FollowsToolsReleasesAndSlackThreads)
 {
-  SpringNet net = framedSheet();
+  SpringNet net = sheetHeldAtTwoSides();
   const Index hanger = addNode(net, net.restPosition.col(27) + Eigen::Vector3d(0, 0, -0.01));
   net.mass[hanger] = 1e-3;
   const Index thread = addSpring(net, 27, hanger, 500.0);
@@ -264,4 +264,4 @@ TEST(Relax, FallingNetIsRefused)
   EXPECT_EQ(relaxation.state.time, 0.0);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -8,7 +8,7 @@
 #include <limits>
 #include <random>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 std::string errorOf(SpringNet net, Loads loads = {}, SolverSettings settings = {})
@@ -239,4 +239,4 @@ TEST(Safety, SolverNamesAreTheOnesThatCreateTakes)
   }
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -4,7 +4,7 @@
 // Who rests costs nothing, and what is left out stays within the tolerance.
 #include "tests/core/dynamics/skip_nets.h"
 
-namespace esm::testing {
+namespace esm::test {
 // A net without cause to move is not looked at, from the first step on.
 TEST(Skip, NetAtRestCostsNothingFromTheStart)
 {
@@ -158,4 +158,4 @@ TEST(Skip, FixedStepsLeaveNobodyOut)
   EXPECT_EQ(a.report.back().nodesAwake, net.nodeCount());
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -6,7 +6,7 @@
 #include "core/dynamics/rest_watch.h"
 #include "tests/core/dynamics/skip_nets.h"
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 /// 3 x n: x, y, z of each column.
@@ -253,4 +253,4 @@ TEST(RestWatch, GlancesSeeWhatLooksMiss)
   EXPECT_EQ(watch.calm(), (std::vector<std::uint8_t>{0, 1}));
 }
 
-} // namespace esm::testing
+} // namespace esm::test

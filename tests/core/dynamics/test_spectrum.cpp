@@ -14,7 +14,7 @@
 #include <complex>
 #include <numbers>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 FastestMode boundOf(const SpringNet& net)
@@ -221,4 +221,4 @@ TEST(Spectrum, DampedNetsBearStepsBeyondTheElasticLimit)
   EXPECT_GT(ChebyshevDamping(4, 2).stableStep(boundOf(net)), 1.2 * 2.0 / fastest);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

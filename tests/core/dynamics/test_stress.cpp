@@ -8,7 +8,7 @@
 #include "tests/support/physics.h"
 #include "tests/support/stress_run.h"
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 SolverSettings windowSettings()
@@ -120,4 +120,4 @@ TEST(Stress, WhyNamesCauseAndCureOfDampedSteps)
   EXPECT_GT(heard, 0);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

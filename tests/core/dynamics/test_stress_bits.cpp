@@ -7,7 +7,7 @@
 #include "core/base/hash.h"
 #include "tests/support/physics.h"
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 /// The local and quasi-static ones take long for their steps; that far the bits are as good as further on.
@@ -82,4 +82,4 @@ TEST_P(SameBits, AgainResetThreadsAndInTheMiddle)
 
 INSTANTIATE_TEST_SUITE_P(Solvers, SameBits, ::testing::ValuesIn(allSolvers()));
 
-} // namespace esm::testing
+} // namespace esm::test

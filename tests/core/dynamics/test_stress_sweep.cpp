@@ -8,7 +8,7 @@
 
 #include <gtest/gtest.h>
 
-namespace esm::testing {
+namespace esm::test {
 
 class StressSweep : public ::testing::TestWithParam<std::uint32_t> {};
 
@@ -35,4 +35,4 @@ TEST_P(StressSweep, SomeAtTheDefaultEffort)
 
 INSTANTIATE_TEST_SUITE_P(Seeds, StressSweep, ::testing::Range(0u, 10u));
 
-} // namespace esm::testing
+} // namespace esm::test

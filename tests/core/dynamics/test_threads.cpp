@@ -15,7 +15,7 @@
 #include <numeric>
 #include <random>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 constexpr Index kSide = 101; ///< nodes along a sheet with 30,200 springs
@@ -320,4 +320,4 @@ TEST(Threads, FramesDoNotAllocate)
   EXPECT_EQ(allocationsOfThisThread() - before, 0u);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -11,7 +11,7 @@
 #include <cmath>
 #include <cstring>
 
-namespace esm::testing {
+namespace esm::test {
 namespace {
 
 /// A sheet hung by its upper corners, strongly damped, so that it comes to rest soon.
@@ -26,15 +26,16 @@ SpringNet hangingSheet()
   return net;
 }
 
-struct Trial {
+struct WaveRun {
   System system;
   MotionState state;
   StepReport report;
 };
 
-Trial runOf(const SpringNet& net, const Loads& loads, std::unique_ptr<Integrator> method, double h, int steps)
+WaveRun runOf(const SpringNet& net, const Loads& loads, std::unique_ptr<Integrator> method, double h,
+              int steps)
 {
-  Trial run{System(net, loads), {}, {}};
+  WaveRun run{System(net, loads), {}, {}};
   run.state.x.resize(static_cast<std::size_t>(net.nodeCount()));
   run.state.v.assign(run.state.x.size(), Lanes{0, 0, 0, 0});
   copyNodes(net.restPosition, run.state.x);
@@ -89,8 +90,8 @@ TEST(Wavefront, GoesOutwardLayerByLayer)
 TEST(Wavefront, ComesToTheSameRestShape)
 {
   const SpringNet net = hangingSheet();
-  const Trial wave = runOf(net, weight(), makeWavefront(), 5e-4, 4000);
-  const Trial verlet = runOf(net, weight(), makeVerlet(), 5e-4, 4000);
+  const WaveRun wave = runOf(net, weight(), makeWavefront(), 5e-4, 4000);
+  const WaveRun verlet = runOf(net, weight(), makeVerlet(), 5e-4, 4000);
   NodeArray start(wave.state.x.size());
   copyNodes(net.restPosition, start);
   EXPECT_LT(largestDistance(wave.state.x, verlet.state.x), 1e-6);
@@ -101,7 +102,7 @@ TEST(Wavefront, ComesToTheSameRestShape)
 TEST(Wavefront, IsOfFirstOrder)
 {
   const SpringNet net = hangingSheet();
-  const Trial exact = runOf(net, weight(), makeRungeKutta4(), 1e-5, 3000);
+  const WaveRun exact = runOf(net, weight(), makeRungeKutta4(), 1e-5, 3000);
   const auto error = [&](double h, int steps) {
     return largestDistance(runOf(net, weight(), makeWavefront(), h, steps).state.x, exact.state.x);
   };
@@ -119,9 +120,9 @@ TEST(Wavefront, StartsOverWhereForcesJump)
   VectorCurve blow{{0.0}, Eigen::Matrix3Xd::Zero(3, 1)};
   blow.value(2, 0) = 2.0;
   loads.forces.push_back({{14}, blow});
-  const Trial wave = runOf(net, loads, makeWavefront(), 2.5e-4, 40);
+  const WaveRun wave = runOf(net, loads, makeWavefront(), 2.5e-4, 40);
   EXPECT_GT(wave.report.rejectedSteps, 0);
-  const Trial exact = runOf(net, loads, makeRungeKutta4(), 1e-5, 1000);
+  const WaveRun exact = runOf(net, loads, makeRungeKutta4(), 1e-5, 1000);
   EXPECT_NEAR(wave.state.work, exact.state.work, 0.2 * exact.state.work);
 }
 
@@ -129,11 +130,11 @@ TEST(Wavefront, StartsOverWhereForcesJump)
 TEST(Wavefront, IsDeterministicAndNeverKeepsInfinity)
 {
   const SpringNet net = hangingSheet();
-  const Trial first = runOf(net, weight(), makeWavefront(), 7e-4, 100);
-  const Trial second = runOf(net, weight(), makeWavefront(), 7e-4, 100);
+  const WaveRun first = runOf(net, weight(), makeWavefront(), 7e-4, 100);
+  const WaveRun second = runOf(net, weight(), makeWavefront(), 7e-4, 100);
   EXPECT_EQ(std::memcmp(first.state.x.data(), second.state.x.data(), first.state.x.size() * sizeof(Lanes)),
             0);
-  Trial run{System(net, weight()), first.state, {}};
+  WaveRun run{System(net, weight()), first.state, {}};
   auto method = makeWavefront();
   method->prepare(run.system);
   StepResult result = StepResult::Done;
@@ -144,4 +145,4 @@ TEST(Wavefront, IsDeterministicAndNeverKeepsInfinity)
   EXPECT_EQ(result, StepResult::NonFinite);
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -7,7 +7,7 @@
 namespace esm::fuzzy {
 namespace {
 
-using Kind = RuleTextError::Kind;
+using FaultKind = RuleTextError::Kind;
 
 // One model, two languages: both sentences are the same rule.
 TEST(RuleText, EnglishAndGermanAreOneRule)
@@ -80,7 +80,7 @@ TEST(RuleText, TermsNamedLikeHedgesStayApart)
 
 struct Mistake {
   const char* text;
-  Kind kind;
+  FaultKind kind;
   std::size_t offset, length; ///< bytes
   const char* suggestion;
 };
@@ -89,34 +89,34 @@ struct Mistake {
 TEST(RuleText, MistakesAreMarkedAtTheWord)
 {
   const Mistake mistakes[] = {
-    {"", Kind::Empty, 0, 0, ""},
-    {"hardness IS hard THEN depth IS small", Kind::ExpectedIf, 0, 8, ""},
-    {"WEN hardness IS hard THEN depth IS small", Kind::ExpectedIf, 0, 3, "WENN"},
-    {"IF", Kind::ExpectedVariable, 2, 0, ""},
-    {"IF IS hard THEN depth IS small", Kind::ExpectedVariable, 3, 2, ""},
-    {"IF hardnes IS hard THEN depth IS small", Kind::UnknownVariable, 3, 7, "hardness"},
-    {"IF shft ability IS free THEN depth IS small", Kind::UnknownVariable, 3, 12, "shift ability"},
-    {"WENN Harte IST hart DANN depth IST small", Kind::UnknownVariable, 5, 5, "Härte"},
-    {"IF hardness hard THEN depth IS small", Kind::ExpectedIs, 12, 4, ""},
-    {"IF hardness SI hard THEN depth IS small", Kind::ExpectedIs, 12, 2, "IS"},
-    {"IF hardness IS THEN depth IS small", Kind::ExpectedTerm, 15, 4, ""},
-    {"IF hardness IS hrad THEN depth IS small", Kind::UnknownTerm, 15, 4, "hard"},
-    {"IF hardness IS vrey hard THEN depth IS small", Kind::UnknownTerm, 15, 4, "very"},
-    {"WENN Härte IST sehr gros DANN Tiefe IST small", Kind::UnknownTerm, 21, 4, "groß"},
-    {"IF hardness IS hard soft THEN depth IS small", Kind::ExpectedThen, 20, 4, ""},
-    {"IF hardness IS hard THNE depth IS small", Kind::ExpectedThen, 20, 4, "THEN"},
-    {"IF hardness IS hard", Kind::ExpectedThen, 19, 0, ""},
-    {"IF depth IS small THEN stiffness IS high", Kind::OutputInCondition, 3, 5, ""},
-    {"IF hardness IS hard THEN shift ability IS free", Kind::InputInConclusion, 25, 13, ""},
-    {"IF hardness IS hard THEN depth IS not small", Kind::UnexpectedText, 34, 3, ""},
-    {"IF (hardness IS hard THEN depth IS small", Kind::UnbalancedParenthesis, 3, 1, ""},
-    {"IF hardness IS hard) THEN depth IS small", Kind::UnbalancedParenthesis, 19, 1, ""},
-    {"IF (hardness IS hard soft) THEN depth IS small", Kind::UnexpectedText, 21, 4, ""},
-    {"IF hardness IS hard THEN depth IS small WITH", Kind::ExpectedWeight, 44, 0, ""},
-    {"IF hardness IS hard THEN depth IS small WITH 1,5", Kind::ExpectedWeight, 45, 3, ""},
-    {"IF hardness IS hard THEN depth IS small WITH nan", Kind::ExpectedWeight, 45, 3, ""},
-    {"IF hardness IS hard THEN depth IS small WIHT 1", Kind::UnexpectedText, 40, 4, "WITH"},
-    {"IF hardness IS hard THEN depth IS small WITH 1 2", Kind::UnexpectedText, 47, 1, ""},
+    {"", FaultKind::Empty, 0, 0, ""},
+    {"hardness IS hard THEN depth IS small", FaultKind::ExpectedIf, 0, 8, ""},
+    {"WEN hardness IS hard THEN depth IS small", FaultKind::ExpectedIf, 0, 3, "WENN"},
+    {"IF", FaultKind::ExpectedVariable, 2, 0, ""},
+    {"IF IS hard THEN depth IS small", FaultKind::ExpectedVariable, 3, 2, ""},
+    {"IF hardnes IS hard THEN depth IS small", FaultKind::UnknownVariable, 3, 7, "hardness"},
+    {"IF shft ability IS free THEN depth IS small", FaultKind::UnknownVariable, 3, 12, "shift ability"},
+    {"WENN Harte IST hart DANN depth IST small", FaultKind::UnknownVariable, 5, 5, "Härte"},
+    {"IF hardness hard THEN depth IS small", FaultKind::ExpectedIs, 12, 4, ""},
+    {"IF hardness SI hard THEN depth IS small", FaultKind::ExpectedIs, 12, 2, "IS"},
+    {"IF hardness IS THEN depth IS small", FaultKind::ExpectedTerm, 15, 4, ""},
+    {"IF hardness IS hrad THEN depth IS small", FaultKind::UnknownTerm, 15, 4, "hard"},
+    {"IF hardness IS vrey hard THEN depth IS small", FaultKind::UnknownTerm, 15, 4, "very"},
+    {"WENN Härte IST sehr gros DANN Tiefe IST small", FaultKind::UnknownTerm, 21, 4, "groß"},
+    {"IF hardness IS hard soft THEN depth IS small", FaultKind::ExpectedThen, 20, 4, ""},
+    {"IF hardness IS hard THNE depth IS small", FaultKind::ExpectedThen, 20, 4, "THEN"},
+    {"IF hardness IS hard", FaultKind::ExpectedThen, 19, 0, ""},
+    {"IF depth IS small THEN stiffness IS high", FaultKind::OutputInCondition, 3, 5, ""},
+    {"IF hardness IS hard THEN shift ability IS free", FaultKind::InputInConclusion, 25, 13, ""},
+    {"IF hardness IS hard THEN depth IS not small", FaultKind::UnexpectedText, 34, 3, ""},
+    {"IF (hardness IS hard THEN depth IS small", FaultKind::UnbalancedParenthesis, 3, 1, ""},
+    {"IF hardness IS hard) THEN depth IS small", FaultKind::UnbalancedParenthesis, 19, 1, ""},
+    {"IF (hardness IS hard soft) THEN depth IS small", FaultKind::UnexpectedText, 21, 4, ""},
+    {"IF hardness IS hard THEN depth IS small WITH", FaultKind::ExpectedWeight, 44, 0, ""},
+    {"IF hardness IS hard THEN depth IS small WITH 1,5", FaultKind::ExpectedWeight, 45, 3, ""},
+    {"IF hardness IS hard THEN depth IS small WITH nan", FaultKind::ExpectedWeight, 45, 3, ""},
+    {"IF hardness IS hard THEN depth IS small WIHT 1", FaultKind::UnexpectedText, 40, 4, "WITH"},
+    {"IF hardness IS hard THEN depth IS small WITH 1 2", FaultKind::UnexpectedText, 47, 1, ""},
   };
   const RuleBase base = smallRules();
   for (const Mistake& mistake : mistakes) {
@@ -160,12 +160,12 @@ TEST(InputText, IsANumberOrAWord)
   const auto error = [&](std::string_view text) {
     return std::get<RuleTextError>(parseInput(text, hardness));
   };
-  EXPECT_EQ(error("  ").kind, Kind::Empty);
-  EXPECT_EQ(error("nan").kind, Kind::UnknownTerm);
+  EXPECT_EQ(error("  ").kind, FaultKind::Empty);
+  EXPECT_EQ(error("nan").kind, FaultKind::UnknownTerm);
   EXPECT_EQ(error("very hrad").suggestion, "hard");
   EXPECT_EQ(error("very hrad").offset, 5U);
-  EXPECT_EQ(error("hard soft").kind, Kind::UnexpectedText);
-  EXPECT_EQ(error("(hard").kind, Kind::ExpectedTerm);
+  EXPECT_EQ(error("hard soft").kind, FaultKind::UnexpectedText);
+  EXPECT_EQ(error("(hard").kind, FaultKind::ExpectedTerm);
 }
 
 TEST(Vocabulary, HoldsTheWordsOfItsLanguage)

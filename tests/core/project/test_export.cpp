@@ -23,11 +23,11 @@ struct Deformed {
   Frame frame() const { return {&project.net, &position, nullptr, &tension, 0.25}; }
 };
 
-class Reimported : public testing::TestWithParam<const char*> {};
-INSTANTIATE_TEST_SUITE_P(Formats, Reimported, testing::Values("obj", "ply"));
+class ReadAgain : public testing::TestWithParam<const char*> {};
+INSTANTIATE_TEST_SUITE_P(Formats, ReadAgain, testing::Values("obj", "ply"));
 
 // What our importer reads back is the same shape: counts, order and every coordinate bit for bit.
-TEST_P(Reimported, SameCountsAndPositions)
+TEST_P(ReadAgain, SameCountsAndPositions)
 {
   const test::Scratch scratch;
   const Deformed net;

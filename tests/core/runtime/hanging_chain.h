@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/simulation.h"
 #include "core/net/net_builder.h"
 
 namespace esm {
@@ -19,6 +20,11 @@ inline SpringNet chain(Index nodes, double stiffness = 100.0)
   net.mass.setConstant(0.01);
   net.fixed[0] = 1;
   return net;
+}
+
+inline NetState atRest(const SpringNet& net)
+{
+  return {net.restPosition, Eigen::Matrix3Xd::Zero(3, net.nodeCount()), 0.0};
 }
 
 } // namespace esm

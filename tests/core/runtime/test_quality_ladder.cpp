@@ -16,14 +16,14 @@ namespace {
 
 using enum QualityMeasure;
 
-constexpr double kPeriod = 1.0 / 60.0;
+constexpr double kFrame = 1.0 / 60.0;
 
 /// Frames of `load` periods each, until `seconds` have passed on the invented wall clock.
 int changes(QualityLadder& ladder, double load, double seconds)
 {
   int count = 0;
-  for (double time = 0.0; time < seconds; time += std::max(load, 1.0) * kPeriod)
-    count += ladder.endFrame(load * kPeriod, kPeriod) ? 1 : 0;
+  for (double time = 0.0; time < seconds; time += std::max(load, 1.0) * kFrame)
+    count += ladder.endFrame(load * kFrame, kFrame) ? 1 : 0;
   return count;
 }
 
@@ -32,7 +32,7 @@ std::vector<QualityState> descend(QualityLadder& ladder)
 {
   std::vector<QualityState> states{ladder.state()};
   for (int i = 0; i < 1000; ++i)
-    if (ladder.endFrame(3.0 * kPeriod, kPeriod)) states.push_back(ladder.state());
+    if (ladder.endFrame(3.0 * kFrame, kFrame)) states.push_back(ladder.state());
   return states;
 }
 
@@ -123,7 +123,7 @@ TEST(QualityLadder, SingleDearFramesDoNotCount)
   QualityLadder ladder = started();
   int count = 0;
   for (int frame = 0; frame < 2000; ++frame) // the solver checks its error: three times the cost
-    count += ladder.endFrame((frame % 12 == 0 ? 2.4 : 0.8) * kPeriod, kPeriod) ? 1 : 0;
+    count += ladder.endFrame((frame % 12 == 0 ? 2.4 : 0.8) * kFrame, kFrame) ? 1 : 0;
   EXPECT_EQ(count, 0);
   EXPECT_EQ(ladder.state().rung, 0u);
 }
@@ -155,8 +155,8 @@ TEST(QualityLadder, DoesNotSwing)
     int count = 0;
     for (double time = 0.0; time < seconds;) {
       const double load = ladder.state().rung == 0 ? 1.3 : 0.4;
-      time += std::max(load, 1.0) * kPeriod;
-      count += ladder.endFrame(load * kPeriod, kPeriod) ? 1 : 0;
+      time += std::max(load, 1.0) * kFrame;
+      count += ladder.endFrame(load * kFrame, kFrame) ? 1 : 0;
     }
     return count;
   };
@@ -176,7 +176,7 @@ TEST(QualityLadder, HopelessScenesReachTheEndSoonAndStay)
   EXPECT_EQ(ladder.state().rung, ladder.state().lastRung);
   for (const double odd :
        {std::numeric_limits<double>::quiet_NaN(), -1.0, std::numeric_limits<double>::infinity()})
-    EXPECT_FALSE(ladder.endFrame(odd, kPeriod));
+    EXPECT_FALSE(ladder.endFrame(odd, kFrame));
 }
 
 TEST(QualityLadder, TheOrderAsText)

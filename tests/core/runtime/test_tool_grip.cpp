@@ -13,15 +13,6 @@
 
 namespace esm {
 
-namespace {
-
-NetState atRest(const SpringNet& net)
-{
-  return {net.restPosition, Eigen::Matrix3Xd::Zero(3, net.nodeCount()), 0.0};
-}
-
-} // namespace
-
 TEST(ToolGrip, PullsNearNodesLikeASpring)
 {
   const SpringNet net = chain(3);

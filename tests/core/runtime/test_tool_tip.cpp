@@ -5,6 +5,8 @@
 #include "core/net/net_builder.h"
 #include "core/runtime/sim_runner.h"
 
+#include "hanging_chain.h"
+
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -57,11 +59,6 @@ SpringNet sheet()
 }
 
 constexpr double kRadius = 0.003;
-
-NetState atRest(const SpringNet& net)
-{
-  return {net.restPosition, Eigen::Matrix3Xd::Zero(3, net.nodeCount()), 0.0};
-}
 
 /// Crossings from below less crossings from above on the way to the sky: 0 on the upper side of a sheet,
 /// however it is folded.

@@ -13,7 +13,7 @@
 #include <utility>
 #include <vector>
 
-namespace esm::testing {
+namespace esm::test {
 
 namespace {
 
@@ -214,4 +214,4 @@ double volumeWithin(const TriangleMatrix& triangles, const Eigen::Matrix3Xd& pos
   return sum;
 }
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -9,7 +9,7 @@
 
 #include <gtest/gtest.h>
 
-namespace esm::testing {
+namespace esm::test {
 
 /// Closed surface of a box from the origin, normals outwards, cells of about `cell` [m], two triangles each.
 Mesh boxMesh(const Eigen::Vector3d& size, double cell);
@@ -39,4 +39,4 @@ SpringNet bodyOf(const Mesh& mesh, SupportOptions::Interior interior, const Mate
 /// The volume within the surface at the given places [m^3], normals outwards; open rims closed by fans.
 double volumeWithin(const TriangleMatrix& triangles, const Eigen::Matrix3Xd& position);
 
-} // namespace esm::testing
+} // namespace esm::test

@@ -15,12 +15,12 @@
 namespace esm {
 namespace {
 
-using testing::bodyOf;
-using testing::kFittedSolid;
-using testing::kFittedWall;
-using testing::organMesh;
-using testing::tubeMesh;
-using testing::volumeWithin;
+using test::bodyOf;
+using test::kFittedSolid;
+using test::kFittedWall;
+using test::organMesh;
+using test::tubeMesh;
+using test::volumeWithin;
 using Interior = SupportOptions::Interior;
 
 void fixEnds(SpringNet& net, int axis, bool both)

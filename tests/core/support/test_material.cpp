@@ -12,11 +12,11 @@
 namespace esm {
 namespace {
 
-using testing::boxMesh;
-using testing::netOf;
-using testing::organMesh;
-using testing::tetrahedraBox;
-using testing::tubeMesh;
+using test::boxMesh;
+using test::netOf;
+using test::organMesh;
+using test::tetrahedraBox;
+using test::tubeMesh;
 
 MaterialReport material(SpringNet& net, const MaterialOptions& options, double thickness = 0.002)
 {

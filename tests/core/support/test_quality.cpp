@@ -11,11 +11,11 @@
 namespace esm {
 namespace {
 
-using testing::boxMesh;
-using testing::netOf;
-using testing::organMesh;
-using testing::tubeMesh;
-using Kind = QualityFinding::Kind;
+using test::boxMesh;
+using test::netOf;
+using test::organMesh;
+using test::tubeMesh;
+using FindingKind = QualityFinding::Kind;
 
 QualityReport judge(const SpringNet& net)
 {
@@ -27,7 +27,7 @@ QualityReport judge(const SpringNet& net)
   return *report;
 }
 
-bool has(const QualityReport& report, Kind kind)
+bool has(const QualityReport& report, FindingKind kind)
 {
   for (const QualityFinding& finding : report.findings)
     if (finding.kind == kind) return true;
@@ -95,7 +95,7 @@ TEST(Quality, FindsTheNodeThatTwoPartsHangAt)
 {
   EXPECT_EQ(hingeNodes(twoTetrahedra(1)), (std::vector<Index>{0}));
   EXPECT_TRUE(hingeNodes(twoTetrahedra(2)).empty());
-  EXPECT_TRUE(has(judge(twoTetrahedra(1)), Kind::HingeNode));
+  EXPECT_TRUE(has(judge(twoTetrahedra(1)), FindingKind::HingeNode));
 }
 
 // Two boxes that share one edge of their surface.
@@ -124,13 +124,13 @@ TEST(Quality, ABoxWithoutStrutsIsWarnedAboutWithStrutsItCarries)
 {
   const QualityReport bare = judge(tissueNet(boxMesh({0.03, 0.03, 0.03}, 0.005), false));
   EXPECT_FALSE(bare.carriesLoad());
-  EXPECT_TRUE(has(bare, Kind::NothingInside));
-  EXPECT_TRUE(has(bare, Kind::FlatNodes));
-  EXPECT_TRUE(has(bare, Kind::Mechanisms));
-  EXPECT_TRUE(has(bare, Kind::Unheld));
+  EXPECT_TRUE(has(bare, FindingKind::NothingInside));
+  EXPECT_TRUE(has(bare, FindingKind::FlatNodes));
+  EXPECT_TRUE(has(bare, FindingKind::Mechanisms));
+  EXPECT_TRUE(has(bare, FindingKind::Unheld));
   const QualityReport braced = judge(tissueNet(boxMesh({0.03, 0.03, 0.03}, 0.005), true));
   EXPECT_TRUE(braced.carriesLoad()) << braced.findings.front().text;
-  EXPECT_TRUE(has(braced, Kind::Carries));
+  EXPECT_TRUE(has(braced, FindingKind::Carries));
   EXPECT_EQ(braced.mechanisms, 0);
   EXPECT_LT(braced.dent, 0.1 * bare.dent);
   EXPECT_GT(braced.frequency, 1.0);

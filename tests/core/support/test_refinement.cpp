@@ -17,12 +17,12 @@
 namespace esm {
 namespace {
 
-using testing::bodyOf;
-using testing::kFittedSolid;
-using testing::kFittedWall;
-using testing::organMesh;
-using testing::tetrahedraBox;
-using testing::tubeMesh;
+using test::bodyOf;
+using test::kFittedSolid;
+using test::kFittedWall;
+using test::organMesh;
+using test::tetrahedraBox;
+using test::tubeMesh;
 using Interior = SupportOptions::Interior;
 
 struct Refined {
@@ -110,7 +110,7 @@ TEST(Refinement, ABlockWithStrutsIsTheSameBodyAtThreeMeshSizes)
     std::vector<Refined> meshes;
     for (const double cell : {1.0 / 300.0, 0.0025, 0.002})
       meshes.push_back(
-        block(testing::boxMesh({0.04, 0.03, 0.02}, cell), Interior::Struts, turn.toRotationMatrix()));
+        block(test::boxMesh({0.04, 0.03, 0.02}, cell), Interior::Struts, turn.toRotationMatrix()));
     expectAlike(meshes);
   }
 }

@@ -10,10 +10,10 @@
 namespace esm {
 namespace {
 
-using testing::boxMesh;
-using testing::netOf;
-using testing::organMesh;
-using testing::tubeMesh;
+using test::boxMesh;
+using test::netOf;
+using test::organMesh;
+using test::tubeMesh;
 using Interior = SupportOptions::Interior;
 
 SupportReport support(SpringNet& net, const SupportOptions& options)
@@ -136,7 +136,7 @@ TEST(Support, ProgramsFillABodyWithTetrahedra)
     }
     if (const Status status = checkNet(net); !status) ADD_FAILURE() << status.error().detail;
     EXPECT_FALSE(hasDoubles(net));
-    const double volume = testing::volumeWithin(before.triangles, before.restPosition);
+    const double volume = test::volumeWithin(before.triangles, before.restPosition);
     EXPECT_NEAR(net.volume.sum() / volume, 1.0, 1e-9) << program;
     double shares = 0.0; // each tetrahedron has six edges: sum of section times length is 6 V
     for (Index s = 0; s < net.springCount(); ++s) shares += net.section[s] * net.restLength[s];

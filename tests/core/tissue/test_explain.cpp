@@ -4,6 +4,7 @@
 
 #include "core/base/text_number.h"
 #include "core/tissue/explain_text.h"
+#include "tests/core/tissue/field_of.h"
 #include "tests/core/tissue/test_nets.h"
 
 #include <gtest/gtest.h>
@@ -14,9 +15,10 @@ namespace esm {
 namespace {
 
 using test::ellipsoidMesh;
+using test::fieldOf;
 using test::meshOf;
 using test::netOf;
-using Kind = ExplainedThing::Kind;
+using ThingKind = ExplainedThing::Kind;
 
 Region ball(const char* name, const Eigen::Vector3d& centre, double radius, double hardness)
 {
@@ -62,13 +64,6 @@ SpringNet organ(const TissueModel& model)
   return net;
 }
 
-TissueField fieldOf(const TissueModel& model)
-{
-  auto field = TissueField::create(model);
-  EXPECT_TRUE(field);
-  return std::move(field).value();
-}
-
 const ExplainedValue& valueOf(const TissueExplanation& why, const char* id)
 {
   const ExplainedValue* value = why.find(id);
@@ -86,7 +81,7 @@ TEST(Explain, NumbersAreThoseOfTheNet)
     const TissueField field = fieldOf(model);
     const TissueExplainer explainer(net);
     for (Index s = 0; s < net.springCount(); ++s) {
-      const TissueExplanation why = explainer.explain(field, net, {Kind::Spring, s});
+      const TissueExplanation why = explainer.explain(field, net, {ThingKind::Spring, s});
       EXPECT_EQ(why.main().fromTissue, net.stiffness[s]) << s;
       EXPECT_EQ(why.main().value, net.stiffness[s]) << s;
       EXPECT_EQ(valueOf(why, "viscosity").fromTissue, net.viscosity[s]) << s;
@@ -96,7 +91,7 @@ TEST(Explain, NumbersAreThoseOfTheNet)
       EXPECT_NEAR(shares, 1.0, 1e-12) << s;
     }
     for (Index node = 0; node < net.nodeCount(); ++node) {
-      const TissueExplanation why = explainer.explain(field, net, {Kind::Node, node});
+      const TissueExplanation why = explainer.explain(field, net, {ThingKind::Node, node});
       const ExplainedValue& mass = valueOf(why, "mass");
       EXPECT_EQ(mass.fromTissue, net.mass[node]) << node;
       EXPECT_EQ(mass.value, net.mass[node]) << node;
@@ -115,7 +110,7 @@ TEST(Explain, FormulaAndGeometryGiveTheStiffness)
   const TissueField field = fieldOf(model);
   const TissueExplainer explainer(net);
   for (Index s = 0; s < net.springCount(); ++s) {
-    const TissueExplanation why = explainer.explain(field, net, {Kind::Spring, s});
+    const TissueExplanation why = explainer.explain(field, net, {ThingKind::Spring, s});
     const double e = why.parameters[0].value;
     const bool isEdge = why.geometry.size() == 3;
     const double a = why.geometry[0].value, h = isEdge ? why.geometry[1].value : 0.0,
@@ -133,7 +128,8 @@ TEST(Explain, NetsWithNumbersOfTheirOwnShowBoth)
   SpringNet net = organ(model);
   const double derived = net.stiffness[5];
   net.stiffness[5] = 123.0;
-  const TissueExplanation why = TissueExplainer(net).explain(fieldOf(model), net, {Kind::Spring, 5}, false);
+  const TissueExplanation why =
+    TissueExplainer(net).explain(fieldOf(model), net, {ThingKind::Spring, 5}, false);
   EXPECT_EQ(why.main().value, 123.0);
   EXPECT_EQ(why.main().fromTissue, derived);
   EXPECT_NE(sentenceOf(why, model, Language::English).find("keeps 123\u00a0N/m from its file"),
@@ -184,7 +180,7 @@ TEST(Explain, SuggestedInputsDoWhatTheySay)
   int reached = 0, outOfReach = 0;
   for (Index s = 0; s < net.springCount(); s += 9)
     for (const double factor : {0.8, 1.2, 30.0}) {
-      const TissueExplanation why = explainer.explain(field, net, {Kind::Spring, s});
+      const TissueExplanation why = explainer.explain(field, net, {ThingKind::Spring, s});
       for (const InputChange& change : changesFor(field, why, why.main(), factor)) {
         SpringNet after = net;
         ASSERT_TRUE(applyTissue(changed(model, change), after));
@@ -204,8 +200,8 @@ TEST(Explain, ChangesOfOtherNumbers)
   const TissueModel model = richTissue();
   const SpringNet net = organ(model);
   const TissueField field = fieldOf(model);
-  const TissueExplanation spring = TissueExplainer(net).explain(field, net, {Kind::Spring, 0});
-  const TissueExplanation node = TissueExplainer(net).explain(field, net, {Kind::Node, 0});
+  const TissueExplanation spring = TissueExplainer(net).explain(field, net, {ThingKind::Spring, 0});
+  const TissueExplanation node = TissueExplainer(net).explain(field, net, {ThingKind::Node, 0});
   const auto check = [&](const TissueExplanation& why, const char* id, auto numberOf) {
     const auto changes = changesFor(field, why, valueOf(why, id), 1.1);
     ASSERT_FALSE(changes.empty()) << id;
@@ -229,7 +225,7 @@ TEST(Explain, SlopeIsTheDerivativeOfTheWholeChain)
   const TissueExplainer explainer(net);
   int slopes = 0;
   for (Index s = 0; s < net.springCount(); s += 17) {
-    const TissueExplanation why = explainer.explain(field, net, {Kind::Spring, s});
+    const TissueExplanation why = explainer.explain(field, net, {ThingKind::Spring, s});
     for (const InputChange& change : changesFor(field, why, why.main(), 1.05)) {
       const double* from = std::get_if<double>(&change.from);
       if (!from) continue;
@@ -270,7 +266,7 @@ TEST(Explain, SentenceInBothLanguages)
   model.regions = {ball("Wall", {0, 0, 0}, 1.0, 0.9)};
   model.regions[0].falloff = 0.0;
   const SpringNet net = organ(model);
-  const TissueExplanation why = TissueExplainer(net).explain(fieldOf(model), net, {Kind::Spring, 3});
+  const TissueExplanation why = TissueExplainer(net).explain(fieldOf(model), net, {ThingKind::Spring, 3});
   const std::string english = sentenceOf(why, model, Language::English),
                     german = sentenceOf(why, model, Language::German);
   EXPECT_TRUE(english.starts_with("Spring 3 has ")) << english;
@@ -297,7 +293,7 @@ TEST(Explain, JsonHoldsTheNumbersExactly)
   const TissueModel model = richTissue();
   const SpringNet net = organ(model);
   const TissueField field = fieldOf(model);
-  const TissueExplanation why = TissueExplainer(net).explain(field, net, {Kind::Spring, 7});
+  const TissueExplanation why = TissueExplainer(net).explain(field, net, {ThingKind::Spring, 7});
   const ChangeList list{"stiffness", 0.8, changesFor(field, why, why.main(), 0.8)};
   const std::string json = explanationJson(why, model, &list, Language::English);
   EXPECT_EQ(numberAfter(json, "value", json.find("\"stiffness\"")), net.stiffness[7]);

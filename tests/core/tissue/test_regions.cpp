@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/tissue/region_edit.h"
 
+#include "tests/core/tissue/field_of.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +12,8 @@
 
 namespace esm {
 namespace {
+
+using test::fieldOf;
 
 using Vector = Eigen::Vector3d;
 
@@ -23,13 +27,6 @@ Region tilted()
   region.inputs = defaultTissue().inputs;
   region.inputs[0] = 0.9;
   return region;
-}
-
-TissueField fieldOf(const TissueModel& model)
-{
-  auto field = TissueField::create(model);
-  if (!field) ADD_FAILURE() << field.error().detail;
-  return std::move(*field);
 }
 
 Vector randomPoint(std::mt19937& random, double reach)

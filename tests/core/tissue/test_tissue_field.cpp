@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/tissue/tissue_model.h"
 
+#include "tests/core/tissue/field_of.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -10,6 +12,8 @@
 
 namespace esm {
 namespace {
+
+using test::fieldOf;
 
 Region region(const Eigen::Vector3d& centre, double radius, double hardness, double falloff = 0.3)
 {
@@ -21,13 +25,6 @@ Region region(const Eigen::Vector3d& centre, double radius, double hardness, dou
   result.inputs.assign(defaultTissue().inputs.size(), 0.5);
   result.inputs[0] = hardness;
   return result;
-}
-
-TissueField fieldOf(const TissueModel& model)
-{
-  auto field = TissueField::create(model);
-  if (!field) ADD_FAILURE() << field.error().detail;
-  return std::move(*field);
 }
 
 double modulusOf(double hardness)

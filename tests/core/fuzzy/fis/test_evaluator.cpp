@@ -116,10 +116,10 @@ TEST(Evaluator, AllocatesNothing)
       Gradient gradient;
       evaluator->evaluate(row, workspace);
       evaluator->differentiate(0, workspace, gradient); // sizes the gradient
-      const auto before = testing::allocationsOfThisThread();
+      const auto before = test::allocationsOfThisThread();
       evaluator->evaluate(row, workspace);
       evaluator->differentiate(1, workspace, gradient);
-      EXPECT_EQ(testing::allocationsOfThisThread(), before) << "seed " << seed;
+      EXPECT_EQ(test::allocationsOfThisThread(), before) << "seed " << seed;
     }
   }
 }
