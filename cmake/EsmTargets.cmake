@@ -6,10 +6,14 @@ add_library(esm_warnings INTERFACE)
 target_compile_options(esm_warnings INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wnon-virtual-dtor -Woverloaded-virtual
   $<$<AND:$<CXX_COMPILER_ID:GNU>,$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>>:-Wno-restrict> # false alarm, GCC bug 105651
+  # Told only where several files are compiled as one, for classes whose members are private to their file anyway.
+  $<$<AND:$<BOOL:${CMAKE_UNITY_BUILD}>,$<CXX_COMPILER_ID:GNU>>:-Wno-subobject-linkage>
   -ffp-contract=off # the same bits with and without FMA: golden hashes hold on every x86-64
   $<$<BOOL:${ESM_WERROR}>:-Werror>)
 if(ESM_SANITIZE STREQUAL "address")
-  set(esm_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+  # Not null and object-size: the address sanitizer stops there, too, and they are a fifth of the compiler's work.
+  set(esm_sanitizers -fsanitize=address,undefined -fno-sanitize=null,object-size -fno-sanitize-recover=all
+    -fno-omit-frame-pointer)
 elseif(ESM_SANITIZE STREQUAL "thread")
   set(esm_sanitizers -fsanitize=thread -fno-omit-frame-pointer)
 elseif(ESM_SANITIZE)
@@ -40,16 +44,38 @@ function(esm_library name)
   endif()
 endfunction()
 
-# esm_test(NAME SOURCES... LINK dependencies... [LABEL label])
+# esm_test(NAME SOURCES... LINK dependencies... [LABEL label] [THREADS] [UNSANITIZED])
 # One gtest program of a module; every TEST becomes a ctest of its own at test time, so that the
-# environment set by ctest also holds while the tests are listed.
+# environment set by ctest also holds while the tests are listed. The label may be several, joined by + (ctest -L
+# looks for parts; a list would be lost on the way to it). THREADS marks programs in which several threads
+# meet: label threads, and part of the target "thread_tests", which is all that the thread sanitizer needs built.
+# UNSANITIZED leaves a program out of sanitizer builds: long runs of what other tests run shortly.
 function(esm_test name)
-  cmake_parse_arguments(arg "" "LABEL" "SOURCES;LINK" ${ARGN})
+  cmake_parse_arguments(arg "THREADS;UNSANITIZED" "LABEL" "SOURCES;LINK" ${ARGN})
+  if(ESM_SANITIZE AND arg_UNSANITIZED)
+    return()
+  endif()
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gmock GTest::gtest_main esm_warnings)
+  if(ESM_SANITIZE STREQUAL "address")
+    # What is tested is watched, not the tests: their checks would be a third of the build.
+    target_compile_options(${name} PRIVATE -fno-sanitize=undefined)
+  endif()
   target_compile_definitions(${name} PRIVATE
     ESM_SOURCE_DIR="${PROJECT_SOURCE_DIR}" ESM_TEST_DATA="${PROJECT_SOURCE_DIR}/tests/data")
-  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300)
+  if(arg_THREADS)
+    string(APPEND arg_LABEL +threads)
+    if(NOT TARGET thread_tests)
+      add_custom_target(thread_tests)
+    endif()
+    add_dependencies(thread_tests ${name})
+  endif()
+  set(serial OFF) # what measures time wants the machine to itself
+  if(arg_LABEL MATCHES timing)
+    set(serial ON)
+  endif()
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST
+    PROPERTIES LABELS "${arg_LABEL}" TIMEOUT 300 RUN_SERIAL ${serial})
 endfunction()
 
 # esm_fuzzer(NAME SOURCES... LINK dependencies...)
