@@ -5,11 +5,12 @@
 #include "core/forces/pressure.h"
 #include "core/geometry/union_find.h"
 
-#include <Eigen/Dense>
 #include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace esm {
@@ -33,6 +34,17 @@ Eigen::Matrix3d skew(const Eigen::Vector3d& r)
   Eigen::Matrix3d matrix;
   matrix << 0, -r[2], r[1], r[2], 0, -r[0], -r[1], r[0], 0;
   return matrix;
+}
+
+/// Of a symmetric matrix; what is zero but for rounding stays zero.
+template <int size>
+Eigen::Matrix<double, size, size> pseudoInverse(const Eigen::Matrix<double, size, size>& matrix)
+{
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, size, size>> solver(matrix);
+  Eigen::Matrix<double, size, 1> inverse = solver.eigenvalues();
+  const double least = size * std::numeric_limits<double>::epsilon() * inverse.cwiseAbs().maxCoeff();
+  for (double& value : inverse) value = std::abs(value) > least ? 1.0 / value : 0.0;
+  return solver.eigenvectors() * inverse.asDiagonal() * solver.eigenvectors().transpose();
 }
 
 double dotOf(const Eigen::Matrix3Xd& a, const Eigen::Matrix3Xd& b)
@@ -126,8 +138,7 @@ Eigen::Matrix3Xd LinearNet::solveByGradients(const Eigen::Matrix3Xd& force) cons
   constexpr int kMostIterations = 3000;
   constexpr double kTolerance = 1e-8; ///< of the force
   std::vector<Eigen::Matrix3d> inverse(static_cast<std::size_t>(m_net.nodeCount()), Eigen::Matrix3d::Zero());
-  for (const Index node : m_nodeOf)
-    inverse[static_cast<std::size_t>(node)] = blockAt(node).completeOrthogonalDecomposition().pseudoInverse();
+  for (const Index node : m_nodeOf) inverse[static_cast<std::size_t>(node)] = pseudoInverse(blockAt(node));
   const auto precondition = [&](const Eigen::Matrix3Xd& r) {
     Eigen::Matrix3Xd z(3, r.cols());
     for (Index node = 0; node < m_net.nodeCount(); ++node)
@@ -307,7 +318,7 @@ RigidMotions::RigidMotions(const SpringNet& net, bool withAnchors)
     inertia[part] += net.mass[node] * motion.transpose() * motion;
   }
   for (const auto& matrix : inertia) // a line of nodes does not resist being turned about itself
-    m_inverseInertia.push_back(matrix.completeOrthogonalDecomposition().pseudoInverse());
+    m_inverseInertia.push_back(pseudoInverse(matrix));
 }
 
 Eigen::Vector3d RigidMotions::motionOf(const Motion6& motion, Index node) const
