@@ -230,6 +230,7 @@ SlowModes slowestModes(LinearNet& net, int count, WorkControl* control)
   const RigidMotions rigid(net.net(), true);
   const Index nodes = net.net().nodeCount();
   std::vector<Eigen::Matrix3Xd> basis;
+  basis.reserve(static_cast<std::size_t>(size));
   for (int k = 0; k < size; ++k) // smooth waves of several lengths: fixed, and not blind to any slow mode
     basis.push_back(Eigen::Matrix3Xd::NullaryExpr(3, nodes, [&](Eigen::Index axis, Eigen::Index node) {
       const double phase = static_cast<double>((node * 2654435761LL + 97 * axis + 31 * k) % 1009) / 1009.0;
@@ -264,7 +265,7 @@ SlowModes slowestModes(LinearNet& net, int count, WorkControl* control)
         next[static_cast<std::size_t>(i)] +=
           ritz.eigenvectors()(j, i) * scale[j] * basis[static_cast<std::size_t>(j)];
     basis = std::move(next);
-    const Eigen::VectorXd values = ritz.eigenvalues();
+    const Eigen::VectorXd& values = ritz.eigenvalues();
     const bool settled = ((values - before).head(std::min(count, size)).cwiseAbs().array() <=
                           enough * values.head(std::min(count, size)).array().abs())
                            .all();
