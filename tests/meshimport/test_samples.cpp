@@ -10,6 +10,7 @@
 namespace {
 
 using namespace esm;
+using esm::test::kSamples;
 
 nlohmann::json counts()
 {
