@@ -11,9 +11,7 @@ target_compile_options(esm_warnings INTERFACE
   -ffp-contract=off # the same bits with and without FMA: golden hashes hold on every x86-64
   $<$<BOOL:${ESM_WERROR}>:-Werror>)
 if(ESM_SANITIZE STREQUAL "address")
-  # Not null and object-size: the address sanitizer stops there, too, and they are a fifth of the compiler's work.
-  set(esm_sanitizers -fsanitize=address,undefined -fno-sanitize=null,object-size -fno-sanitize-recover=all
-    -fno-omit-frame-pointer)
+  set(esm_sanitizers -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
 elseif(ESM_SANITIZE STREQUAL "thread")
   set(esm_sanitizers -fsanitize=thread -fno-omit-frame-pointer)
 elseif(ESM_SANITIZE)
@@ -58,7 +56,8 @@ function(esm_test name)
   add_executable(${name} ${arg_SOURCES})
   target_link_libraries(${name} PRIVATE ${arg_LINK} GTest::gmock GTest::gtest_main esm_warnings)
   if(ESM_SANITIZE STREQUAL "address")
-    # What is tested is watched, not the tests: their checks would be a third of the build.
+    # What is tested is watched, not the tests: their checks would be a third of the build. So what our headers
+    # hold (templates, inline functions) is watched where the libraries use it.
     target_compile_options(${name} PRIVATE -fno-sanitize=undefined)
   endif()
   target_compile_definitions(${name} PRIVATE

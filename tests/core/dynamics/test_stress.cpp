@@ -32,13 +32,8 @@ bool contains(const std::string& text, const char* part)
 // is the descent's, and the last iteration under way is finished.
 TEST(Stress, RandomNetsGainNoEnergyAndKeepTheirPrice)
 {
-#ifdef ESM_SANITIZED
-  constexpr int kNets = 100;
-#else
-  constexpr int kNets = 300;
-#endif
-  const StressSummary summary = sweepStress(0, kNets, windowSettings(), 0.1, 4.0);
-  EXPECT_EQ(summary.cases, kNets);
+  const StressSummary summary = sweepStress(0, 300, windowSettings(), 0.1, 4.0);
+  EXPECT_EQ(summary.cases, 300);
   EXPECT_GE(summary.solvers.size(), 5u) << "the sweep must reach nets for all kinds of methods";
   RecordProperty("growth", std::to_string(summary.growth));
   RecordProperty("cost", std::to_string(summary.frameCost));
