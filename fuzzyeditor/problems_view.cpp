@@ -16,7 +16,7 @@
 
 namespace esm {
 
-using ProblemKind = fis::FindingKind;
+using fis::FindingKind;
 
 ProblemsModel::ProblemsModel(FuzzyDocument* document, ProblemFinder* finder, QObject* parent)
   : QAbstractListModel(parent), m_document(document), m_finder(finder)
@@ -75,28 +75,28 @@ QString ProblemsModel::sentence(const fuzzy::RuleFinding& f) const
     return toQt(variable->terms[static_cast<std::size_t>(term)].name.in(language));
   };
   switch (f.kind) {
-  case ProblemKind::Uncovered:
+  case FindingKind::Uncovered:
     return f.place.empty() ? tr("Gap: No rule for %1 ever fires.").arg(name)
                            : tr("Gap: No rule speaks of %1 where %2.").arg(name, placeText(f));
-  case ProblemKind::Gap:
+  case FindingKind::Gap:
     return tr("Gap: No word of %1 fits where %2.").arg(name, placeText(f));
-  case ProblemKind::Contradiction:
+  case FindingKind::Contradiction:
     return tr("Contradiction: Rules %1 and %2 conclude differently on the same condition.")
       .arg(f.rule + 1)
       .arg(f.otherRule + 1);
-  case ProblemKind::Duplicate:
+  case FindingKind::Duplicate:
     return tr("Duplicate: Rules %1 and %2 say the same.").arg(f.rule + 1).arg(f.otherRule + 1);
-  case ProblemKind::Shadowed:
+  case FindingKind::Shadowed:
     return tr("Hidden: Rule %1 never counts, because rule %2 concludes the same on a weaker condition.")
       .arg(f.rule + 1)
       .arg(f.otherRule + 1);
-  case ProblemKind::NeverFires:
+  case FindingKind::NeverFires:
     return tr("Idle: The condition of rule %1 holds nowhere.").arg(f.rule + 1);
-  case ProblemKind::Overlap:
+  case FindingKind::Overlap:
     return tr("Overlap: The words ‘%1’ and ‘%2’ of %3 share %4 % of their area, so that they hardly differ.")
       .arg(word(f.term), word(f.otherTerm), name)
       .arg(std::lround(100.0 * f.overlap));
-  case ProblemKind::OutputNeverSet:
+  case FindingKind::OutputNeverSet:
     return tr("Unset: No rule concludes on %1.").arg(name);
   }
   return {};

@@ -7,6 +7,8 @@
 
 namespace esm {
 
+inline constexpr double kMillimetresPerMetre = 1000.0; ///< fields show lengths in mm
+
 /// A number field that numbers its gestures: holding an arrow button or key, or rolling the wheel, is one
 /// gesture; each typed value is one of its own. Edits of one gesture become one undo step.
 /// The wheel works only in the focused field, so that scrolling a panel changes nothing by accident.

@@ -22,7 +22,6 @@ namespace esm {
 
 namespace {
 
-constexpr double kMetre = 1000.0; // [mm]
 constexpr double kDegree = 180.0 / std::numbers::pi;
 constexpr int kNoMirror = 0, kOwnPlane = 4; ///< rows of the choice; between them the planes x, y and z
 
@@ -76,7 +75,8 @@ void RegionFields::buildNumbers()
     number->setMinimumWidth(46);
     number->setDecimals(i == Falloff ? 0 : 1);
     if (i >= AxisX && i <= AxisZ)
-      number->setRange(GizmoDrag::kLeastSemiAxis * kMetre, GizmoDrag::kLargestSemiAxis * kMetre);
+      number->setRange(GizmoDrag::kLeastSemiAxis * kMillimetresPerMetre,
+                       GizmoDrag::kLargestSemiAxis * kMillimetresPerMetre);
     else if (i >= TurnX && i <= TurnZ)
       number->setRange(-180.0, 180.0);
     else if (i == Falloff)
@@ -183,10 +183,12 @@ void RegionFields::editNumber(int field, double value, int gesture)
 {
   if (field <= CentreZ)
     edit(
-      tr("move region"), [=](Region& region) { region.ellipsoid.centre[field] = value / kMetre; }, gesture);
+      tr("move region"),
+      [=](Region& region) { region.ellipsoid.centre[field] = value / kMillimetresPerMetre; }, gesture);
   else if (field <= AxisZ)
     edit(
-      tr("resize region"), [=](Region& region) { region.ellipsoid.semiAxes[field - AxisX] = value / kMetre; },
+      tr("resize region"),
+      [=](Region& region) { region.ellipsoid.semiAxes[field - AxisX] = value / kMillimetresPerMetre; },
       gesture);
   else if (field <= TurnZ)
     edit(
@@ -205,7 +207,7 @@ void RegionFields::editNumber(int field, double value, int gesture)
       tr("move mirror plane"),
       [=](Region& region) {
         const int axis = mirrorChoice(region.mirror) - 1;
-        if (axis >= 0 && axis < 3) region.mirror->point[axis] = value / kMetre;
+        if (axis >= 0 && axis < 3) region.mirror->point[axis] = value / kMillimetresPerMetre;
       },
       gesture);
 }
@@ -263,8 +265,8 @@ void RegionFields::refresh()
   const Eigen::Vector3d turns = turnsOf(shown->ellipsoid.rotation);
   for (std::size_t axis = 0; axis < 3; ++axis) {
     const auto i = static_cast<Eigen::Index>(axis);
-    m_numbers[CentreX + axis]->display(shown->ellipsoid.centre[i] * kMetre);
-    m_numbers[AxisX + axis]->display(shown->ellipsoid.semiAxes[i] * kMetre);
+    m_numbers[CentreX + axis]->display(shown->ellipsoid.centre[i] * kMillimetresPerMetre);
+    m_numbers[AxisX + axis]->display(shown->ellipsoid.semiAxes[i] * kMillimetresPerMetre);
     m_numbers[TurnX + axis]->display(turns[i]);
   }
   m_numbers[Falloff]->display(shown->falloff * 100.0);
@@ -283,7 +285,7 @@ void RegionFields::refreshMirror(const Region& region)
   m_mirror->setCurrentIndex(choice);
   const bool numeric = choice != kNoMirror && choice != kOwnPlane;
   m_numbers[MirrorAt]->setEnabled(numeric);
-  m_numbers[MirrorAt]->display(numeric ? region.mirror->point[choice - 1] * kMetre : 0.0);
+  m_numbers[MirrorAt]->display(numeric ? region.mirror->point[choice - 1] * kMillimetresPerMetre : 0.0);
   m_detach->setEnabled(region.mirror && !region.insideOut);
 }
 

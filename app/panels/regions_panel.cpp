@@ -111,10 +111,10 @@ Region RegionsPanel::newRegion() const
   const Eigen::Matrix3Xd& nodes = project.net.restPosition;
   if (nodes.cols() == 0) return region;
   const Eigen::Vector3d low = nodes.rowwise().minCoeff(), high = nodes.rowwise().maxCoeff();
-  constexpr double kMetre = 1000.0; // [mm]: a round number of them
   const double radius = std::max(0.18 * (high - low).norm(), 1e-3);
   region.ellipsoid.centre = m_placeOfNew.value_or(0.5 * (low + high));
-  region.ellipsoid.semiAxes.setConstant(std::round(radius * kMetre) / kMetre);
+  region.ellipsoid.semiAxes.setConstant(std::round(radius * kMillimetresPerMetre) /
+                                        kMillimetresPerMetre); // a round number of mm
   return region;
 }
 

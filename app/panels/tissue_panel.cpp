@@ -14,11 +14,7 @@
 
 namespace esm {
 
-namespace {
-
-constexpr double kMillimetresPerMetre = 1000.0; // [mm]
-
-} // namespace
+namespace {} // namespace
 
 TissuePanel::TissuePanel(Document* document, QWidget* parent)
   : QWidget(parent), m_document(document), m_form(new QFormLayout(this))

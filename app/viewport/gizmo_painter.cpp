@@ -14,7 +14,7 @@ namespace esm {
 
 namespace {
 
-using GripKind = GizmoHandle::Kind;
+using HandleKind = GizmoHandle::Kind;
 
 const QColor kAccent(0xf2, 0x6b, 0x21); // as the wire of the chosen region
 
@@ -36,17 +36,17 @@ QString axisName(int axis)
 QString nameOf(const GizmoHandle& handle)
 {
   switch (handle.kind) {
-  case GripKind::Move:
+  case HandleKind::Move:
     return QStringLiteral("move");
-  case GripKind::Falloff:
+  case HandleKind::Falloff:
     return QStringLiteral("falloff");
-  case GripKind::Slide:
+  case HandleKind::Slide:
     return QStringLiteral("slide ") + axisName(handle.axis);
-  case GripKind::Turn:
+  case HandleKind::Turn:
     return QStringLiteral("turn ") + axisName(handle.axis);
-  case GripKind::Stretch:
+  case HandleKind::Stretch:
     return QStringLiteral("stretch ") + axisName(handle.axis) + QLatin1Char(handle.side > 0 ? '+' : '-');
-  case GripKind::None:
+  case HandleKind::None:
     break;
   }
   return {};
@@ -63,7 +63,7 @@ GizmoPainter::GizmoPainter(QPainter& painter, const QPalette& palette, const Cam
 
 QColor GizmoPainter::colourOf(const GizmoHandle& handle) const
 {
-  if (handle.kind == GripKind::Move || handle.kind == GripKind::Falloff)
+  if (handle.kind == HandleKind::Move || handle.kind == HandleKind::Falloff)
     return m_dark ? kAccent.lighter(125) : kAccent;
   const QColor axes[] = {QColor(0xd6, 0x45, 0x41), QColor(0x3f, 0x8f, 0x2f), QColor(0x2f, 0x6f, 0xd0)};
   const QColor colour = axes[handle.axis];
@@ -124,9 +124,9 @@ void GizmoPainter::drawSpot(const GizmoLayout::Spot& spot, bool lit)
   if (!std::isfinite(at.x()) || !std::isfinite(at.y())) return;
   const double half = lit ? 7.0 : 5.0;
   QPainterPath path;
-  if (spot.handle.kind == GripKind::Stretch)
+  if (spot.handle.kind == HandleKind::Stretch)
     path.addRect(QRectF(at - QPointF(half, half), at + QPointF(half, half)));
-  else if (spot.handle.kind == GripKind::Falloff)
+  else if (spot.handle.kind == HandleKind::Falloff)
     path.addPolygon(QPolygonF({at + QPointF(0, -1.4 * half), at + QPointF(1.4 * half, 0),
                                at + QPointF(0, 1.4 * half), at + QPointF(-1.4 * half, 0)}));
   else
@@ -157,17 +157,17 @@ void GizmoPainter::drawLock(const Ellipsoid& ellipsoid)
 QString GizmoPainter::help(const GizmoHandle& handle)
 {
   switch (handle.kind) {
-  case GripKind::Move:
+  case HandleKind::Move:
     return tr("Move the region in the plane of the screen");
-  case GripKind::Slide:
+  case HandleKind::Slide:
     return tr("Move the region along its axis %1").arg(axisName(handle.axis));
-  case GripKind::Turn:
+  case HandleKind::Turn:
     return tr("Turn the region about its axis %1").arg(axisName(handle.axis));
-  case GripKind::Stretch:
+  case HandleKind::Stretch:
     return tr("Change the semi-axis %1; with Shift all of them").arg(axisName(handle.axis));
-  case GripKind::Falloff:
+  case HandleKind::Falloff:
     return tr("Change the falloff: from here the weight falls");
-  case GripKind::None:
+  case HandleKind::None:
     break;
   }
   return tr("Region: drag a handle to move, turn or resize it; beside them, dragging turns the view");
@@ -177,21 +177,21 @@ QString GizmoPainter::readout(const GizmoDrag& drag)
 {
   const Ellipsoid& now = drag.shape().ellipsoid;
   switch (drag.handle().kind) {
-  case GripKind::Move:
-  case GripKind::Slide:
+  case HandleKind::Move:
+  case HandleKind::Slide:
     return tr("Centre %1 · %2 · %3 mm, moved by %4 mm; Esc takes it back")
       .arg(millimetres(now.centre.x()), millimetres(now.centre.y()), millimetres(now.centre.z()),
            millimetres((now.centre - drag.start().ellipsoid.centre).norm()));
-  case GripKind::Turn:
+  case HandleKind::Turn:
     return tr("Turned by %1° about the axis %2; Esc takes it back")
       .arg(QLocale().toString(180.0 / std::numbers::pi * drag.angle(), 'f', 1), axisName(drag.handle().axis));
-  case GripKind::Stretch:
+  case HandleKind::Stretch:
     return tr("Semi-axes %1 · %2 · %3 mm; Esc takes it back")
       .arg(millimetres(now.semiAxes.x()), millimetres(now.semiAxes.y()), millimetres(now.semiAxes.z()));
-  case GripKind::Falloff:
+  case HandleKind::Falloff:
     return tr("Falloff %1 %; Esc takes it back")
       .arg(QLocale().toString(100.0 * drag.shape().falloff, 'f', 0));
-  case GripKind::None:
+  case HandleKind::None:
     break;
   }
   return {};

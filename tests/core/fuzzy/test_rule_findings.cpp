@@ -13,7 +13,7 @@
 namespace esm::fuzzy {
 namespace {
 
-using Found = fis::FindingKind;
+using fis::FindingKind;
 
 /// Seven words evenly over [0, 1], neighbours crossing at one half, and a second input of two words.
 RuleBase sevenWords()
@@ -59,7 +59,7 @@ TEST(RuleFindings, OneRuleLeftOutLeavesAHoleAtItsPeak)
   base.rules.erase(base.rules.begin() + 2);
   const auto findings = findOddities(base);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_EQ(findings[0].kind, Found::Uncovered);
+  EXPECT_EQ(findings[0].kind, FindingKind::Uncovered);
   EXPECT_EQ(findings[0].place, (std::vector<std::pair<int, double>>{{0, 2 / 6.0}}));
   for (const double wall : {0.1, 0.5, 1.0}) EXPECT_FALSE(fires(base, findings[0], wall));
 }
@@ -98,17 +98,17 @@ TEST(RuleFindings, NameRulesAndTerms)
   add("IF hardness IS w0 AND hardness IS w4 THEN stiffness IS w3"); // 10: never
   base.inputs[1].terms.push_back({"thinnish", {"thinnish", "thinnish"}, Shape::Triangle, {-1.0, 0.2, 3.0}});
   const auto findings = findOddities(base);
-  const auto has = [&](Found kind, int rule, int other) {
+  const auto has = [&](FindingKind kind, int rule, int other) {
     return std::any_of(findings.begin(), findings.end(), [&](const RuleFinding& f) {
       return f.kind == kind && f.rule == rule && f.otherRule == other;
     });
   };
   EXPECT_EQ(findings.size(), 5U);
-  EXPECT_TRUE(has(Found::Contradiction, 0, 7));
-  EXPECT_TRUE(has(Found::Duplicate, 1, 8));
-  EXPECT_TRUE(has(Found::Shadowed, 9, 2));
-  EXPECT_TRUE(has(Found::NeverFires, 10, -1));
-  ASSERT_EQ(findings[0].kind, Found::Overlap);
+  EXPECT_TRUE(has(FindingKind::Contradiction, 0, 7));
+  EXPECT_TRUE(has(FindingKind::Duplicate, 1, 8));
+  EXPECT_TRUE(has(FindingKind::Shadowed, 9, 2));
+  EXPECT_TRUE(has(FindingKind::NeverFires, 10, -1));
+  ASSERT_EQ(findings[0].kind, FindingKind::Overlap);
   EXPECT_EQ(findings[0].variable, 1);
   EXPECT_EQ(findings[0].term, 0);
   EXPECT_EQ(findings[0].otherTerm, 2);
@@ -131,10 +131,10 @@ TEST(RuleFindings, RulesThatAreOffDoNotCount)
   base.rules[3].enabled = false;
   const auto findings = findOddities(base);
   ASSERT_EQ(findings.size(), 1U);
-  EXPECT_EQ(findings[0].kind, Found::Uncovered);
+  EXPECT_EQ(findings[0].kind, FindingKind::Uncovered);
   for (Rule& rule : base.rules) rule.enabled = false;
   ASSERT_EQ(findOddities(base).size(), 1U);
-  EXPECT_EQ(findOddities(base)[0].kind, Found::OutputNeverSet);
+  EXPECT_EQ(findOddities(base)[0].kind, FindingKind::OutputNeverSet);
 }
 
 } // namespace
