@@ -35,7 +35,6 @@ JsonLine meshReportJson(const MeshReport& report)
   line.add("bbox_min", report.boxMin);
   line.add("bbox_max", report.boxMax);
   line.add("finite", report.finite);
-  line.add("sum_rest_length", report.sumRestLength);
   return line;
 }
 

@@ -40,16 +40,19 @@ bool isPlain(ImportRecipe recipe)
 JsonLine jsonOf(const ImportedMesh& imported)
 {
   JsonLine line = meshReportJson(imported.report);
+  line.add("sum_rest_length", sumRestLength(imported.mesh, imported.edges));
   line.add("format", imported.format);
   line.add("notes", imported.notes);
   return line;
 }
 
+void row(const std::string& what, const std::string& value)
+{
+  print(what + std::string(what.size() < 22 ? 22 - what.size() : 1, ' ') + value);
+}
+
 void printReport(const MeshReport& report, const std::string& format)
 {
-  const auto row = [](const std::string& what, const std::string& value) {
-    print(what + std::string(what.size() < 22 ? 22 - what.size() : 1, ' ') + value);
-  };
   const auto point = [](const Eigen::Vector3d& p) {
     return formatDouble(p[0], 6) + " " + formatDouble(p[1], 6) + " " + formatDouble(p[2], 6);
   };
@@ -67,7 +70,6 @@ void printReport(const MeshReport& report, const std::string& format)
   row("non-finite vertices", std::to_string(report.nonFiniteVertices));
   row("box from", point(report.boxMin));
   row("box to", point(report.boxMax));
-  row("sum of rest lengths", formatDouble(report.sumRestLength, 6));
 }
 
 JsonLine jsonOf(const QualityReport& report, const NetCost& cost)
@@ -198,6 +200,7 @@ Exit inspectFile(const InspectOptions& options, const ImportRecipe& recipe)
     print(line.text());
   } else {
     printReport(imported->report, imported->format);
+    row("sum of rest lengths", formatDouble(sumRestLength(mesh, imported->edges), 6));
     if (options.defects) printDefects(defects, crossings, mesh);
   }
   return Exit::Done;

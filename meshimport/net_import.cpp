@@ -97,10 +97,9 @@ Status addMaterial(ImportedNet& made, const MaterialOptions& options, double thi
   return {};
 }
 
-/// A report in metres from one in the file's unit and axes: only lengths and places change.
-MeshReport inScene(MeshReport report, const Mesh& sceneMesh, double metres)
+/// A report in metres from one in the file's unit and axes: only the box changes.
+MeshReport inScene(MeshReport report, const Mesh& sceneMesh)
 {
-  report.sumRestLength *= metres;
   report.boxMin.setZero();
   report.boxMax.setZero();
   bool first = true;
@@ -148,7 +147,7 @@ Result<ImportedNet> makeNet(MeshSource source, const ImportRecipe& recipe, doubl
   const bool isAsRead = recipe.repair.doesNothing();
   Mesh mesh = isAsRead ? std::move(source.mesh) : source.mesh;
   toScene(mesh, recipe.unit, recipe.up, recipe.patientAxes);
-  made.before = made.after = inScene(source.report, mesh, metresPer(recipe.unit));
+  made.before = made.after = inScene(source.report, mesh);
   if (stopWanted(control)) return cancelledError();
 
   std::vector<Index> nodeOfVertex;

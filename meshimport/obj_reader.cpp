@@ -71,7 +71,7 @@ private:
   {
     const long line = m_cursor.line();
     if (m_cursor.take("v")) return vertex(line);
-    if (m_cursor.take("f")) return element(line, true);
+    if (m_cursor.take("f")) return usualTriangle() ? Status() : element(line, true);
     const std::string_view word = m_cursor.word();
     if (word == "fo" || word == "l") return element(line, word != "l");
     if (isOrdinaryKeyword(word)) return {};
@@ -96,6 +96,25 @@ private:
     }
     m_raw.addVertex(p[0], p[1], p[2], line);
     return {};
+  }
+
+  /// A face as nearly all are: three vertices that have come already. Before any other the cursor stays.
+  bool usualTriangle()
+  {
+    const TextCursor before = m_cursor;
+    long long corner[3];
+    for (long long& number : corner)
+      if (!m_cursor.corner(number) || number < 1 || number > m_raw.vertexCount()) {
+        m_cursor = before;
+        return false;
+      }
+    if (!m_cursor.atLineEnd()) {
+      m_cursor = before;
+      return false;
+    }
+    m_raw.addTriangle(static_cast<Index>(corner[0] - 1), static_cast<Index>(corner[1] - 1),
+                      static_cast<Index>(corner[2] - 1));
+    return true;
   }
 
   /// A face or a polyline.

@@ -153,7 +153,7 @@ private:
 
 std::size_t plySize(PlyScalar type) noexcept
 {
-  constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  static constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
 

@@ -208,13 +208,9 @@ private:
     m_scalars.resize(element.properties.size());
     m_raw.triangles.reserve(
       static_cast<Eigen::Index>(std::min<std::uint64_t>(element.count, m_source.bytesLeft())));
+    if constexpr (Source::isBinary)
+      if (isPlainList(element)) return plainFaces(element.count);
     for (std::uint64_t r = 0; r < element.count; ++r) {
-      if constexpr (Source::isBinary) {
-        if (isPlainList(element)) {
-          if (Status status = plainFace(r, element.count); !status) return status;
-          continue;
-        }
-      }
       if (Status status = row(element, r, place); !status) return status;
       m_corners.clear();
       for (const double vertex : m_wantedList)
@@ -270,9 +266,38 @@ private:
     return element.properties.size() == 1 && property.countType == PlyScalar::UInt8 &&
            (property.type == PlyScalar::Int32 || property.type == PlyScalar::UInt32);
   }
-  Status plainFace(std::uint64_t row, std::uint64_t rows)
+  Status plainFaces(std::uint64_t rows)
   {
-    if (stopWantedAt(row, rows, m_control)) return cancelledError();
+    constexpr std::uint64_t kBatch = 4096; // then someone may want to stop
+    for (std::uint64_t row = 0; row < rows; ++row) {
+      row += plainTriangles(std::min(rows - row, kBatch) - 1);
+      tellDone(m_control, static_cast<double>(row) / static_cast<double>(rows));
+      if (stopWanted(m_control)) return cancelledError();
+      if (Status status = plainFace(row); !status) return status;
+    }
+    return {};
+  }
+  /// Takes the triangles that come next, up to the first row that is anything else.
+  /// @return how many
+  std::uint64_t plainTriangles(std::uint64_t most)
+  {
+    constexpr std::size_t kCorner = sizeof(std::uint32_t), kRow = 1 + 3 * kCorner;
+    if (m_raw.hasPolygons()) return 0;
+    most = std::min<std::uint64_t>(most, m_source.bytesLeft() / kRow);
+    const char* from = m_source.take(0);
+    std::uint64_t taken = 0;
+    for (; taken < most; ++taken, from += kRow) {
+      const std::uint32_t a = Source::template item<std::uint32_t>(from + 1);
+      const std::uint32_t b = Source::template item<std::uint32_t>(from + 1 + kCorner);
+      const std::uint32_t c = Source::template item<std::uint32_t>(from + 1 + 2 * kCorner);
+      if (*from != 3 || std::max(std::max(a, b), c) >= m_vertexTotal) break;
+      m_raw.addTriangle(static_cast<Index>(a), static_cast<Index>(b), static_cast<Index>(c));
+    }
+    m_source.take(taken * kRow);
+    return taken;
+  }
+  Status plainFace(std::uint64_t row)
+  {
     const char* const count = m_source.take(1);
     const std::size_t corners = count ? static_cast<std::uint8_t>(*count) : 0;
     const char* const from = m_source.take(4 * corners);

@@ -128,7 +128,7 @@ private:
   bool usualFacet()
   {
     const TextCursor before = m_cursor;
-    const auto take = [this](std::string_view keyword) { return skipToWord() && m_cursor.take(keyword); };
+    const auto take = [this](const auto& keyword) { return skipToWord() && m_cursor.take(keyword); };
     double p[3][3];
     long line[3];
     const auto takeVertex = [&](int k) {

@@ -84,7 +84,7 @@ bool TextCursor::inLastLine() const
   return std::none_of(m_at, m_end, isLineBreak);
 }
 
-void TextCursor::nextLine()
+void TextCursor::skipLine()
 {
   // Short rests are passed byte by byte; a long one by the library's vector code, first to LF, then back to a
   // CR.

@@ -41,7 +41,7 @@ inline bool isDigit(char c)
 /// @return behind the last one read
 inline const char* takeDigits(const char* at, const char* end, std::uint64_t& value)
 {
-  constexpr std::uint64_t kPower[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
+  static constexpr std::uint64_t kPower[] = {1, 10, 100, 1000, 10000, 100000, 1000000, 10000000, 100000000};
   const char* const from = at;
   if constexpr (std::endian::native == std::endian::little) {
     // Eight bytes as one word: a loop over digits is left at another place each time, which the processor
@@ -100,15 +100,24 @@ public:
            ((m_rules & HashComments) && *m_at == '#');
   }
   bool inLastLine() const; ///< whether no line end follows
-  void nextLine();
+  void nextLine()
+  {
+    if (m_at == m_end || *m_at != '\n') return skipLine();
+    ++m_at; // as a rule all of the line has been read
+    ++m_line;
+  }
 
   std::string_view word(); ///< up to the next blank; empty at the line's end
   /// Goes behind the next word on this line if it is this one, letter by letter.
-  bool take(std::string_view keyword)
+  template <std::size_t kSize>
+  bool take(const char (&keyword)[kSize])
   {
+    constexpr std::size_t kLetters = kSize - 1; // known here, so that they are compared as one number
     skipBlanks();
-    if (!rest().starts_with(keyword) || !breaksHere(m_at + keyword.size())) return false;
-    m_at += keyword.size();
+    if (static_cast<std::size_t>(m_end - m_at) < kLetters || std::memcmp(m_at, keyword, kLetters) != 0 ||
+        !breaksHere(m_at + kLetters))
+      return false;
+    m_at += kLetters;
     return true;
   }
 
@@ -141,6 +150,7 @@ private:
     while (m_at != m_end && text::classOf(*m_at) == text::Blank) ++m_at;
     if (m_at != m_end && *m_at == '\\' && (m_rules & BackslashJoins)) skipJoints();
   }
+  void skipLine();
   void skipJoints();
   bool breaksHere(const char* at) const;
   bool shortNumber(double& value);
@@ -158,8 +168,8 @@ private:
 /// (W. D. Clinger, How to read floating point numbers accurately, PLDI 1990), in a third of its time.
 inline bool TextCursor::shortNumber(double& value)
 {
-  constexpr double kPower[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
-                               1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  static constexpr double kPower[] = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                      1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
   constexpr std::ptrdiff_t kMostDigits = 15;
   const char* at = m_at;
   const bool negative = at != m_end && *at == '-';

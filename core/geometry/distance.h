@@ -16,14 +16,20 @@ namespace esm {
   return v.stableNorm();
 }
 
-/// Euclidean distance. Squares leave the range of double beyond about 1e154 and below 1e-154; there the
-/// slower scaled norm answers, so that no spring is taken for zero long or infinitely long.
+/// Whether the root of it is a length above zero to the last bit. Squares leave the range of double beyond
+/// about 1e154 and below 1e-154.
+inline bool isUsualSquare(double squared)
+{
+  return squared > 1e-280 && squared < 1e280;
+}
+
+/// Euclidean distance. Where squares leave the range of double the slower scaled norm answers, so that no
+/// spring is taken for zero long or infinitely long.
 inline double distance(const Eigen::Vector3d& a, const Eigen::Vector3d& b)
 {
   const Eigen::Vector3d between = b - a;
   const double squared = between.squaredNorm();
-  if (squared > 1e-280 && squared < 1e280) return std::sqrt(squared);
-  return scaledNorm(between);
+  return isUsualSquare(squared) ? std::sqrt(squared) : scaledNorm(between);
 }
 
 /// The column of `places` that is nearest to a place. @pre there is one

@@ -24,19 +24,27 @@ template <class HashOf>
 std::vector<Index> possibleDoubles(Index count, const HashOf& hashOf, std::vector<Index>& room,
                                    WorkControl* control)
 {
-  constexpr std::size_t kWord = 64, kBitsPerItem = 16, kFewest = 1024;
+  constexpr std::size_t kWord = 64, kBitsPerItem = 16, kFewest = 1024,
+                        kAtOnce = 64;                 // of which 4096 is a multiple
   constexpr std::size_t kMost = std::size_t{1} << 31; // for the places are kept as an Index
   const std::size_t items = static_cast<std::size_t>(count);
   const std::size_t bits = std::bit_ceil(std::clamp(kBitsPerItem * items, kFewest, kMost));
   std::vector<std::uint64_t> came(bits / kWord, 0), wanted(bits / kWord, 0);
   const auto bitOf = [](std::size_t place) { return std::uint64_t{1} << (place % kWord); };
-  for (std::size_t i = 0; i < items; ++i) {
-    if (stopWantedAt(i, items, control)) return {};
-    const std::size_t place = hashOf(static_cast<Index>(i)) & (bits - 1);
-    room[i] = static_cast<Index>(place);
-    std::uint64_t& word = came[place / kWord];
-    if (word & bitOf(place)) wanted[place / kWord] |= bitOf(place);
-    word |= bitOf(place);
+  for (std::size_t first = 0; first < items; first += kAtOnce) {
+    if (stopWantedAt(first, items, control)) return {};
+    const std::size_t end = std::min(items, first + kAtOnce);
+    for (std::size_t i = first; i < end; ++i) { // their memory is on its way while the next ones are hashed
+      const std::size_t place = hashOf(static_cast<Index>(i)) & (bits - 1);
+      room[i] = static_cast<Index>(place);
+      __builtin_prefetch(&came[place / kWord], 1);
+    }
+    for (std::size_t i = first; i < end; ++i) {
+      const auto place = static_cast<std::size_t>(room[i]);
+      std::uint64_t& word = came[place / kWord];
+      if (word & bitOf(place)) wanted[place / kWord] |= bitOf(place);
+      word |= bitOf(place);
+    }
   }
   // The first of each pair of doubles found its bit free: it is one of those whose bit is wanted now.
   std::vector<Index> doubles;

@@ -58,8 +58,8 @@ private:
     Index edge = 0;
   };
 
-  /// For a full bucket: open addressing, at most half full.
-  Index findOrAddMore(Index low, Index high, Index next)
+  /// For a full bucket: open addressing, at most half full. Kept out of the loops that seldom come here.
+  [[gnu::noinline, gnu::cold]] Index findOrAddMore(Index low, Index high, Index next)
   {
     if (2 * (m_moreCount + 1) > m_more.size()) growMore();
     const std::uint64_t key = pairKey(low, high);

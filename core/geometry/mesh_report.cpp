@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cstdint>
 #include <limits>
 #include <numeric>
@@ -18,54 +19,42 @@ namespace esm {
 
 namespace {
 
-/// @return per vertex whether it is finite
-std::vector<std::uint8_t> examineVertices(const Mesh& mesh, MeshReport& report)
+void examineVertices(const Mesh& mesh, MeshReport& report)
 {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   report.nodes = mesh.vertexCount();
-  std::vector<std::uint8_t> isFinite(static_cast<std::size_t>(report.nodes));
-  Eigen::Array3d low = Eigen::Array3d::Constant(kInfinity), high = Eigen::Array3d::Constant(-kInfinity);
-  for (Index v = 0; v < report.nodes; ++v) {
-    const Eigen::Array3d p = mesh.position.col(v);
-    const bool good = (p - p == 0.0).all(); // NaN for all that is not finite
-    isFinite[static_cast<std::size_t>(v)] = good;
-    if (!good) {
+  // Not as vectors: the compiler keeps numbers in registers, and vectors of three in memory.
+  double low[3] = {kInfinity, kInfinity, kInfinity}, high[3] = {-kInfinity, -kInfinity, -kInfinity};
+  const double* p = mesh.position.data();
+  for (Index v = 0; v < report.nodes; ++v, p += 3) {
+    if (!((p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2]) == 0.0)) { // NaN for all that is not finite
       ++report.nonFiniteVertices;
       continue;
     }
-    low = low.min(p);
-    high = high.max(p);
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
   }
   if (report.nonFiniteVertices < report.nodes) {
-    report.boxMin = low;
-    report.boxMax = high;
+    report.boxMin = Eigen::Vector3d(low[0], low[1], low[2]);
+    report.boxMax = Eigen::Vector3d(high[0], high[1], high[2]);
   }
   report.finite = report.nonFiniteVertices == 0;
-  return isFinite;
 }
 
-void examineSprings(const Mesh& mesh, const EdgeList& edges, const std::vector<std::uint8_t>& isFinite,
-                    MeshReport& report, WorkControl* control)
+void examineParts(const EdgeList& edges, MeshReport& report, WorkControl* control)
 {
   report.springs = static_cast<Index>(edges.ends.cols());
   UnionFind parts(report.nodes);
-  Index joins = 0, boundary = 0, nonManifold = 0;
-  double sum = 0.0;
+  const Index* const ends = edges.ends.data();
+  Index joins = 0;
   for (Index e = 0; e < report.springs; ++e) {
     if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(report.springs), control)) return;
-    const Index a = edges.ends(0, e), b = edges.ends(1, e);
-    joins += parts.join(a, b);
-    const Index triangles = edges.triangleCount[e];
-    boundary += triangles == 1;
-    nonManifold += triangles > 2;
-    if (report.finite || (isFinite[static_cast<std::size_t>(a)] && isFinite[static_cast<std::size_t>(b)]))
-      sum += distance(mesh.position.col(a), mesh.position.col(b));
+    joins += parts.join(ends[2 * std::ptrdiff_t{e}], ends[2 * std::ptrdiff_t{e} + 1]);
   }
-  report.sumRestLength = sum;
-  report.boundaryEdges = boundary;
-  report.nonManifoldEdges = nonManifold;
   // Only a vertex that nothing uses is still a part of its own.
-  std::vector<std::uint8_t> isUsed(isFinite.size(), 0);
+  std::vector<std::uint8_t> isUsed(static_cast<std::size_t>(report.nodes), 0);
   for (Index v = 0; v < report.nodes; ++v)
     if (const Index root = parts.root(v); root != v)
       isUsed[static_cast<std::size_t>(root)] = isUsed[static_cast<std::size_t>(v)] = 1;
@@ -78,6 +67,8 @@ void examineFaces(const Mesh& mesh, const EdgeList& edges, MeshReport& report, W
 {
   report.triangles = mesh.triangleCount();
   report.segments = mesh.segmentCount();
+  report.boundaryEdges = static_cast<Index>((edges.triangleCount == 1).count());
+  report.nonManifoldEdges = static_cast<Index>((edges.triangleCount > 2).count());
   report.duplicateFaces = static_cast<Index>(edges.repeated.size());
   for (Index t = 0; t < report.triangles; ++t) {
     if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(report.triangles), control))
@@ -97,11 +88,21 @@ MeshReport examine(const Mesh& mesh, WorkControl* control)
 MeshReport examine(const Mesh& mesh, const EdgeList& edges, WorkControl* control)
 {
   MeshReport report;
-  const std::vector<std::uint8_t> isFinite = examineVertices(mesh, report);
-  examineSprings(mesh, edges, isFinite, report, control);
+  examineVertices(mesh, report);
+  examineParts(edges, report, control);
   if (stopWanted(control)) return report;
   examineFaces(mesh, edges, report, control);
   return report;
+}
+
+double sumRestLength(const Mesh& mesh, const EdgeList& edges)
+{
+  double sum = 0.0;
+  for (const auto& ends : edges.ends.colwise()) {
+    const Eigen::Vector3d a = mesh.position.col(ends[0]), b = mesh.position.col(ends[1]);
+    if (a.allFinite() && b.allFinite()) sum += distance(a, b);
+  }
+  return sum;
 }
 
 } // namespace esm

@@ -9,7 +9,7 @@
 namespace esm {
 
 /// What is in a mesh and what is wrong with it, before it becomes a net. Counts are of the mesh as
-/// given (weld first); lengths are in its own unit.
+/// given (weld first); the box is in its own unit.
 struct MeshReport {
   Index nodes = 0;     ///< vertices
   Index springs = 0;   ///< unique edges of triangles and segments (zero-length ends excluded: a != b)
@@ -24,8 +24,7 @@ struct MeshReport {
   Index nonFiniteVertices = 0; ///< a NaN or infinite coordinate
   Eigen::Vector3d boxMin = Eigen::Vector3d::Zero(); ///< over finite vertices; zero if there are none
   Eigen::Vector3d boxMax = Eigen::Vector3d::Zero();
-  double sumRestLength = 0.0; ///< over the springs with finite ends
-  bool finite = true;         ///< nonFiniteVertices == 0
+  bool finite = true; ///< nonFiniteVertices == 0
 };
 
 /// O(V + F log F). Any thread. Never throws on any content with indices in range.
@@ -33,5 +32,8 @@ struct MeshReport {
 MeshReport examine(const Mesh& mesh, WorkControl* control = nullptr);
 /// The same for who has the edges: listEdges(mesh).
 MeshReport examine(const Mesh& mesh, const EdgeList& edges, WorkControl* control = nullptr);
+
+/// Over the edges with finite ends, in the mesh's own unit. O(E).
+double sumRestLength(const Mesh& mesh, const EdgeList& edges);
 
 } // namespace esm

@@ -6,6 +6,8 @@
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace esm {
@@ -25,6 +27,12 @@ inline bool hasEqualCorners(const Mesh& mesh, Index triangle)
   return corner[0] == corner[1] || corner[1] == corner[2] || corner[2] == corner[0];
 }
 
+/// The largest of three magnitudes, without a branch that nobody could guess.
+inline double largestMagnitude(const Eigen::Vector3d& v)
+{
+  return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
+}
+
 /// Two equal corners, or zero area up to the rounding of the cross product itself; a needle that is thin but
 /// real is none.
 inline bool isDegenerate(const Mesh& mesh, Index triangle)
@@ -33,8 +41,8 @@ inline bool isDegenerate(const Mesh& mesh, Index triangle)
   const Eigen::Vector3d a = mesh.position.col(mesh.triangles(0, triangle));
   const Eigen::Vector3d u = mesh.position.col(mesh.triangles(1, triangle)) - a;
   const Eigen::Vector3d v = mesh.position.col(mesh.triangles(2, triangle)) - a;
-  const double scale = u.cwiseAbs().maxCoeff() * v.cwiseAbs().maxCoeff();
-  return u.cross(v).cwiseAbs().maxCoeff() <= 16 * std::numeric_limits<double>::epsilon() * scale;
+  const double scale = largestMagnitude(u) * largestMagnitude(v);
+  return largestMagnitude(u.cross(v)) <= 16 * std::numeric_limits<double>::epsilon() * scale;
 }
 
 } // namespace esm

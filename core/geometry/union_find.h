@@ -21,6 +21,7 @@ public:
   /// Whether the two were apart until now.
   bool join(Index a, Index b)
   {
+    if (at(a) == at(b)) return false; // as a rule, where they come in the order of the surface
     a = root(a);
     b = root(b);
     if (a == b) return false;

@@ -78,44 +78,74 @@ void keepColumns(Matrix& matrix, const IsKept& isKept)
   if (kept < count) matrix.conservativeResize(Eigen::NoChange, kept);
 }
 
-/// Makes springs of the unique edges that can be some (finite ends, apart from each other); their ends are
-/// vertices.
+/// Sets the lengths of edges as long as they are what nearly all are: finite, above zero, and no extreme.
+/// @return whether all were
+bool measureUsual(const Eigen::Matrix3Xd& position, const SegmentMatrix& ends, Eigen::ArrayXd& length,
+                  WorkControl* control)
+{
+  constexpr Eigen::Index kAtOnce = 4096; // then someone may wish to stop
+  bool isUsual = true;
+  for (Eigen::Index first = 0; first < ends.cols() && isUsual; first += kAtOnce) {
+    if (stopWantedAt(static_cast<std::size_t>(first), static_cast<std::size_t>(ends.cols()), control))
+      return false;
+    for (Eigen::Index e = first; e < std::min(first + kAtOnce, ends.cols()); ++e) { // without a branch
+      const double squared = (position.col(ends(1, e)) - position.col(ends(0, e))).squaredNorm();
+      isUsual &= isUsualSquare(squared);
+      length[e] = std::sqrt(squared);
+    }
+  }
+  return isUsual;
+}
+
+/// Edges that can be springs: finite ends, apart from each other. The others go, from `length` and
+/// `surfaceEdges`, too.
+Status keepPossible(const Eigen::Matrix3Xd& position, SegmentMatrix& ends, Index& surfaceEdges,
+                    Eigen::ArrayXd& length, WorkControl* control)
+{
+  const auto count = static_cast<Index>(ends.cols());
+  Index kept = 0, surface = 0;
+  for (Index e = 0; e < count; ++e) {
+    if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(count), control))
+      return cancelledError();
+    const Eigen::Vector2<Index> end = ends.col(e);
+    const double between = distance(position.col(end[0]), position.col(end[1]));
+    if (!std::isfinite(between)) {
+      if (!position.col(end[0]).allFinite() || !position.col(end[1]).allFinite()) continue;
+      return Error{ErrorCode::InvalidValue, "vertices " + std::to_string(end[0]) + " and " +
+                                              std::to_string(end[1]) +
+                                              " are further apart than a number can hold"};
+    }
+    if (!(between > 0.0)) continue;
+    ends.col(kept) = end;
+    length[kept++] = between;
+    if (e < surfaceEdges) surface = kept;
+  }
+  surfaceEdges = surface;
+  ends.conservativeResize(Eigen::NoChange, kept);
+  length.conservativeResize(kept);
+  return {};
+}
+
+/// Makes springs of the unique edges that can be some; their ends are vertices.
 /// @param edgeEnds, surfaceEdges of EdgeList
 /// @param nodeOf becomes 0 for vertices that carry a spring
 Status addSprings(const Mesh& mesh, SegmentMatrix&& edgeEnds, Index surfaceEdges, std::vector<Index>& nodeOf,
                   SpringNet& net, WorkControl* control)
 {
-  const auto candidates = static_cast<Index>(edgeEnds.cols());
-  net.restLength.resize(candidates);
+  net.ends = std::move(edgeEnds);
+  net.restLength.resize(net.ends.cols());
   useLargePages(net.restLength);
-  Index* const ends = edgeEnds.data();
-  Index springs = 0, surface = 0;
-  for (Index e = 0; e < candidates; ++e) {
-    if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(candidates), control))
-      return cancelledError();
-    const Index a = ends[2 * e], b = ends[2 * e + 1];
-    const double length = distance(mesh.position.col(a), mesh.position.col(b));
-    if (!std::isfinite(length)) {
-      if (!mesh.position.col(a).allFinite() || !mesh.position.col(b).allFinite()) continue;
-      return Error{ErrorCode::InvalidValue, "vertices " + std::to_string(a) + " and " + std::to_string(b) +
-                                              " are further apart than a number can hold"};
-    }
-    if (!(length > 0.0)) continue;
-    nodeOf[static_cast<std::size_t>(a)] = nodeOf[static_cast<std::size_t>(b)] = 0;
-    ends[2 * springs] = a;
-    ends[2 * springs + 1] = b;
-    net.restLength[springs++] = length;
-    if (e < surfaceEdges) surface = springs;
+  if (!measureUsual(mesh.position, net.ends, net.restLength, control)) {
+    if (stopWanted(control)) return cancelledError();
+    if (Status good = keepPossible(mesh.position, net.ends, surfaceEdges, net.restLength, control); !good)
+      return good;
   }
+  const auto springs = static_cast<Index>(net.ends.cols());
   if (springs == 0)
     return Error{ErrorCode::EmptyResult, "the mesh has no edge or line of positive length, so no spring"};
-  net.ends = std::move(edgeEnds);
-  if (springs < candidates) {
-    net.ends.conservativeResize(Eigen::NoChange, springs);
-    net.restLength.conservativeResize(springs);
-  }
+  for (const Index vertex : net.ends.reshaped()) nodeOf[static_cast<std::size_t>(vertex)] = 0;
   resizeSpringProperties(net, springs);
-  std::fill(net.kind.begin() + surface, net.kind.end(), SpringKind::Line);
+  std::fill(net.kind.begin() + surfaceEdges, net.kind.end(), SpringKind::Line);
   return {};
 }
 
