@@ -47,7 +47,9 @@ std::vector<Index> possibleDoubles(Index count, const HashOf& hashOf, std::vecto
     }
   }
   // The first of each pair of doubles found its bit free: it is one of those whose bit is wanted now.
+  // Grown from nothing it would leave small pieces behind, and keep a file's freed memory from serving again.
   std::vector<Index> doubles;
+  doubles.reserve(items / 16 + 1024);
   for (std::size_t i = 0; i < items; ++i) {
     const auto place = static_cast<std::size_t>(room[i]);
     if (wanted[place / kWord] & bitOf(place)) doubles.push_back(static_cast<Index>(i));
