@@ -143,7 +143,7 @@ public:
     const auto nodes = static_cast<double>(system.nodeCount());
     const auto springs = static_cast<double>(system.forces().activeSprings());
     m_plainCost = std::max(system.forces().passCost() + 0.6 * nodes, 1.0);
-    m_stageCost = (0.5 * springs + 1.2 * nodes) / m_plainCost;
+    m_stageCost = (0.6 * springs + 1.7 * nodes) / m_plainCost; // measured
     m_best = limitsAt(mode, m_limit);
     m_tuned = mode;
   }

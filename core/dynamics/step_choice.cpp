@@ -275,7 +275,7 @@ void StepDriver::choose(System& system, const MotionState&)
 /// @param proven  one that has been probed and found good
 void StepDriver::reconsider(System& system, std::optional<Method> proven)
 {
-  constexpr double kPatience = 0.8;
+  constexpr double kPatience = 0.9;
   if (!m_auto || --m_settled > 0) return;
   const Method before = m_method;
   const bool tooDear = toleranceIsTooDear(system);
