@@ -104,6 +104,77 @@ TEST(Ply, otherElementsAndTrailingBytesAreNoted)
   EXPECT_THAT(notes, HasSubstr("5 bytes behind the last element"));
 }
 
+/// A grid of `side` x `side` squares in the usual binary form: face i is two triangles of square i in turn.
+struct UsualBinary {
+  static constexpr std::uint32_t kSide = 80; // 12,800 triangles: several batches of the reader
+  std::vector<std::vector<std::uint32_t>> faces;
+
+  UsualBinary()
+  {
+    for (std::uint32_t row = 0; row < kSide; ++row)
+      for (std::uint32_t column = 0; column < kSide; ++column) {
+        const std::uint32_t a = row * (kSide + 1) + column, b = a + 1, c = a + kSide + 1, d = c + 1;
+        faces.push_back({a, b, d});
+        faces.push_back({a, d, c});
+      }
+  }
+  std::string bytes(std::endian order) const
+  {
+    std::string text = "ply\nformat binary_" + std::string(order == std::endian::little ? "little" : "big") +
+                       "_endian 1.0\nelement vertex " + std::to_string((kSide + 1) * (kSide + 1)) +
+                       "\nproperty float x\nproperty float y\nproperty float z\nelement face " +
+                       std::to_string(faces.size()) +
+                       "\nproperty list uchar int vertex_indices\nend_header\n";
+    for (std::uint32_t row = 0; row <= kSide; ++row)
+      for (std::uint32_t column = 0; column <= kSide; ++column)
+        text += bytesOf(static_cast<float>(column), order) + bytesOf(static_cast<float>(row), order) +
+                bytesOf(0.0f, order);
+    for (const auto& face : faces) {
+      text += static_cast<char>(face.size());
+      for (const std::uint32_t corner : face) text += bytesOf(corner, order);
+    }
+    return text;
+  }
+};
+
+TEST(Ply, trianglesInBatchesAndOtherFacesBetweenThemAllArrive)
+{
+  for (const std::endian order : {std::endian::little, std::endian::big}) {
+    UsualBinary file;
+    const auto plain = importBytes("x.ply", file.bytes(order));
+    ASSERT_TRUE(plain) << plain.error().detail;
+    ASSERT_EQ(plain->mesh.triangleCount(), 12800);
+    for (std::size_t t = 0; t < file.faces.size(); ++t)
+      for (std::size_t k = 0; k < 3; ++k)
+        ASSERT_EQ(plain->mesh.triangles(static_cast<Index>(k), static_cast<Index>(t)),
+                  static_cast<Index>(file.faces[t][k]));
+    // A line of two corners and a square in the middle of a batch, and a square as the last face.
+    file.faces[5000].pop_back();
+    file.faces[9000].push_back(file.faces[9001][2]);
+    file.faces.back().push_back(file.faces.back()[0] + 1);
+    const auto mixed = importBytes("x.ply", file.bytes(order));
+    ASSERT_TRUE(mixed) << mixed.error().detail;
+    EXPECT_EQ(mixed->mesh.triangleCount(), 12801); // one less, two more
+    EXPECT_EQ(mixed->mesh.segmentCount(), 1);
+    EXPECT_EQ(mixed->report.nodes, plain->report.nodes);
+  }
+}
+
+TEST(Ply, aFaultInAnyBatchNamesItsFace)
+{
+  UsualBinary file;
+  const std::string whole = file.bytes(std::endian::little);
+  const auto cut = importBytes("x.ply", whole.substr(0, whole.size() - 13 * 800 - 5));
+  ASSERT_FALSE(cut);
+  EXPECT_THAT(cut.error().detail, HasSubstr("face 12000: it ends early"));
+  file.faces[10000][1] = 81 * 81;
+  const auto outside = importBytes("x.ply", file.bytes(std::endian::little));
+  ASSERT_FALSE(outside);
+  EXPECT_THAT(outside.error().detail, HasSubstr("face 10001: there is no vertex 6561"));
+  file.faces[10000][1] = 0xFFFFFFFF;
+  EXPECT_FALSE(importBytes("x.ply", file.bytes(std::endian::little)));
+}
+
 class PlyRefused : public ::testing::TestWithParam<Refused> {};
 
 TEST_P(PlyRefused, saysFileAndCauseInOneLine)
