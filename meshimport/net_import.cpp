@@ -100,15 +100,9 @@ Status addMaterial(ImportedNet& made, const MaterialOptions& options, double thi
 /// A report in metres from one in the file's unit and axes: only the box changes.
 MeshReport inScene(MeshReport report, const Mesh& sceneMesh)
 {
-  report.boxMin.setZero();
-  report.boxMax.setZero();
-  bool first = true;
-  for (const auto& p : sceneMesh.position.colwise()) {
-    if (!p.allFinite()) continue;
-    report.boxMin = first ? Eigen::Vector3d(p) : report.boxMin.cwiseMin(p).eval();
-    report.boxMax = first ? Eigen::Vector3d(p) : report.boxMax.cwiseMax(p).eval();
-    first = false;
-  }
+  const VertexBox box = boxOf(sceneMesh);
+  report.boxMin = box.low;
+  report.boxMax = box.high;
   return report;
 }
 

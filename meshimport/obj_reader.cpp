@@ -102,18 +102,15 @@ private:
   bool usualTriangle()
   {
     const TextCursor before = m_cursor;
-    long long corner[3];
-    for (long long& number : corner)
-      if (!m_cursor.corner(number) || number < 1 || number > m_raw.vertexCount()) {
-        m_cursor = before;
-        return false;
-      }
-    if (!m_cursor.atLineEnd()) {
+    long long a = 0, b = 0, c = 0;
+    const auto take = [this](long long& number) {
+      return m_cursor.corner(number) && number >= 1 && number <= m_raw.vertexCount();
+    };
+    if (!take(a) || !take(b) || !take(c) || !m_cursor.atLineEnd()) {
       m_cursor = before;
       return false;
     }
-    m_raw.addTriangle(static_cast<Index>(corner[0] - 1), static_cast<Index>(corner[1] - 1),
-                      static_cast<Index>(corner[2] - 1));
+    m_raw.addTriangle(static_cast<Index>(a - 1), static_cast<Index>(b - 1), static_cast<Index>(c - 1));
     return true;
   }
 

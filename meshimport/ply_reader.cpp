@@ -269,11 +269,14 @@ private:
   Status plainFaces(std::uint64_t rows)
   {
     constexpr std::uint64_t kBatch = 4096; // then someone may want to stop
-    for (std::uint64_t row = 0; row < rows; ++row) {
-      row += plainTriangles(std::min(rows - row, kBatch) - 1);
-      tellDone(m_control, static_cast<double>(row) / static_cast<double>(rows));
-      if (stopWanted(m_control)) return cancelledError();
-      if (Status status = plainFace(row); !status) return status;
+    for (std::uint64_t first = 0; first < rows; first += kBatch) {
+      if (stopWantedAt(first, rows, m_control)) return cancelledError();
+      const std::uint64_t end = std::min(first + kBatch, rows);
+      for (std::uint64_t row = first; row < end; ++row) {
+        row += plainTriangles(end - row);
+        if (row == end) break;
+        if (Status status = otherPlainFace(row); !status) return status;
+      }
     }
     return {};
   }
@@ -282,7 +285,6 @@ private:
   std::uint64_t plainTriangles(std::uint64_t most)
   {
     constexpr std::size_t kCorner = sizeof(std::uint32_t), kRow = 1 + 3 * kCorner;
-    if (m_raw.hasPolygons()) return 0;
     most = std::min<std::uint64_t>(most, m_source.bytesLeft() / kRow);
     const char* from = m_source.take(0);
     std::uint64_t taken = 0;
@@ -296,18 +298,14 @@ private:
     m_source.take(taken * kRow);
     return taken;
   }
-  Status plainFace(std::uint64_t row)
+  /// Than a triangle over vertices that are there.
+  Status otherPlainFace(std::uint64_t row)
   {
     const char* const count = m_source.take(1);
     const std::size_t corners = count ? static_cast<std::uint8_t>(*count) : 0;
     const char* const from = m_source.take(4 * corners);
     if (!count || !from) return wrong(ErrorCode::BadFormat, "face", row, kCutShort);
     const auto corner = [from](std::size_t k) { return Source::template item<std::uint32_t>(from + 4 * k); };
-    if (corners == 3 && std::max({corner(0), corner(1), corner(2)}) < m_vertexTotal) {
-      m_raw.addTriangle(static_cast<Index>(corner(0)), static_cast<Index>(corner(1)),
-                        static_cast<Index>(corner(2)));
-      return {};
-    }
     m_corners.resize(corners);
     for (std::size_t k = 0; k < corners; ++k) {
       if (corner(k) >= m_vertexTotal) return noVertex("face", row, static_cast<double>(corner(k)));

@@ -14,8 +14,6 @@
 
 namespace esm {
 
-namespace {} // namespace
-
 TissuePanel::TissuePanel(Document* document, QWidget* parent)
   : QWidget(parent), m_document(document), m_form(new QFormLayout(this))
 {

@@ -24,8 +24,8 @@ template <class HashOf>
 std::vector<Index> possibleDoubles(Index count, const HashOf& hashOf, std::vector<Index>& room,
                                    WorkControl* control)
 {
-  constexpr std::size_t kWord = 64, kBitsPerItem = 16, kFewest = 1024,
-                        kAtOnce = 64;                 // of which 4096 is a multiple
+  constexpr std::size_t kWord = 64, kBitsPerItem = 16, kFewest = 1024;
+  constexpr std::size_t kAtOnce = 64;                 // a power of two, so that stopWantedAt() gets its turns
   constexpr std::size_t kMost = std::size_t{1} << 31; // for the places are kept as an Index
   const std::size_t items = static_cast<std::size_t>(count);
   const std::size_t bits = std::bit_ceil(std::clamp(kBitsPerItem * items, kFewest, kMost));
@@ -46,10 +46,10 @@ std::vector<Index> possibleDoubles(Index count, const HashOf& hashOf, std::vecto
       word |= bitOf(place);
     }
   }
-  // The first of each pair of doubles found its bit free: it is one of those whose bit is wanted now.
   // Grown from nothing it would leave small pieces behind, and keep a file's freed memory from serving again.
   std::vector<Index> doubles;
   doubles.reserve(items / 16 + 1024);
+  // The first of each pair of doubles found its bit free: it is one of those whose bit is wanted now.
   for (std::size_t i = 0; i < items; ++i) {
     const auto place = static_cast<std::size_t>(room[i]);
     if (wanted[place / kWord] & bitOf(place)) doubles.push_back(static_cast<Index>(i));

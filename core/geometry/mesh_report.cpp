@@ -19,30 +19,6 @@ namespace esm {
 
 namespace {
 
-void examineVertices(const Mesh& mesh, MeshReport& report)
-{
-  constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  report.nodes = mesh.vertexCount();
-  // Not as vectors: the compiler keeps numbers in registers, and vectors of three in memory.
-  double low[3] = {kInfinity, kInfinity, kInfinity}, high[3] = {-kInfinity, -kInfinity, -kInfinity};
-  const double* p = mesh.position.data();
-  for (Index v = 0; v < report.nodes; ++v, p += 3) {
-    if (!((p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2]) == 0.0)) { // NaN for all that is not finite
-      ++report.nonFiniteVertices;
-      continue;
-    }
-    for (int k = 0; k < 3; ++k) {
-      low[k] = std::min(low[k], p[k]);
-      high[k] = std::max(high[k], p[k]);
-    }
-  }
-  if (report.nonFiniteVertices < report.nodes) {
-    report.boxMin = Eigen::Vector3d(low[0], low[1], low[2]);
-    report.boxMax = Eigen::Vector3d(high[0], high[1], high[2]);
-  }
-  report.finite = report.nonFiniteVertices == 0;
-}
-
 void examineParts(const EdgeList& edges, MeshReport& report, WorkControl* control)
 {
   report.springs = static_cast<Index>(edges.ends.cols());
@@ -88,11 +64,40 @@ MeshReport examine(const Mesh& mesh, WorkControl* control)
 MeshReport examine(const Mesh& mesh, const EdgeList& edges, WorkControl* control)
 {
   MeshReport report;
-  examineVertices(mesh, report);
+  report.nodes = mesh.vertexCount();
+  const VertexBox box = boxOf(mesh);
+  report.boxMin = box.low;
+  report.boxMax = box.high;
+  report.nonFiniteVertices = box.nonFinite;
+  report.finite = box.nonFinite == 0;
   examineParts(edges, report, control);
   if (stopWanted(control)) return report;
   examineFaces(mesh, edges, report, control);
   return report;
+}
+
+VertexBox boxOf(const Mesh& mesh)
+{
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  VertexBox box;
+  // Not as vectors: the compiler keeps numbers in registers, and vectors of three in memory.
+  double low[3] = {kInfinity, kInfinity, kInfinity}, high[3] = {-kInfinity, -kInfinity, -kInfinity};
+  const double* p = mesh.position.data();
+  for (Index v = 0; v < mesh.vertexCount(); ++v, p += 3) {
+    if (!((p[0] - p[0]) + (p[1] - p[1]) + (p[2] - p[2]) == 0.0)) { // NaN for all that is not finite
+      ++box.nonFinite;
+      continue;
+    }
+    for (int k = 0; k < 3; ++k) {
+      low[k] = std::min(low[k], p[k]);
+      high[k] = std::max(high[k], p[k]);
+    }
+  }
+  if (box.nonFinite < mesh.vertexCount()) {
+    box.low = Eigen::Vector3d(low[0], low[1], low[2]);
+    box.high = Eigen::Vector3d(high[0], high[1], high[2]);
+  }
+  return box;
 }
 
 double sumRestLength(const Mesh& mesh, const EdgeList& edges)

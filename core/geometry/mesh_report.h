@@ -33,6 +33,13 @@ MeshReport examine(const Mesh& mesh, WorkControl* control = nullptr);
 /// The same for who has the edges: listEdges(mesh).
 MeshReport examine(const Mesh& mesh, const EdgeList& edges, WorkControl* control = nullptr);
 
+/// The box around the finite vertices; both corners are 0 if there are none.
+struct VertexBox {
+  Eigen::Vector3d low = Eigen::Vector3d::Zero(), high = Eigen::Vector3d::Zero();
+  Index nonFinite = 0; ///< vertices that are in no box
+};
+VertexBox boxOf(const Mesh& mesh);
+
 /// Over the edges with finite ends, in the mesh's own unit. O(E).
 double sumRestLength(const Mesh& mesh, const EdgeList& edges);
 

@@ -104,7 +104,7 @@ TEST(Ply, otherElementsAndTrailingBytesAreNoted)
   EXPECT_THAT(notes, HasSubstr("5 bytes behind the last element"));
 }
 
-/// A grid of `side` x `side` squares in the usual binary form: face i is two triangles of square i in turn.
+/// A grid of squares, two triangles each, in the usual binary form.
 struct UsualBinary {
   static constexpr std::uint32_t kSide = 80; // 12,800 triangles: several batches of the reader
   std::vector<std::vector<std::uint32_t>> faces;
