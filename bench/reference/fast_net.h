@@ -129,13 +129,13 @@ private:
 BENCH_INLINE void transpose4(const Vec4& r0, const Vec4& r1, const Vec4& r2, const Vec4& r3, Vec4& x, Vec4& y,
                              Vec4& z) noexcept
 {
-  const Vec4 low = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);
-  const Vec4 high = __builtin_shufflevector(r2, r3, 0, 4, 1, 5);
-  const Vec4 lowZ = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
-  const Vec4 highZ = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
+  const Vec4 low = __builtin_shufflevector(r0, r1, 0, 4, 2, 6);
+  const Vec4 high = __builtin_shufflevector(r2, r3, 0, 4, 2, 6);
+  const Vec4 lowY = __builtin_shufflevector(r0, r1, 1, 5, 3, 7);
+  const Vec4 highY = __builtin_shufflevector(r2, r3, 1, 5, 3, 7);
   x = __builtin_shufflevector(low, high, 0, 1, 4, 5);
-  y = __builtin_shufflevector(low, high, 2, 3, 6, 7);
-  z = __builtin_shufflevector(lowZ, highZ, 0, 1, 4, 5);
+  y = __builtin_shufflevector(lowY, highY, 0, 1, 4, 5);
+  z = __builtin_shufflevector(low, high, 2, 3, 6, 7);
 }
 
 } // namespace esm::bench

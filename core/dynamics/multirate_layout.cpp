@@ -14,6 +14,9 @@ constexpr double kLongestStep = 1.0 / 60.0; ///< [s]
 /// Share of the limit of a class by itself that is used: row sums bound it well from above, but the classes
 /// also act on each other.
 constexpr double kStepShare = 0.8;
+/// Time per spring with a rate of its own (kSpringCost in multirate.cpp) over that in a Verlet step, nodes
+/// included.
+constexpr double kCostOverVerlet = 2.3;
 
 /// Largest step for w2 [1/s^2] and g [1/s] by Verlet's limit h^2 w2 / 4 + 3/5 h g < 1.
 double limit(double stiffness, double damping) noexcept
@@ -74,7 +77,7 @@ MultirateLayout::Plan MultirateLayout::plan(const System& system)
          std::ldexp(shortest, base + 1) <= kLongestStep)
     ++base;
   // Verlet would step with all springs at `shortest`, undivided by kStepShare, and has less to do per spring.
-  const bool pays = 1.5 * cost(base) < kStepShare * static_cast<double>(limits.size());
+  const bool pays = kCostOverVerlet * cost(base) < kStepShare * static_cast<double>(limits.size());
   return {std::ldexp(shortest, base), std::ldexp(cost(base), base), pays};
 }
 
@@ -187,7 +190,7 @@ void MultirateLayout::fillClasses(const System& system)
       part.damped = batch.damped;
       part.tensionOnly = batch.tensionOnly;
       part.tables = batch.tables;
-      part.finish();
+      part.finish(system.nodeCount());
       m_classes[c].springs += static_cast<std::int64_t>(part.count);
       m_classes[c].batches.push_back(std::move(part));
     }

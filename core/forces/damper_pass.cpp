@@ -13,7 +13,7 @@ ESM_CPU_CLONES void addDamping(const SpringBatch& batch, const Lanes* damper, co
     const detail::FourEnds ends(batch, i);
     Lanes w0, w1, w2, w3, wx, wy, wz, f0, f1, f2, f3;
     ends.difference(v, w0, w1, w2, w3);
-    detail::transpose(w0, w1, w2, w3, wx, wy, wz);
+    transpose(w0, w1, w2, w3, wx, wy, wz);
     const Lanes drag = wx * damper[0] + wy * damper[1] + wz * damper[2];
     detail::transposeBack(damper[0] * drag, damper[1] * drag, damper[2] * drag, f0, f1, f2, f3);
     ends.pull(force, f0, f1, f2, f3);

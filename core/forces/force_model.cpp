@@ -101,8 +101,8 @@ void ForceModel::addBatches(const SpringNet& net, std::span<const Index> springs
     batch.law = static_cast<SpringLaw>(kind / 4);
     batch.tensionOnly = kind % 4 >= 2;
     batch.damped = kind % 2 == 1;
-    for (const Index s : conflictFreeOrder(net, bins[kind])) batch.append(net, s);
-    batch.finish();
+    for (const Index s : bins[kind]) batch.append(net, s);
+    batch.finish(static_cast<std::size_t>(net.nodeCount()));
     if (batch.law == SpringLaw::Table) batch.tables = net.tables;
     m_nonlinear = m_nonlinear || batch.law != SpringLaw::Linear;
     for (std::size_t i = 0; i < batch.count; ++i) m_ends.push_back({batch.a[i], batch.b[i]});

@@ -6,6 +6,19 @@
 
 namespace esm {
 
+namespace {
+
+template <class Value>
+void putInto(const std::vector<std::size_t>& order, std::vector<Value>& values)
+{
+  std::vector<Value> ordered;
+  ordered.reserve(values.size() + 3); // to be padded
+  for (const std::size_t place : order) ordered.push_back(values[place]);
+  values.swap(ordered);
+}
+
+} // namespace
+
 void SpringBatch::append(const SpringNet& net, Index s)
 {
   a.push_back(net.ends(0, s));
@@ -17,9 +30,13 @@ void SpringBatch::append(const SpringNet& net, Index s)
   spring.push_back(s);
 }
 
-void SpringBatch::finish()
+void SpringBatch::finish(std::size_t nodeCount)
 {
   count = a.size();
+  const std::vector<std::size_t> order = conflictFreeOrder(nodeCount, a, b);
+  for (std::vector<Index>* values : {&a, &b, &spring}) putInto(order, *values);
+  for (std::vector<double>* values : {&restLength, &stiffness, &viscosity, &parameter})
+    putInto(order, *values);
   while (a.size() % 4 != 0) {
     a.push_back(a.front());
     b.push_back(a.front());

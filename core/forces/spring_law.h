@@ -33,8 +33,8 @@ struct SpringBatch {
 
   std::size_t paddedCount() const noexcept { return a.size(); }
   void append(const SpringNet& net, Index s);
-  /// Pads and derives; after the last append().
-  void finish();
+  /// After the last append(): puts the springs into the order of conflictFreeOrder(), pads and derives.
+  void finish(std::size_t nodeCount);
 };
 
 /// The damping of a batch at one instant, kept by addForces(): for each group of four springs the x, y and z
@@ -86,8 +86,10 @@ const SpringLawKernel& springLawKernel(SpringLaw law) noexcept;
 /// The order in which a pass goes over springs: as given, but two springs that share a node stand at least a
 /// dozen places apart where that is possible. A processor that must add to a force which it has just stored
 /// waits for the store; in the order of a mesh that costs a third of the pass.
-/// @param springs  places in `net`.
-std::vector<Index> conflictFreeOrder(const SpringNet& net, const std::vector<Index>& springs);
+/// @param a, b  ends of each spring, below nodeCount
+/// @return places in them
+std::vector<std::size_t> conflictFreeOrder(std::size_t nodeCount, const std::vector<Index>& a,
+                                           const std::vector<Index>& b);
 
 // The implementations, one file each.
 const SpringLawKernel& linearLaw() noexcept;

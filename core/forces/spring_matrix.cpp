@@ -14,7 +14,7 @@ ESM_CPU_CLONES void addBlocks(const SpringBatch& batch, const Lanes* row, const 
     const detail::FourEnds ends(batch, i);
     Lanes d0, d1, d2, d3, dx, dy, dz, f0, f1, f2, f3;
     ends.difference(z, d0, d1, d2, d3);
-    detail::transpose(d0, d1, d2, d3, dx, dy, dz);
+    transpose(d0, d1, d2, d3, dx, dy, dz);
     const Lanes along = (dx * row[0] + dy * row[1] + dz * row[2]) * row[3], across = -row[4];
     detail::transposeBack(dx * across - row[0] * along, dy * across - row[1] * along,
                           dz * across - row[2] * along, f0, f1, f2, f3);

@@ -13,32 +13,30 @@ constexpr std::size_t kLookAhead = 64; ///< springs that a late one may be overt
 
 } // namespace
 
-std::vector<Index> conflictFreeOrder(const SpringNet& net, const std::vector<Index>& springs)
+std::vector<std::size_t> conflictFreeOrder(std::size_t nodeCount, const std::vector<Index>& a,
+                                           const std::vector<Index>& b)
 {
-  std::vector<std::int64_t> lastUse(static_cast<std::size_t>(net.nodeCount()), -kDistance);
-  const auto use = [&](Index spring, int end) -> std::int64_t& {
-    return lastUse[static_cast<std::size_t>(net.ends(end, spring))];
-  };
-  std::vector<Index> order, waiting; // those that were overtaken, oldest first
-  order.reserve(springs.size());
+  std::vector<std::int64_t> lastUse(nodeCount, -kDistance);
+  const auto use = [&](Index node) -> std::int64_t& { return lastUse[static_cast<std::size_t>(node)]; };
+  std::vector<std::size_t> order, waiting; // those that were overtaken, oldest first
+  order.reserve(a.size());
   waiting.reserve(kLookAhead);
-  auto next = springs.begin();
-  while (order.size() < springs.size()) {
+  std::size_t next = 0;
+  while (order.size() < a.size()) {
     const auto place = static_cast<std::int64_t>(order.size());
-    while (waiting.size() < kLookAhead && next != springs.end()) waiting.push_back(*next++);
+    while (waiting.size() < kLookAhead && next < a.size()) waiting.push_back(next++);
     // The first that is far enough from its neighbours, or else the one that is farthest.
     std::size_t best = 0;
     std::int64_t bestDistance = -1;
     for (std::size_t i = 0; i < waiting.size() && bestDistance < kDistance; ++i) {
-      const std::int64_t distance = place - std::max(use(waiting[i], 0), use(waiting[i], 1));
+      const std::int64_t distance = place - std::max(use(a[waiting[i]]), use(b[waiting[i]]));
       if (distance <= bestDistance) continue;
       best = i;
       bestDistance = distance;
     }
-    const Index spring = waiting[best];
+    order.push_back(waiting[best]);
     waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(best));
-    use(spring, 0) = use(spring, 1) = place;
-    order.push_back(spring);
+    use(a[order.back()]) = use(b[order.back()]) = place;
   }
   return order;
 }

@@ -6,24 +6,6 @@
 
 namespace esm::detail {
 
-ESM_INLINE void squareRoot(Lanes& value) noexcept
-{
-  for (int lane = 0; lane < 4; ++lane) value[lane] = __builtin_sqrt(value[lane]);
-}
-
-/// Four nodes' (x, y, z, 0) to four springs' x, y, z.
-ESM_INLINE void transpose(const Lanes& r0, const Lanes& r1, const Lanes& r2, const Lanes& r3, Lanes& x,
-                          Lanes& y, Lanes& z) noexcept
-{
-  const Lanes low = __builtin_shufflevector(r0, r1, 0, 4, 1, 5);  // x0 x1 y0 y1
-  const Lanes high = __builtin_shufflevector(r2, r3, 0, 4, 1, 5); // x2 x3 y2 y3
-  const Lanes lowZ = __builtin_shufflevector(r0, r1, 2, 6, 3, 7);
-  const Lanes highZ = __builtin_shufflevector(r2, r3, 2, 6, 3, 7);
-  x = __builtin_shufflevector(low, high, 0, 1, 4, 5);
-  y = __builtin_shufflevector(low, high, 2, 3, 6, 7);
-  z = __builtin_shufflevector(lowZ, highZ, 0, 1, 4, 5);
-}
-
 /// Four springs' x, y, z back to four nodes' (x, y, z, 0).
 ESM_INLINE void transposeBack(const Lanes& x, const Lanes& y, const Lanes& z, Lanes& r0, Lanes& r1, Lanes& r2,
                               Lanes& r3) noexcept

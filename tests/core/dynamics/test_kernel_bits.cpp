@@ -34,15 +34,15 @@ TEST(KernelBits, Avx2AndPlainKernelsAgreeToTheLastBit)
     x[i] = Lanes{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), 0.0};
     v[i] = Lanes{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1), 0.0};
   }
-  SpringBatch batch;
+  SpringBatch springs;
   for (std::size_t s = 0; s < kSprings; ++s) {
-    batch.a.push_back(static_cast<Index>(random() % kNodes));
-    batch.b.push_back(static_cast<Index>(random() % kNodes)); // now and then the same node: zero length
-    batch.restLength.push_back(uniform(0.1, 2.0));
-    batch.stiffness.push_back(uniform(1, 1000));
-    batch.viscosity.push_back(uniform(0.1, 1));
-    batch.parameter.push_back(uniform(0.5, 8));
-    batch.spring.push_back(static_cast<Index>(s));
+    springs.a.push_back(static_cast<Index>(random() % kNodes));
+    springs.b.push_back(static_cast<Index>(random() % kNodes)); // now and then the same node: zero length
+    springs.restLength.push_back(uniform(0.1, 2.0));
+    springs.stiffness.push_back(uniform(1, 1000));
+    springs.viscosity.push_back(uniform(0.1, 1));
+    springs.parameter.push_back(uniform(0.5, 8));
+    springs.spring.push_back(static_cast<Index>(s));
   }
   struct Law {
     SpringLaw law;
@@ -54,8 +54,9 @@ TEST(KernelBits, Avx2AndPlainKernelsAgreeToTheLastBit)
   for (const auto& [law, chosen, plain] : laws)
     for (const bool damped : {false, true})
       for (const bool tensionOnly : {false, true}) {
+        SpringBatch batch = springs;
         batch.law = law;
-        batch.finish();
+        batch.finish(kNodes);
         batch.damped = damped;
         batch.tensionOnly = tensionOnly;
         NodeArray first(kNodes, Lanes{0, 0, 0, 0}), second = first;
@@ -92,7 +93,7 @@ TEST(KernelBits, SpringMatrixIsWhatItsBlocksSay)
       batch.spring.push_back(static_cast<Index>(s));
       blocks.push_back({Eigen::Vector3d(uniform(), uniform(), uniform()), 100.0 * uniform(), uniform()});
     }
-    batch.finish();
+    batch.finish(kNodes);
   }
   SpringMatrix matrix;
   matrix.assign(batches, [&](std::size_t s) { return blocks[s]; });
@@ -154,9 +155,10 @@ TEST(KernelBits, SpringsThatShareANodeStandApart)
       if (column + 1 < kSide) net.ends.col(s++) << here, here + 1;
       if (row + 1 < kSide) net.ends.col(s++) << here, here + kSide;
     }
-  std::vector<Index> all(static_cast<std::size_t>(net.springCount()));
-  std::iota(all.begin(), all.end(), Index{0});
-  std::vector<Index> order = conflictFreeOrder(net, all);
+  SpringBatch batch;
+  for (Index i = 0; i < net.springCount(); ++i) batch.append(net, i);
+  batch.finish(static_cast<std::size_t>(net.nodeCount()));
+  std::vector<Index> order = batch.spring;
   std::vector<std::ptrdiff_t> lastUse(static_cast<std::size_t>(net.nodeCount()), -100);
   int close = 0;
   for (std::ptrdiff_t place = 0; place < std::ssize(order); ++place)
@@ -166,6 +168,12 @@ TEST(KernelBits, SpringsThatShareANodeStandApart)
       last = place;
     }
   EXPECT_LT(close, 20);
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    EXPECT_EQ(batch.a[i], net.ends(0, order[i]));
+    EXPECT_EQ(batch.b[i], net.ends(1, order[i]));
+  }
+  std::vector<Index> all(order.size());
+  std::iota(all.begin(), all.end(), Index{0});
   std::sort(order.begin(), order.end());
   EXPECT_EQ(order, all);
 }

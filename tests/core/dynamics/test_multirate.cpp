@@ -167,7 +167,7 @@ TEST(Multirate, IsDeterministic)
 TEST(Multirate, IsBoundedOrSaysSo)
 {
   int done = 0;
-  for (std::uint32_t seed = 0; seed < 300; ++seed) {
+  for (std::uint32_t seed = 0; seed < 600; ++seed) {
     std::mt19937 random(seed);
     const auto decade = [&](double low, double high) {
       return std::pow(10.0, low + (high - low) * (static_cast<double>(random()) / 4294967296.0));
