@@ -20,9 +20,12 @@ constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
 constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
 /// Of the budget: an error that, grown with the power of the dampers since the last check, asks for the next.
 constexpr double kSuspicious = 1.5;
-constexpr double kMostTransfer = 1.5;   ///< of what one method learned to others of lower order
-constexpr double kSettlingTime = 0.15;  ///< after the start or an event, in which motion unfolds [s]
-constexpr int kLongestCheckGap = 24;    ///< stretches
+constexpr double kMostTransfer = 1.5;  ///< of what one method learned to others of lower order
+constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
+constexpr int kLongestCheckGap = 24;   ///< stretches
+/// A shorter stretch tells little of those to come: parts of an onset, and what an event or a growing part of
+/// the net cuts short.
+constexpr double kLeastProof = kFrame / 4.0;
 constexpr double kShareToCompare = 0.5; ///< of the budget, that the end may be off with which others compare
 constexpr int kProbes = 2, kLongestProbeGap = 4; ///< checks
 /// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
@@ -231,7 +234,8 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
   } else { // motion that unfolds is looked at soon where no damper tells of it, a step that has grown at once
     grows = 0.8 * std::min(accurate, stableStep(m_candidates[m_method])) > step;
     const bool unfolds = m_gauge.scale().calm < kSettlingTime && !(m_checkedPower > 0.0);
-    m_checkGap = std::min(2 * m_checkGap, grows || unfolds ? 2 : kLongestCheckGap);
+    const int wider = length < kLeastProof ? m_checkGap : 2 * m_checkGap;
+    m_checkGap = std::min(wider, grows || unfolds ? 2 : kLongestCheckGap);
   }
   m_untilCheck = grows ? 1 : m_checkGap;
   if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
