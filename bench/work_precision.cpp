@@ -143,22 +143,26 @@ std::vector<Row> sweepOurs(const Scene& scene, const Reference& reference, Front
   return rows;
 }
 
-/// The rows that are best or second at some error.
+/// The rows that are best or second at some error, or best at a tolerance.
 std::vector<Row> winners(const std::vector<Row>& rows)
 {
   std::vector<Row> result;
   std::vector<bool> taken(rows.size(), false);
-  for (const double target : kTargets)
-    for (int place = 0; place < 2; ++place) {
-      std::size_t best = rows.size();
-      for (std::size_t i = 0; i < rows.size(); ++i)
-        if (rows[i].good && rows[i].error <= target && !(place == 1 && taken[i]) &&
-            (best == rows.size() || rows[i].seconds < rows[best].seconds))
-          best = i;
-      if (best == rows.size() || taken[best]) continue;
-      taken[best] = true;
-      result.push_back(rows[best]);
-    }
+  /// The fastest of those for which isOne(i) holds, unless it is among the winners.
+  const auto take = [&](const auto& isOne) {
+    std::size_t best = rows.size();
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      if (isOne(i) && (best == rows.size() || rows[i].seconds < rows[best].seconds)) best = i;
+    if (best == rows.size() || taken[best]) return;
+    taken[best] = true;
+    result.push_back(rows[best]);
+  };
+  for (const double target : kTargets) {
+    const auto errsLess = [&](std::size_t i) { return rows[i].good && rows[i].error <= target; };
+    take(errsLess);
+    take([&](std::size_t i) { return errsLess(i) && !taken[i]; });
+    take([&](std::size_t i) { return keepsTolerance(rows[i], target); });
+  }
   return result;
 }
 

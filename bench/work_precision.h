@@ -28,8 +28,11 @@ struct Cell {
   double target = 0.0;
   bool meaningful = true;          ///< the references agree well enough
   Row competitor, ours, automatic; ///< method "" = nobody came so far; automatic has tolerance = target
+  Row named;                       ///< the best of ours that was named and given the same tolerance
 };
 
+/// Whether the row is one of a method of ours that was given this tolerance, and kept it.
+bool keepsTolerance(const Row& row, double tolerance);
 std::vector<Cell> cellsOf(const std::string& scene, const std::vector<Row>& timed, double agreement);
 /// Markdown, with the list of the runs of auto that missed their tolerance.
 std::string tableOf(const std::vector<Cell>& cells);
