@@ -268,10 +268,9 @@ private:
   }
   Status plainFaces(std::uint64_t rows)
   {
-    constexpr std::uint64_t kBatch = 4096; // then someone may want to stop
-    for (std::uint64_t first = 0; first < rows; first += kBatch) {
+    for (std::uint64_t first = 0; first < rows; first += kItemsPerLook) {
       if (stopWantedAt(first, rows, m_control)) return cancelledError();
-      const std::uint64_t end = std::min(first + kBatch, rows);
+      const std::uint64_t end = std::min<std::uint64_t>(first + kItemsPerLook, rows);
       for (std::uint64_t row = first; row < end; ++row) {
         row += plainTriangles(end - row);
         if (row == end) break;

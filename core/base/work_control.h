@@ -26,10 +26,12 @@ inline void tellDone(WorkControl* control, double share) noexcept
 {
   if (control) control->done.store(share, std::memory_order_relaxed);
 }
+/// Loops that take such small items by blocks take so many at once, or stopWantedAt() passes over some.
+inline constexpr std::size_t kItemsPerLook = 4096;
 /// For loops over many small items: every few thousand of them tells how far it is and asks whether to stop.
 inline bool stopWantedAt(std::size_t item, std::size_t items, WorkControl* control) noexcept
 {
-  if (item % 4096 != 0 || !control) return false;
+  if (item % kItemsPerLook != 0 || !control) return false;
   tellDone(control, static_cast<double>(item) / static_cast<double>(items));
   return stopWanted(control);
 }

@@ -16,11 +16,13 @@ namespace esm {
   return v.stableNorm();
 }
 
-/// Whether the root of it is a length above zero to the last bit. Squares leave the range of double beyond
-/// about 1e154 and below 1e-154.
+/// Between them the root of a square is a length above zero to the last bit. Squares leave the range of
+/// double beyond about 1e154 and below 1e-154.
+inline constexpr double kLeastUsualSquare = 1e-280, kMostUsualSquare = 1e280;
+
 inline bool isUsualSquare(double squared)
 {
-  return squared > 1e-280 && squared < 1e280;
+  return squared > kLeastUsualSquare && squared < kMostUsualSquare;
 }
 
 /// Euclidean distance. Where squares leave the range of double the slower scaled norm answers, so that no

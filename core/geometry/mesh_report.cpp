@@ -4,7 +4,7 @@
 
 #include "core/geometry/distance.h"
 #include "core/geometry/edge_table.h"
-#include "core/geometry/triangle_shape.h"
+#include "core/geometry/four_at_a_time.h"
 #include "core/geometry/union_find.h"
 
 #include <Eigen/Geometry>
@@ -46,10 +46,11 @@ void examineFaces(const Mesh& mesh, const EdgeList& edges, MeshReport& report, W
   report.boundaryEdges = static_cast<Index>((edges.triangleCount == 1).count());
   report.nonManifoldEdges = static_cast<Index>((edges.triangleCount > 2).count());
   report.duplicateFaces = static_cast<Index>(edges.repeated.size());
-  for (Index t = 0; t < report.triangles; ++t) {
-    if (stopWantedAt(static_cast<std::size_t>(t), static_cast<std::size_t>(report.triangles), control))
-      return;
-    if (isDegenerate(mesh, t)) ++report.degenerateFaces;
+  const auto count = static_cast<std::size_t>(report.triangles);
+  for (std::size_t t = 0; t < count; t += kItemsPerLook) {
+    if (stopWantedAt(t, count, control)) return;
+    const std::size_t end = std::min(t + kItemsPerLook, count);
+    report.degenerateFaces += countDegenerate(mesh, static_cast<Index>(t), static_cast<Index>(end));
   }
 }
 

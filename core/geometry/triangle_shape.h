@@ -33,6 +33,9 @@ inline double largestMagnitude(const Eigen::Vector3d& v)
   return std::max(std::max(std::abs(v[0]), std::abs(v[1])), std::abs(v[2]));
 }
 
+/// What the cross product of two sides may have by rounding, in the product of their largest coordinates.
+inline constexpr double kDegenerateShare = 16 * std::numeric_limits<double>::epsilon();
+
 /// Two equal corners, or zero area up to the rounding of the cross product itself; a needle that is thin but
 /// real is none.
 inline bool isDegenerate(const Mesh& mesh, Index triangle)
@@ -42,7 +45,7 @@ inline bool isDegenerate(const Mesh& mesh, Index triangle)
   const Eigen::Vector3d u = mesh.position.col(mesh.triangles(1, triangle)) - a;
   const Eigen::Vector3d v = mesh.position.col(mesh.triangles(2, triangle)) - a;
   const double scale = largestMagnitude(u) * largestMagnitude(v);
-  return largestMagnitude(u.cross(v)) <= 16 * std::numeric_limits<double>::epsilon() * scale;
+  return largestMagnitude(u.cross(v)) <= kDegenerateShare * scale;
 }
 
 } // namespace esm

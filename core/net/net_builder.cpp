@@ -6,6 +6,7 @@
 #include "core/geometry/distance.h"
 #include "core/geometry/edge_table.h"
 #include "core/geometry/first_appearance.h"
+#include "core/geometry/four_at_a_time.h"
 #include "core/net/solid_net.h"
 
 #include <Eigen/Geometry>
@@ -78,23 +79,17 @@ void keepColumns(Matrix& matrix, const IsKept& isKept)
   if (kept < count) matrix.conservativeResize(Eigen::NoChange, kept);
 }
 
-/// Sets the lengths of edges as long as they are what nearly all are: finite, above zero, and no extreme.
-/// @return whether all were
-bool measureUsual(const Eigen::Matrix3Xd& position, const SegmentMatrix& ends, Eigen::ArrayXd& length,
-                  WorkControl* control)
+/// Sets the lengths of edges as long as they are usual ones, see measureUsual().
+bool measureAllUsual(const Eigen::Matrix3Xd& position, const SegmentMatrix& ends, Eigen::ArrayXd& length,
+                     WorkControl* control)
 {
-  constexpr Eigen::Index kAtOnce = 4096; // then someone may wish to stop
-  bool isUsual = true;
-  for (Eigen::Index first = 0; first < ends.cols() && isUsual; first += kAtOnce) {
-    if (stopWantedAt(static_cast<std::size_t>(first), static_cast<std::size_t>(ends.cols()), control))
-      return false;
-    for (Eigen::Index e = first; e < std::min(first + kAtOnce, ends.cols()); ++e) { // without a branch
-      const double squared = (position.col(ends(1, e)) - position.col(ends(0, e))).squaredNorm();
-      isUsual &= isUsualSquare(squared);
-      length[e] = std::sqrt(squared);
-    }
+  const auto count = static_cast<std::size_t>(ends.cols());
+  for (std::size_t e = 0; e < count; e += kItemsPerLook) {
+    if (stopWantedAt(e, count, control)) return false;
+    const std::size_t end = std::min(e + kItemsPerLook, count);
+    if (!measureUsual(position, ends, static_cast<Index>(e), static_cast<Index>(end), length)) return false;
   }
-  return isUsual;
+  return true;
 }
 
 /// Edges that can be springs: finite ends, apart from each other. The others go, from `length` and
@@ -135,7 +130,7 @@ Status addSprings(const Mesh& mesh, SegmentMatrix&& edgeEnds, Index surfaceEdges
   net.ends = std::move(edgeEnds);
   net.restLength.resize(net.ends.cols());
   useLargePages(net.restLength);
-  if (!measureUsual(mesh.position, net.ends, net.restLength, control)) {
+  if (!measureAllUsual(mesh.position, net.ends, net.restLength, control)) {
     if (stopWanted(control)) return cancelledError();
     if (Status good = keepPossible(mesh.position, net.ends, surfaceEdges, net.restLength, control); !good)
       return good;
