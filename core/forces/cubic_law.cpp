@@ -7,20 +7,20 @@ namespace {
 
 /// f = k e (1 + a (e/L)^2)
 struct Cubic {
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, Lanes& f) noexcept
+  template <class Values>
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
   {
-    Lanes k, a;
+    Values k, a;
     detail::loadLanes(&batch.factor[i], k);
     detail::loadLanes(&batch.growth[i], a);
     f = k * e * (1.0 + a * (e * e));
   }
 };
 
-ESM_CPU_CLONES SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                    Lanes* damper) noexcept
-{
-  return detail::springPass<Cubic>(batch, x, v, force, damper);
-}
+ESM_WIDE_CLONES(SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                     Lanes* damper) noexcept,
+                return (detail::springPass<Cubic, detail::FourEnds>(batch, x, v, force, damper)),
+                return (detail::springPass<Cubic, detail::EightEnds>(batch, x, v, force, damper)))
 
 class CubicLaw final : public SpringLawKernel {
 public:

@@ -3,21 +3,43 @@
 #include "core/forces/spring_pass.h"
 
 namespace esm {
+namespace {
 
-ESM_CPU_CLONES void addDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v,
-                               Lanes* force) noexcept
+template <class Ends>
+ESM_INLINE void dampGroups(const SpringBatch& batch, std::size_t begin, std::size_t end, const Lanes* damper,
+                           const Lanes* v, Lanes* force) noexcept
 {
-  if (!batch.damped) return;
-  const std::size_t count = batch.paddedCount();
-  for (std::size_t i = 0; i < count; i += 4, damper += 3) {
-    const detail::FourEnds ends(batch, i);
-    Lanes w0, w1, w2, w3, wx, wy, wz, f0, f1, f2, f3;
+  for (std::size_t i = begin; i < end; i += Ends::kCount) {
+    const Ends ends(batch, i);
+    typename Ends::Values w0, w1, w2, w3, wx, wy, wz, qx, qy, qz, f0, f1, f2, f3;
     ends.difference(v, w0, w1, w2, w3);
     transpose(w0, w1, w2, w3, wx, wy, wz);
-    const Lanes drag = wx * damper[0] + wy * damper[1] + wz * damper[2];
-    detail::transposeBack(damper[0] * drag, damper[1] * drag, damper[2] * drag, f0, f1, f2, f3);
+    Ends::load(damper + i / 4 * 3, qx, qy, qz);
+    const auto drag = wx * qx + wy * qy + wz * qz;
+    detail::transposeBack(qx * drag, qy * drag, qz * drag, f0, f1, f2, f3);
     ends.pull(force, f0, f1, f2, f3);
   }
+}
+
+template <class Widest>
+ESM_INLINE void dampAll(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept
+{
+  if (!batch.damped) return;
+  const std::size_t whole = detail::inWholeGroups<Widest>(batch);
+  dampGroups<Widest>(batch, 0, whole, damper, v, force);
+  dampGroups<detail::FourEnds>(batch, whole, batch.paddedCount(), damper, v, force);
+}
+
+ESM_WIDE_CLONES(void addDampingHere(const SpringBatch& batch, const Lanes* damper, const Lanes* v,
+                                    Lanes* force) noexcept,
+                dampAll<detail::FourEnds>(batch, damper, v, force),
+                dampAll<detail::EightEnds>(batch, damper, v, force))
+
+} // namespace
+
+void addDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept
+{
+  addDampingHere(batch, damper, v, force);
 }
 
 } // namespace esm

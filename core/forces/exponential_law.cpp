@@ -15,52 +15,53 @@ constexpr double kLargestExponent = 100.0;
 /// exp(s) - 1 for |s| <= kLargestExponent, with plain arithmetic only: the C library's exp() has other last
 /// bits on CPUs with FMA. s = n ln 2 + r with |r| <= ln 2 / 2; the Taylor series of exp(r) - 1 to r^13 leaves
 /// 4e-18; exp(s) - 1 = 2^n (exp(r) - 1) + (2^n - 1) loses nothing near 0.
-ESM_INLINE void expMinusOne(const Lanes& s, Lanes& result) noexcept
+template <class Values>
+ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
 {
   constexpr double kRound = 0x1.8p52; // adding it rounds to an integer, which then stands in the low bits
   constexpr double kLn2High = 0x1.62e42fefa3800p-1;
   constexpr double kLn2Low = 0x1.ef35793c76730p-45;
-  const Lanes shifted = s * 0x1.71547652b82fep+0 + kRound;
-  const Lanes n = shifted - kRound;
-  const Lanes r = (s - n * kLn2High) - n * kLn2Low;
+  const Values shifted = s * 0x1.71547652b82fep+0 + kRound;
+  const Values n = shifted - kRound;
+  const Values r = (s - n * kLn2High) - n * kLn2Low;
   // (exp(r) - 1 - r)/r^2 in pairs of terms (Estrin): a chain of five operations instead of a dozen, so that
   // the springs of several groups overlap.
-  const Lanes r2 = r * r, r4 = r2 * r2, r8 = r4 * r4;
-  const Lanes low = (r * (1.0 / 6.0) + 0.5) + r2 * (r * (1.0 / 120.0) + (1.0 / 24.0));
-  const Lanes middle = (r * (1.0 / 5040.0) + (1.0 / 720.0)) + r2 * (r * (1.0 / 362880.0) + (1.0 / 40320.0));
-  const Lanes high =
+  const Values r2 = r * r, r4 = r2 * r2, r8 = r4 * r4;
+  const Values low = (r * (1.0 / 6.0) + 0.5) + r2 * (r * (1.0 / 120.0) + (1.0 / 24.0));
+  const Values middle = (r * (1.0 / 5040.0) + (1.0 / 720.0)) + r2 * (r * (1.0 / 362880.0) + (1.0 / 40320.0));
+  const Values high =
     (r * (1.0 / 39916800.0) + (1.0 / 3628800.0)) + r2 * (r * (1.0 / 6227020800.0) + (1.0 / 479001600.0));
-  const Lanes p = r2 * (low + r4 * middle + r8 * high) + r;
-  LaneBits bits;
+  const Values p = r2 * (low + r4 * middle + r8 * high) + r;
+  BitsOf<Values> bits;
   __builtin_memcpy(&bits, &shifted, sizeof(bits));
   bits = (bits + 1023) << 52; // the high bits of kRound leave on the left
-  Lanes power;
+  Values power;
   __builtin_memcpy(&power, &bits, sizeof(power));
   result = power * p + (power - 1.0);
 }
 
 /// f = k L/b (exp(b e/L) - 1)
 struct Exponential {
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, Lanes& f) noexcept
+  template <class Values>
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
   {
-    Lanes factor, rate, growth;
+    Values factor, rate, growth;
     detail::loadLanes(&batch.factor[i], factor);
     detail::loadLanes(&batch.growth[i], rate);
-    const Lanes s = rate * e;
-    const Lanes most = Lanes{0, 0, 0, 0} + kLargestExponent;
-    const Lanes belowMost = s > most ? most : s;
-    const Lanes inside = belowMost < -most ? -most : belowMost;
+    const Values s = rate * e;
+    const Values most = Values{} + kLargestExponent;
+    const Values belowMost = s > most ? most : s;
+    const Values inside = belowMost < -most ? -most : belowMost;
     expMinusOne(inside, growth);
     growth += (growth + 1.0) * (s - inside);
     f = factor * growth;
   }
 };
 
-ESM_CPU_CLONES SpringSums exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                                          Lanes* force, Lanes* damper) noexcept
-{
-  return detail::springPass<Exponential>(batch, x, v, force, damper);
-}
+ESM_WIDE_CLONES(SpringSums exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                           Lanes* force, Lanes* damper) noexcept,
+                return (detail::springPass<Exponential, detail::FourEnds>(batch, x, v, force, damper)),
+                return (detail::springPass<Exponential, detail::EightEnds>(batch, x, v, force, damper)))
 
 /// For one number, with the same bits as in the kernel.
 double expMinusOne(double s) noexcept

@@ -7,19 +7,19 @@ namespace {
 
 /// f = k e
 struct Linear {
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, Lanes& f) noexcept
+  template <class Values>
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
   {
-    Lanes k;
+    Values k;
     detail::loadLanes(&batch.factor[i], k);
     f = k * e;
   }
 };
 
-ESM_CPU_CLONES SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                     Lanes* damper) noexcept
-{
-  return detail::springPass<Linear>(batch, x, v, force, damper);
-}
+ESM_WIDE_CLONES(SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                      Lanes* damper) noexcept,
+                return (detail::springPass<Linear, detail::FourEnds>(batch, x, v, force, damper)),
+                return (detail::springPass<Linear, detail::EightEnds>(batch, x, v, force, damper)))
 
 class LinearLaw final : public SpringLawKernel {
 public:

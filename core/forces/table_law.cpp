@@ -44,7 +44,8 @@ double integralTo(const ForceTable& table, double strain) noexcept
 
 /// f = k L g(e/L), one spring after the other: a look-up does not profit from lanes.
 struct Table {
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Lanes& e, Lanes& f) noexcept
+  template <class Values>
+  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
   {
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const double length = batch.restLength[i + lane];
@@ -58,7 +59,7 @@ public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                        Lanes* damper) const noexcept override
   {
-    return detail::springPass<Table>(batch, x, v, force, damper);
+    return detail::springPass<Table, detail::FourEnds>(batch, x, v, force, damper);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 // The kernels once more, for plain x86-64 only and under other names, so that a test can compare the bits.
+#ifdef ESM_INLINE
+#error "lanes.h has been read with versions for several CPUs; this file must be compiled by itself"
+#endif
 #define ESM_NO_CLONES
 #define linearLaw plainLinearLaw
 #define cubicLaw plainCubicLaw
