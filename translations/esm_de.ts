@@ -2195,6 +2195,10 @@
         <source>Bulk modulus of what fills a closed surface: the larger, the less its volume gives way</source>
         <translation>Kompressionsmodul dessen, was eine geschlossene Oberfläche füllt: je größer, desto weniger gibt ihr Volumen nach</translation>
     </message>
+    <message>
+        <source>inch</source>
+        <translation>Zoll</translation>
+    </message>
 </context>
 <context>
     <name>esm::RegionFields</name>

@@ -124,7 +124,7 @@ QDoubleSpinBox* RecipeForm::addNumber(QFormLayout* form, const char* name, const
 void RecipeForm::addFileGroup()
 {
   QFormLayout* form = addGroup(QT_TR_NOOP("File"), "importFileGroup");
-  m_unit = addCombo(form, "importUnit", QT_TR_NOOP("Unit"), {"mm", "cm", "m", "inch"});
+  m_unit = addCombo(form, "importUnit", QT_TR_NOOP("Unit"), {"mm", "cm", "m", QT_TR_NOOP("inch")});
   m_axes = addCombo(form, "importUp", QT_TR_NOOP("Axes"),
                     {QT_TR_NOOP("z up"), QT_TR_NOOP("y up"), QT_TR_NOOP("patient, LPS (DICOM)"),
                      QT_TR_NOOP("patient, RAS (NIfTI)")});
