@@ -194,8 +194,9 @@ over four), organ100k (100,002 nodes, 300,000 cubic springs, 0.2 s); variants by
 
 ## Run time against error
 
-`auto` has `--tolerance` equal to the error of its line. A scene that is missing here was not part of the run that made
-this page.
+`auto` has `--tolerance` equal to the error of its line. *Best of ours* is the fastest setting that a search found, fixed steps at the edge of
+stability among them; *best named with that tolerance* is what a user gets who names a method (`--solver`) and gives the same tolerance. A scene that
+is missing here was not part of the run that made this page.
 
 {work_table}
 ![Run time against error](images/bench-work.png)
