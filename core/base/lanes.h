@@ -19,29 +19,22 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(ESM_SANITIZED) &&            \
   !defined(ESM_NO_CLONES)
 #define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
-/// Defines a function with versions that differ: what to do four lanes wide, and eight wide with AVX-512. For
+/// Defines a function with versions of different width: kLanes, for its body, is 4, or 8 with AVX-512. For
 /// calls in the same file: others would always get the first one.
-#define ESM_WIDE_CLONES(signature, four, eight)                                                              \
-  __attribute__((target("default"))) signature                                                               \
-  {                                                                                                          \
-    four;                                                                                                    \
-  }                                                                                                          \
-  __attribute__((target("arch=x86-64-v3"))) signature                                                        \
-  {                                                                                                          \
-    four;                                                                                                    \
-  }                                                                                                          \
-  __attribute__((target("arch=x86-64-v4"))) signature                                                        \
-  {                                                                                                          \
-    eight;                                                                                                   \
-  }
+#define ESM_WIDE_CLONES(signature, ...)                                                                      \
+  __attribute__((target("default"))) ESM_WIDE_VERSION(4, signature, __VA_ARGS__)                             \
+    __attribute__((target("arch=x86-64-v3"))) ESM_WIDE_VERSION(4, signature, __VA_ARGS__)                    \
+      __attribute__((target("arch=x86-64-v4"))) ESM_WIDE_VERSION(8, signature, __VA_ARGS__)
 #else
 #define ESM_CPU_CLONES
-#define ESM_WIDE_CLONES(signature, four, eight)                                                              \
+#define ESM_WIDE_CLONES(signature, ...) ESM_WIDE_VERSION(4, signature, __VA_ARGS__)
+#endif
+#define ESM_WIDE_VERSION(lanes, signature, ...)                                                              \
   signature                                                                                                  \
   {                                                                                                          \
-    four;                                                                                                    \
+    constexpr std::size_t kLanes = lanes;                                                                    \
+    __VA_ARGS__;                                                                                             \
   }
-#endif
 
 #define ESM_INLINE [[gnu::always_inline]] inline
 

@@ -19,8 +19,7 @@ struct Cubic {
 
 ESM_WIDE_CLONES(SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                                      Lanes* damper) noexcept,
-                return (detail::springPass<Cubic, detail::FourEnds>(batch, x, v, force, damper)),
-                return (detail::springPass<Cubic, detail::EightEnds>(batch, x, v, force, damper)))
+                return detail::springPass<Cubic, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
 
 class CubicLaw final : public SpringLawKernel {
 public:

@@ -32,8 +32,7 @@ ESM_INLINE void dampAll(const SpringBatch& batch, const Lanes* damper, const Lan
 
 ESM_WIDE_CLONES(void addDampingHere(const SpringBatch& batch, const Lanes* damper, const Lanes* v,
                                     Lanes* force) noexcept,
-                dampAll<detail::FourEnds>(batch, damper, v, force),
-                dampAll<detail::EightEnds>(batch, damper, v, force))
+                dampAll<detail::EndsOf<kLanes>>(batch, damper, v, force))
 
 } // namespace
 

@@ -60,8 +60,7 @@ struct Exponential {
 
 ESM_WIDE_CLONES(SpringSums exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
                                            Lanes* force, Lanes* damper) noexcept,
-                return (detail::springPass<Exponential, detail::FourEnds>(batch, x, v, force, damper)),
-                return (detail::springPass<Exponential, detail::EightEnds>(batch, x, v, force, damper)))
+                return detail::springPass<Exponential, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
 
 /// For one number, with the same bits as in the kernel.
 double expMinusOne(double s) noexcept

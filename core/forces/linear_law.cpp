@@ -18,8 +18,7 @@ struct Linear {
 
 ESM_WIDE_CLONES(SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                                       Lanes* damper) noexcept,
-                return (detail::springPass<Linear, detail::FourEnds>(batch, x, v, force, damper)),
-                return (detail::springPass<Linear, detail::EightEnds>(batch, x, v, force, damper)))
+                return detail::springPass<Linear, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
 
 class LinearLaw final : public SpringLawKernel {
 public:

@@ -4,6 +4,8 @@
 
 #include "core/forces/spring_law.h"
 
+#include <type_traits>
+
 namespace esm::detail {
 
 /// Four springs' x, y, z back to four nodes' (x, y, z, 0).
@@ -174,6 +176,10 @@ struct EightEnds {
     joinHalves(damper[2], damper[5], z);
   }
 };
+
+/// For a version of ESM_WIDE_CLONES.
+template <std::size_t lanes>
+using EndsOf = std::conditional_t<lanes == EightEnds::kCount, EightEnds, FourEnds>;
 
 /// How many springs of a batch are in whole groups.
 template <class Ends>
