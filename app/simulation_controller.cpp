@@ -286,6 +286,18 @@ void SimulationController::setForceScale(double scale)
   if (m_session) m_session->setForceScale(m_forceScale);
 }
 
+Eigen::Vector3d SimulationController::forceInHand() const
+{
+  const HapticStatus status = hapticStatus();
+  if (status.state == DeviceState::Arming || status.state == DeviceState::Active ||
+      status.state == DeviceState::Fading)
+    return status.force;
+  const Eigen::Vector3d force = m_forceScale * m_snapshot.toolForce;
+  const double limit = m_session ? std::min(m_forceLimit, m_session->profile().maxForce) : m_forceLimit;
+  const double norm = force.norm();
+  return norm > limit ? Eigen::Vector3d(force * (limit / norm)) : force;
+}
+
 /// The ball is shown where the tissue lets it be; while the simulation rests there is only the hand.
 void SimulationController::showInstrument()
 {

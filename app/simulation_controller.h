@@ -72,6 +72,9 @@ public:
   double forceLimit() const noexcept { return m_forceLimit; }
   void setForceScale(double scale); ///< force felt over force of the tissue [1]
   double forceScale() const noexcept { return m_forceScale; }
+  /// What the device gives while force is on; else what it would give: the tissue's force times the gain, up
+  /// to the limit [N].
+  Eigen::Vector3d forceInHand() const;
   /// Whether the user has let force flow and nothing has taken it back yet.
   bool forceMayFlow() const;
 

@@ -241,10 +241,10 @@ void HapticsPanel::refreshArm()
 void HapticsPanel::refreshForce()
 {
   m_lastForce.start();
-  const Eigen::Vector3d force = m_controller->snapshot().toolForce;
-  m_forcePlot->addTissueForce(force.norm());
+  m_forcePlot->addTissueForce(m_controller->snapshot().toolForce.norm());
   for (TracePlot* plot : {m_forcePlot, m_positionPlot, m_energyPlot}) plot->redraw();
   if (!m_force->isVisible()) return;
+  const Eigen::Vector3d force = m_controller->forceInHand();
   m_force->setText(tr("%1 N").arg(QLocale().toString(force.norm(), 'f', 2)));
   m_dial->setForce(force);
 }

@@ -263,6 +263,37 @@ TEST_F(HapticsPanelTest, TheForceLimitStaysBelowTheDevicesOwn)
   EXPECT_TRUE(comes([&] { return run()->hapticStatus().forceLimit == run()->deviceProfile()->maxForce; }));
 }
 
+// The number is what a hand feels, with gain and limit: what it would feel, then what it does.
+TEST_F(HapticsPanelTest, TheForceReadIsTheOneInTheHand)
+{
+  const auto reads = [&](double newtons) {
+    return find<QLabel>("hapticForce")->text() == QStringLiteral("%1 N").arg(newtons, 0, 'f', 2);
+  };
+  find<QTabWidget>("hapticTabs")->setCurrentIndex(1);
+  run()->setPlaying(true);
+  const Eigen::Vector3d rest = window->document()->project().net.restPosition.col(5);
+  run()->startPull(5, rest + Eigen::Vector3d(0.0, 0.0, 0.02));
+  ASSERT_TRUE(comes([&] { return run()->snapshot().toolForce.norm() > 0.05; }));
+  run()->setForceScale(0.5);
+  EXPECT_TRUE(comes([&] { return reads(0.5 * run()->snapshot().toolForce.norm()); }));
+  run()->setForceScale(10.0);
+  run()->setForceLimit(0.3);
+  EXPECT_TRUE(comes([&] { return reads(0.3); }));
+  run()->endPull();
+  run()->setForceScale(2.0);
+  run()->setForceLimit(1.0);
+  ASSERT_NO_FATAL_FAILURE(arm());
+  run()->startPull(5, rest); // force begins gently, or not at all
+  ASSERT_TRUE(comes([&] { return run()->hapticStatus().state == DeviceState::Active; }));
+  run()->movePull(rest + Eigen::Vector3d(0.0, 0.0, 0.01));
+  EXPECT_TRUE(comes([&] {
+    const HapticStatus status = run()->hapticStatus();
+    return status.state == DeviceState::Active && status.force.norm() > 0.05 && reads(status.force.norm());
+  }));
+  run()->setForceScale(0.0);
+  EXPECT_TRUE(comes([&] { return reads(0.0); }));
+}
+
 TEST_F(HapticsPanelTest, TheWorkspaceIsLaidOnTheModel)
 {
   ASSERT_NO_FATAL_FAILURE(connectFalcon());
