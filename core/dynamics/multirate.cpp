@@ -94,6 +94,7 @@ public:
     m_patience = 1;
   }
   void constraintsChanged(const System& system) override { prepare(system); }
+  void tune(const System& system, const FastestMode& mode) noexcept override { m_verlet->tune(system, mode); }
   int order() const noexcept override { return 2; }
 
   /// Stable at any step up to the number of classes; beyond the plan's step little is to be gained.

@@ -86,6 +86,7 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
 {
+  refreshBound(system, state); // stages and predictions keep to what is stable now
   current().setSolveTolerance(1e-12 * m_gauge.extent(), false);
   const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
   const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);

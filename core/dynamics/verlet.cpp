@@ -3,38 +3,43 @@
 #include "core/dynamics/integrator.h"
 #include "core/forces/spring_pass.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
 namespace {
 
-/// One node from v and a on: half = v + h/2 a, x' = x + h half, p' = (v + 2 p)/3 + h a
-ESM_INLINE void predictNode(double h, const Lanes& v, const Lanes& a, Lanes& x, Lanes& half,
+/// How a step predicts: its length [s], and what it carries over of the former prediction's error.
+struct Prediction {
+  double h, carry;
+};
+
+/// One node from v and a on: half = v + h/2 a, x' = x + h half, p' = v + h a + carry (p - v)
+ESM_INLINE void predictNode(const Prediction& how, const Lanes& v, const Lanes& a, Lanes& x, Lanes& half,
                             Lanes& p) noexcept
 {
-  const Lanes third = Lanes{0, 0, 0, 0} + 1.0 / 3.0;
-  half = v + a * (0.5 * h);
-  x += half * h;
-  p = (v + p + p) * third + a * h;
+  half = v + a * (0.5 * how.h);
+  x += half * how.h;
+  p = v + (p - v) * how.carry + a * how.h;
 }
 
 /// The first prediction of a run; `half` comes as v.
-ESM_CPU_CLONES void predict(double h, std::size_t count, const Lanes* a, Lanes* x, Lanes* half,
+ESM_CPU_CLONES void predict(const Prediction& how, std::size_t count, const Lanes* a, Lanes* x, Lanes* half,
                             Lanes* p) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) {
     const Lanes v = half[i];
-    predictNode(h, v, a[i], x[i], half[i], p[i]);
+    predictNode(how, v, a[i], x[i], half[i], p[i]);
   }
 }
 
 /// The end of a step and the prediction of the next one in one sweep: a = F/m, v = half + h/2 a.
-ESM_CPU_CLONES void correctAndPredict(double h, std::size_t count, const double* inverseMass,
+ESM_CPU_CLONES void correctAndPredict(const Prediction& how, std::size_t count, const double* inverseMass,
                                       const Lanes* force, Lanes* x, Lanes* half, Lanes* p) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) {
-    const Lanes a = force[i] * inverseMass[i], v = half[i] + a * (0.5 * h);
-    predictNode(h, v, a, x[i], half[i], p[i]);
+    const Lanes a = force[i] * inverseMass[i], v = half[i] + a * (0.5 * how.h);
+    predictNode(how, v, a, x[i], half[i], p[i]);
   }
 }
 
@@ -50,12 +55,13 @@ ESM_CPU_CLONES void correct(double h, std::size_t count, const double* inverseMa
 
 /// Velocity Verlet with one force pass per step:
 ///
-///     w = v + h/2 a,   x' = x + h w,   p' = v + h a + (2/3)(p - v),   a' = f(x', p')/m,   v' = w + h/2 a'
+///     w = v + h/2 a,   x' = x + h w,   p' = v + h a + c (p - v),   a' = f(x', p')/m,   v' = w + h/2 a'
 ///
 /// The viscous force needs the velocity at the end of the step before it is known, so it takes the prediction
-/// p'. Its error is O(h^2), enough for second order. The last term of p' carries over two thirds of the
-/// former prediction's error: that widens the limit for viscosity from h g < 1 to h g < 5/3 and leaves the
-/// one for stiffness, h w < 2; between the two the limit is h^2 w^2 / 4 + 3/5 h g < 1.
+/// p'. Its error is O(h^2), enough for second order. The last term of p' carries over a share c of the
+/// former prediction's error: that widens the limit for viscosity from h g < 1 to h g < 1 + c and leaves the
+/// one for stiffness, h w < 2; between the two the limit is h^2 w^2 / 4 + h g / (1 + c) < 1. As errors of the
+/// prediction grow with 1/(1 - c), a step carries no more than its length asks for, at most two thirds.
 class Verlet final : public Integrator {
 public:
   void prepare(const System& system) override
@@ -66,6 +72,7 @@ public:
   }
   void restart() noexcept override { m_started = false; }
   int order() const noexcept override { return 2; }
+  void tune(const System& /*system*/, const FastestMode& mode) noexcept override { m_mode = mode; }
   double stepCost(const System& system, double /*h*/) override
   {
     return system.forces().passCost() + 0.8 * static_cast<double>(system.nodeCount()); // sweeps, measured
@@ -73,8 +80,8 @@ public:
 
   double stableStep(const FastestMode& mode) const noexcept override
   {
-    // Positive root of (K/4) h^2 + (3/5 G) h - 1 = 0, in the form that bears K = 0.
-    const double linear = 0.6 * mode.damping;
+    // Positive root of (K/4) h^2 + G/(1 + c) h - 1 = 0, in the form that bears K = 0.
+    const double linear = mode.damping / (1.0 + kMostCarry);
     return 2.0 / (linear + std::sqrt(linear * linear + mode.stiffness));
   }
 
@@ -89,11 +96,12 @@ public:
   {
     const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
     const double* inverseMass = system.inverseMass().data();
+    const Prediction how{h, carryFor(h)};
     if (!m_started) start(system, state);
     m_x = state.x; // same size: no allocation
     m_v = state.v;
     system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      predict(h, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
+      predict(how, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
     });
     double work = 0.0, heat = 0.0;
     for (std::int64_t i = 1; i <= steps; ++i) {
@@ -104,7 +112,7 @@ public:
       m_rates = rates;
       if (i == steps) break;
       system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-        correctAndPredict(h, n, inverseMass + f, m_force.data() + f, m_x.data() + f, m_v.data() + f,
+        correctAndPredict(how, n, inverseMass + f, m_force.data() + f, m_x.data() + f, m_v.data() + f,
                           m_p.data() + f);
       });
     }
@@ -119,6 +127,18 @@ public:
   }
 
 private:
+  static constexpr double kMostCarry = 2.0 / 3.0;
+
+  /// The least that is stable at h, with room for what the net's motion does to the limits until the next
+  /// look.
+  double carryFor(double h) const noexcept
+  {
+    constexpr double kRoom = 0.88; // as in leapfrog.cpp
+    const double longer = h / kRoom, left = 1.0 - 0.25 * m_mode.stiffness * longer * longer;
+    const double needed = m_mode.damping * longer / left - 1.0;
+    return left > 0.0 && needed < kMostCarry ? std::max(needed, 0.0) : kMostCarry;
+  }
+
   void start(System& system, MotionState& state) noexcept
   {
     m_rates = system.evaluate(state.time, state.x, state.v, m_a);
@@ -129,6 +149,7 @@ private:
 
   NodeArray m_a, m_p; ///< acceleration and predicted velocity at the state
   NodeArray m_x, m_v, m_force;
+  FastestMode m_mode; ///< at the last tune()
   Rates m_rates;
   bool m_started = false;
 };

@@ -3,6 +3,7 @@
 
 // How fast a net can move, and what the explicit methods make of it.
 #include "core/dynamics/chebyshev_damping.h"
+#include "core/dynamics/integrator.h"
 #include "core/dynamics/spectral_radius.h"
 #include "core/dynamics/step_bound.h"
 #include "tests/support/nets.h"
@@ -92,6 +93,34 @@ double growthPerStep(const SpringNet& net, const ChebyshevDamping& damping, doub
     h * h * q * share.matrix().asDiagonal() * q.transpose() * scaledMatrix(net, net.stiffness);
   step << Eigen::MatrixXd::Identity(n, n) - pull, kept, -pull, kept;
   return step.eigenvalues().cwiseAbs().maxCoeff();
+}
+
+/// A mass of 1 kg at 1000/s, damped so much [1/s].
+FastestMode verletMode(double damping)
+{
+  FastestMode mode;
+  mode.stiffness = 1e6;
+  mode.damping = damping;
+  return mode;
+}
+
+/// What is left of its displacement of 1 m along the spring after so many steps of velocity Verlet, or NaN.
+double verletEnd(double damping, double h, int steps)
+{
+  SpringNet net = chain(2, 1e4, 1e6);
+  net.fixed[0] = 1;
+  net.viscosity[0] = damping;
+  System system(net, {});
+  MotionState motion;
+  motion.x = {Lanes{0, 0, 0, 0}, Lanes{1e4 + 1.0, 0, 0, 0}};
+  motion.v.assign(2, Lanes{0, 0, 0, 0});
+  system.enter(motion, true);
+  const auto verlet = makeIntegrator("verlet");
+  verlet->prepare(system);
+  verlet->tune(system, verletMode(damping));
+  StepReport report;
+  const StepResult result = verlet->run(system, motion, h * steps, steps, report);
+  return result == StepResult::Done ? motion.x[1][0] - 1e4 : std::nan("");
 }
 
 } // namespace
@@ -184,6 +213,36 @@ TEST(Spectrum, LeapfrogLimitIsSharpForOneMode)
         EXPECT_TRUE(grows(1.01 * limit));
       }
     }
+}
+
+// One damped mass: velocity Verlet stays at every step up to its limit, whatever share of its prediction it
+// carries over there, and not beyond. (The limit is exact for one mode.)
+TEST(Spectrum, VerletStaysUpToItsLimitWhateverItCarries)
+{
+  for (const double damping : {0.0, 100.0, 1500.0, 8000.0}) {
+    const FastestMode mode = verletMode(damping);
+    const double limit = makeIntegrator("verlet")->stableStep(mode);
+    for (const double part : {0.05, 0.3, 0.5, 0.6, 0.7, 0.8, 0.85, 0.88, 0.9, 0.95, 0.99})
+      EXPECT_LT(std::abs(verletEnd(damping, part * limit, 3000)), 1.5) << part << ", damping " << damping;
+    EXPECT_FALSE(std::abs(verletEnd(damping, 1.05 * limit, 150)) < 10.0) << "damping " << damping;
+  }
+}
+
+// Steps far below the limit carry nothing over: they are those of the textbook, whose viscous force sees
+// v + h a.
+TEST(Spectrum, SmallStepsOfVerletPredictPlainly)
+{
+  for (const double damping : {100.0, 1500.0}) {
+    const double h = 0.3 / std::max(damping, 1000.0), stiffness = 1e6;
+    double x = 1.0, v = 0.0, a = -stiffness * x;
+    for (int i = 0; i < 50; ++i) {
+      const double half = v + 0.5 * h * a, predicted = v + h * a;
+      x += h * half;
+      a = -stiffness * x - damping * predicted;
+      v = half + 0.5 * h * a;
+    }
+    EXPECT_NEAR(verletEnd(damping, h, 50), x, 1e-9); // rounding of a stretch of 1 m, 50 times
+  }
 }
 
 // No step up to the limit lets anything grow in nets whose dampers and springs have other directions of their
