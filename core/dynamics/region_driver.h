@@ -4,6 +4,7 @@
 
 #include "core/dynamics/load_watch.h"
 #include "core/dynamics/rest_watch.h"
+#include "core/dynamics/settling.h"
 #include "core/dynamics/sleeping_tensions.h"
 #include "core/dynamics/step_driver.h"
 #include "core/dynamics/sub_net.h"
@@ -39,8 +40,10 @@ struct Body {
 ///
 /// **Sleeping.** RestWatch says who is slow: within a quarter of the budget in all. Slow nodes that are some
 /// layers away from faster ones fall asleep, if they are enough to make the change worth while. Their
-/// kinetic energy, which is negligible, counts as heat. Nets of less than two thousand nodes sleep as a whole
-/// or not at all: there a part would hardly be cheaper. So do nets with pressure, which acts on all at once.
+/// kinetic energy, which is negligible, counts as heat. A whole net that is near its goal is moved there
+/// (Settling), which ends its motion long before each of its nodes is slow. Nets of less than two thousand
+/// nodes sleep as a whole or not at all: there a part would hardly be cheaper. So do nets with pressure,
+/// which acts on all at once.
 class RegionDriver {
 public:
   /// @param body  not owned, outlives this.
@@ -78,7 +81,8 @@ private:
   bool stretchWhole(double target, std::int64_t maxSteps, StepReport& report);
   bool stretchPart(double target, std::int64_t maxSteps, StepReport& report);
   void takeOver(double target);
-  void look();
+  void look(StepReport& report);
+  bool settles(StepReport& report);
 
   // Who is awake (region_change.cpp)
   bool isDivisible() const noexcept; ///< into a part that moves and one that rests
@@ -107,6 +111,10 @@ private:
   RestWatch m_watch;
   LoadWatch m_loads;
   SleepingTensions m_tensions;
+  Settling m_settling;
+  double m_settlingSpeed = 0.0; ///< below which the next attempt comes [m/s]
+  int m_looksToSettle = 0;      ///< or after so many looks
+  double m_settlingWork = 0.0;  ///< since the last attempt [spring evaluations]
   SubNetCutter m_cutter;
   StepBound m_wholeBound;
 

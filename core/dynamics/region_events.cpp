@@ -42,6 +42,7 @@ bool flagTouched(const SpringNet& before, const SpringNet& now, std::vector<std:
 void RegionDriver::parametersChanged(const SpringNet& before)
 {
   m_allMoved = true; // fixed nodes have lost their velocity
+  m_settling.forget();
   if (m_on) {
     const SpringNet& net = m_body.net;
     std::vector<std::uint8_t> touched(static_cast<std::size_t>(net.nodeCount()), 0);

@@ -1,0 +1,125 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// The last part of the way to rest is taken in one go, where it is known how long it is.
+#include "core/dynamics/settling.h"
+#include "tests/core/dynamics/skip_nets.h"
+
+#include <cmath>
+
+namespace esm::test {
+namespace {
+
+/// A node of 2 kg that swings at 20/s along x about 1 m from a fixed one.
+struct Oscillator {
+  static constexpr double kMass = 2.0, kRate = 20.0;
+  System system;
+  MotionState motion;
+  Settling settling;
+  StepReport report;
+
+  Oscillator(double displacement, double speed)
+  {
+    SpringNet net = chain(2);
+    net.fixed[0] = 1;
+    net.mass.setConstant(kMass);
+    net.stiffness[0] = kMass * kRate * kRate;
+    system = System(net, {});
+    motion.x.assign(2, Lanes{0, 0, 0, 0});
+    motion.v = motion.x;
+    motion.x[1] = Lanes{1.0 + displacement, 0, 0, 0};
+    motion.v[1] = Lanes{speed, 0, 0, 0};
+    system.enter(motion, true);
+    settling.layOut(system);
+  }
+  double settle(double mostSquare) { return settling.settle(system, motion, mostSquare, report); }
+};
+
+/// A sheet that swings on its bedding some ten times before it rests.
+SpringNet livelySheet()
+{
+  SpringNet net = beddedSheet(12);
+  for (double& viscosity : net.anchors.viscosity) viscosity = 3e-4;
+  return net;
+}
+
+} // namespace
+
+// An oscillator gets sqrt(x^2 + v^2/w^2) far, wherever in its period it is: at the turning point, in the
+// middle, in between. The inertia over ten seconds makes 2.5e-5 of it.
+TEST(Settling, KnowsHowFarAnOscillatorGets)
+{
+  const double cases[][2] = {
+    {1e-3, 0.0}, {0.0, 0.02}, {1e-3, -0.02}}; // stretched: a pressed spring would give way sidewards
+  for (const auto& [displacement, speed] : cases) {
+    Oscillator oscillator(displacement, speed);
+    const MotionState before = oscillator.motion;
+    const double square = std::pow(displacement, 2) + std::pow(speed / Oscillator::kRate, 2);
+    EXPECT_NEAR(oscillator.settle(1e-9), square / 1e-9, 1e-4 * square / 1e-9);
+    EXPECT_EQ(toVector(oscillator.motion.x[1]), toVector(before.x[1])); // too far: nothing is done
+    EXPECT_EQ(toVector(oscillator.motion.v[1]), toVector(before.v[1]));
+    EXPECT_EQ(oscillator.motion.heat, 0.0);
+  }
+}
+
+// What it had is heat: m v^2/2 + k x^2/2, to the same 2.5e-5.
+TEST(Settling, TurnsTheEnergyThatIsLeftIntoHeat)
+{
+  Oscillator oscillator(1e-3, 0.02);
+  EXPECT_LE(oscillator.settle(1e-5), 1.0);
+  EXPECT_NEAR(oscillator.motion.x[1][0], 1.0, 1e-7);
+  EXPECT_EQ(oscillator.motion.v[1][0], 0.0);
+  const double energy = 0.5 * Oscillator::kMass * (0.02 * 0.02 + std::pow(Oscillator::kRate * 1e-3, 2));
+  EXPECT_NEAR(oscillator.motion.heat, energy, 1e-4 * energy);
+  EXPECT_EQ(oscillator.motion.work, 0.0);
+  EXPECT_GT(oscillator.report.springsEvaluated, 0);
+}
+
+// A column under pressure stands in balance, and falls at a breath: that is no rest. Nor is the drift of what
+// nothing holds.
+TEST(Settling, LeavesUnstableBalanceAndDriftAlone)
+{
+  SpringNet column = chain(3);
+  column.fixed[0] = column.fixed[2] = 1;
+  column.restLength.setConstant(1.2);
+  SpringNet drifting = chain(3);
+  for (const bool drifts : {false, true}) {
+    System system(drifts ? drifting : column, {});
+    MotionState motion;
+    motion.x = {Lanes{0, 0, 0, 0}, Lanes{1, 0, 0, 0}, Lanes{2, 0, 0, 0}};
+    motion.v.assign(3, Lanes{0, drifts ? 1e-4 : 0.0, 0, 0});
+    system.enter(motion, true);
+    Settling settling;
+    settling.layOut(system);
+    StepReport report;
+    EXPECT_GT(settling.settle(system, motion, 1e-8, report), 1.0);
+    EXPECT_EQ(motion.v[1][1], drifts ? 1e-4 : 0.0);
+  }
+}
+
+// A net that swings down to a load ends where the energy is least, at rest while single nodes would still
+// swing, and the error of the whole run keeps the tolerance. The work of the load is counted on the way.
+TEST(Settling, EndsARunInBalanceWithinTheTolerance)
+{
+  Loads loads;
+  loads.forces.push_back({{70, 71}, curve({0.0}, Eigen::Vector3d(0, 2e-3, 5e-3))});
+  Simulation full = simulate(livelySheet(), loads, fixedSteps("rk4", 2e-5));
+  const Frames reference = play(full, 60);
+  Simulation relaxing = simulate(livelySheet(), loads, settingsOf(1e-6, true, "relax"));
+  const Frames balance = play(relaxing, 1);
+  const double way = (balance.position.back() - balance.position.front()).norm();
+  for (const double tolerance : {1e-1, 1e-2, 1e-3}) {
+    SCOPED_TRACE(tolerance);
+    Simulation simulation = simulate(livelySheet(), loads, settingsOf(tolerance, true));
+    const double energy = test::balance(simulation);
+    const Frames frames = play(simulation, 60);
+    EXPECT_LT(errorOf(frames, reference), tolerance);
+    EXPECT_EQ(frames.report.back().springsEvaluated, 0);
+    // One of Newton's steps over a way of a third of the tolerance leaves the square of it, about.
+    EXPECT_LT((frames.position.back() - balance.position.back()).norm(), tolerance * tolerance * way);
+    // The quadrature of work and heat is as good as the tolerance asks.
+    EXPECT_NEAR(test::balance(simulation), energy, std::max(5e-3, tolerance) * simulation.dissipatedEnergy());
+  }
+}
+
+} // namespace esm::test
