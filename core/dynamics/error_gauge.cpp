@@ -21,21 +21,33 @@ constexpr double kUnfolding = 0.01;
 constexpr double kSpending = 0.3, kMostShare = 3.0;
 constexpr double kForGood = 10.0; ///< lifetime of an error that is spent for good [s]
 
+ESM_CPU_CLONES double squaredDistance(std::size_t count, const Lanes* a, const Lanes* b) noexcept
+{
+  const auto take = [=](std::size_t i, Lanes& to) noexcept {
+    const Lanes d = a[i] - b[i];
+    to += d * d;
+  };
+  Lanes sum;
+  sumOver(count, take, sum);
+  return sumLanes(sum);
+}
+
+ESM_CPU_CLONES double squaredNorm(std::size_t count, const Lanes* a) noexcept
+{
+  const auto take = [=](std::size_t i, Lanes& to) noexcept { to += a[i] * a[i]; };
+  Lanes sum;
+  sumOver(count, take, sum);
+  return sumLanes(sum);
+}
+
 double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
 {
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    const Lanes d = a[i] - b[i];
-    sum += d * d;
-  }
-  return sumLanes(sum);
+  return squaredDistance(a.size(), a.data(), b.data());
 }
 
 double sumOfSquares(const NodeArray& a) noexcept
 {
-  Lanes sum = {0, 0, 0, 0};
-  for (const Lanes& value : a) sum += value * value;
-  return sumLanes(sum);
+  return squaredNorm(a.size(), a.data());
 }
 
 /// Over `count` nodes, of which those that were not summed have the value 0.

@@ -15,11 +15,25 @@ struct Cubic {
     detail::loadLanes(&batch.growth[i], a);
     f = k * e * (1.0 + a * (e * e));
   }
+  template <class Values>
+  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
+                                Values& result) noexcept
+  {
+    Values k, a;
+    detail::loadLanes(&batch.factor[i], k);
+    detail::loadLanes(&batch.growth[i], a);
+    result = 0.5 * k * e * e * (1.0 + 0.5 * a * (e * e));
+  }
 };
 
 ESM_WIDE_CLONES(SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                                      Lanes* damper) noexcept,
                 return detail::springPass<Cubic, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
+
+ESM_CPU_CLONES double cubicEnergy(const SpringBatch& batch, const Lanes* x) noexcept
+{
+  return detail::energyPass<Cubic>(batch, x);
+}
 
 class CubicLaw final : public SpringLawKernel {
 public:
@@ -27,6 +41,11 @@ public:
                        Lanes* damper) const noexcept override
   {
     return cubicPass(batch, x, v, force, damper);
+  }
+
+  double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
+  {
+    return cubicEnergy(batch, x);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -16,7 +16,12 @@ constexpr double kLargestExponent = 100.0;
 /// bits on CPUs with FMA. s = n ln 2 + r with |r| <= ln 2 / 2; the Taylor series of exp(r) - 1 to r^13 leaves
 /// 4e-18; exp(s) - 1 = 2^n (exp(r) - 1) + (2^n - 1) loses nothing near 0.
 template <class Values>
-ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
+struct ExpParts { ///< exp(s) = power (1 + r + beyond)
+  Values power, r, beyond;
+};
+
+template <class Values>
+ESM_INLINE void expParts(const Values& s, ExpParts<Values>& parts) noexcept
 {
   constexpr double kRound = 0x1.8p52; // adding it rounds to an integer, which then stands in the low bits
   constexpr double kLn2High = 0x1.62e42fefa3800p-1;
@@ -31,13 +36,29 @@ ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
   const Values middle = (r * (1.0 / 5040.0) + (1.0 / 720.0)) + r2 * (r * (1.0 / 362880.0) + (1.0 / 40320.0));
   const Values high =
     (r * (1.0 / 39916800.0) + (1.0 / 3628800.0)) + r2 * (r * (1.0 / 6227020800.0) + (1.0 / 479001600.0));
-  const Values p = r2 * (low + r4 * middle + r8 * high) + r;
+  parts.r = r;
+  parts.beyond = r2 * (low + r4 * middle + r8 * high);
   BitsOf<Values> bits;
   __builtin_memcpy(&bits, &shifted, sizeof(bits));
   bits = (bits + 1023) << 52; // the high bits of kRound leave on the left
-  Values power;
-  __builtin_memcpy(&power, &bits, sizeof(power));
-  result = power * p + (power - 1.0);
+  __builtin_memcpy(&parts.power, &bits, sizeof(bits));
+}
+
+template <class Values>
+ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
+{
+  ExpParts<Values> parts;
+  expParts(s, parts);
+  result = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0);
+}
+
+/// What |s| <= kLargestExponent leaves of s is outside.
+template <class Values>
+ESM_INLINE void keepInside(const Values& s, Values& inside) noexcept
+{
+  const Values most = Values{} + kLargestExponent;
+  const Values belowMost = s > most ? most : s;
+  inside = belowMost < -most ? -most : belowMost;
 }
 
 /// f = k L/b (exp(b e/L) - 1)
@@ -45,22 +66,41 @@ struct Exponential {
   template <class Values>
   ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
   {
-    Values factor, rate, growth;
+    Values factor, rate, inside, growth;
     detail::loadLanes(&batch.factor[i], factor);
     detail::loadLanes(&batch.growth[i], rate);
     const Values s = rate * e;
-    const Values most = Values{} + kLargestExponent;
-    const Values belowMost = s > most ? most : s;
-    const Values inside = belowMost < -most ? -most : belowMost;
+    keepInside(s, inside);
     expMinusOne(inside, growth);
     growth += (growth + 1.0) * (s - inside);
     f = factor * growth;
+  }
+  /// k (L/b)^2 (exp(s) - 1 - s): the difference is a power series near 0, where it would cancel.
+  template <class Values>
+  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
+                                Values& result) noexcept
+  {
+    Values factor, rate, inside;
+    detail::loadLanes(&batch.factor[i], factor);
+    detail::loadLanes(&batch.growth[i], rate);
+    const Values s = rate * e;
+    keepInside(s, inside);
+    ExpParts<Values> parts;
+    expParts(inside, parts);
+    const Values growth = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0), outside = s - inside;
+    const Values line = parts.power == 1.0 ? parts.beyond : growth - inside;
+    result = factor / rate * (line + growth * outside + 0.5 * (growth + 1.0) * outside * outside);
   }
 };
 
 ESM_WIDE_CLONES(SpringSums exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
                                            Lanes* force, Lanes* damper) noexcept,
                 return detail::springPass<Exponential, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
+
+ESM_CPU_CLONES double exponentialEnergy(const SpringBatch& batch, const Lanes* x) noexcept
+{
+  return detail::energyPass<Exponential>(batch, x);
+}
 
 /// For one number, with the same bits as in the kernel.
 double expMinusOne(double s) noexcept
@@ -85,6 +125,11 @@ public:
                        Lanes* damper) const noexcept override
   {
     return exponentialPass(batch, x, v, force, damper);
+  }
+
+  double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
+  {
+    return exponentialEnergy(batch, x);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -173,10 +173,7 @@ void ForceModel::forEachSpring(const Lanes* x, const Visit& visit) const
 double ForceModel::elasticEnergy(const Lanes* x) const noexcept
 {
   double energy = 0.0;
-  forEachSpring(x, [&](const SpringBatch& batch, std::size_t i, const Lanes&, double length) {
-    const double e = length - batch.restLength[i];
-    if (!(batch.tensionOnly && e <= 0.0)) energy += springLawKernel(batch.law).respond(batch, i, e).energy;
-  });
+  for (const SpringBatch& batch : m_batches) energy += springLawKernel(batch.law).energy(batch, x);
   for (const Anchor& anchor : m_anchors) {
     const Lanes away = x[anchor.node] - anchor.point;
     energy += 0.5 * anchor.stiffness * dot(away, away);

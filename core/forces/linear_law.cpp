@@ -14,11 +14,24 @@ struct Linear {
     detail::loadLanes(&batch.factor[i], k);
     f = k * e;
   }
+  template <class Values>
+  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
+                                Values& result) noexcept
+  {
+    Values k;
+    detail::loadLanes(&batch.factor[i], k);
+    result = 0.5 * k * e * e;
+  }
 };
 
 ESM_WIDE_CLONES(SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                                       Lanes* damper) noexcept,
                 return detail::springPass<Linear, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
+
+ESM_CPU_CLONES double linearEnergy(const SpringBatch& batch, const Lanes* x) noexcept
+{
+  return detail::energyPass<Linear>(batch, x);
+}
 
 class LinearLaw final : public SpringLawKernel {
 public:
@@ -26,6 +39,11 @@ public:
                        Lanes* damper) const noexcept override
   {
     return linearPass(batch, x, v, force, damper);
+  }
+
+  double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
+  {
+    return linearEnergy(batch, x);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

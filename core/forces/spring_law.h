@@ -76,8 +76,11 @@ public:
   virtual SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                                Lanes* damper) const noexcept = 0;
 
-  /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents,
-  /// energies and tests.
+  /// The energy of a whole batch [J], with equal bits on every CPU; here one spring after the other.
+  virtual double energy(const SpringBatch& batch, const Lanes* x) const noexcept;
+
+  /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents and
+  /// tests.
   virtual SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept = 0;
 };
 

@@ -21,8 +21,8 @@ void plainAddDamping(const SpringBatch& batch, const Lanes* damper, const Lanes*
 namespace testing {
 
 // Golden hashes must hold on every x86-64: the version that the loader chooses here (AVX2 or AVX-512 where
-// the CPU has it) and the plain one give the same bits for forces and heat. Several times: sums in another
-// order have the same last bit now and then.
+// the CPU has it) and the plain one give the same bits for forces, heat and energy. Several times: sums in
+// another order have the same last bit now and then.
 class KernelBitsOf : public ::testing::TestWithParam<std::uint32_t> {};
 
 TEST_P(KernelBitsOf, WideAndPlainKernelsAgreeToTheLastBit)
@@ -73,6 +73,10 @@ TEST_P(KernelBitsOf, WideAndPlainKernelsAgreeToTheLastBit)
         EXPECT_EQ(std::memcmp(first.data(), second.data(), kNodes * sizeof(Lanes)), 0);
         EXPECT_EQ(a.heat, b.heat);
         EXPECT_EQ(a.degenerate, b.degenerate);
+        const double energy = chosen->energy(batch, x.data());
+        EXPECT_EQ(energy, plain->energy(batch, x.data()));
+        const double oneByOne = chosen->SpringLawKernel::energy(batch, x.data());
+        EXPECT_NEAR(energy, oneByOne, 1e-13 * oneByOne); // rounding of sums of 803
       }
 }
 
