@@ -199,7 +199,10 @@ bool RegionDriver::settles(StepReport& report)
     m_settlingSpeed = std::numeric_limits<double>::infinity();
     return false;
   }
-  if (--m_looksToSettle > 0 && speed > m_settlingSpeed) return false;
+  if (m_looksToSettle > 0 && speed > m_settlingSpeed) {
+    --m_looksToSettle;
+    return false;
+  }
   const bool isFirst = !m_settling.isLaidOut();
   const double layout = kLayoutCost * static_cast<double>(motion.x.size());
   if (isFirst && layout > std::min(m_settlingWork, kLongestLayout * m_settings.effort)) return false;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/settling.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -11,6 +12,9 @@ namespace {
 constexpr double kInertia = 1e-2; ///< share of the mass in the stiffness, 1/(10 s)^2 [1/s^2]
 /// Of the forces, that may be left at the goal: the net is nearly linear on its way there, or it is not near.
 constexpr double kLeft = 0.5;
+
+/// Of the mean square over the nodes, that a single one may miss: nobody shall see one spot stop at a blow.
+constexpr double kMostLocal = 25.0;
 
 double squareSum(const NodeArray& a) noexcept
 {
@@ -51,13 +55,16 @@ double Settling::settle(System& system, MotionState& motion, double mostSquare, 
   if (!m_matrix.factor(system, motion.x, m_still, {kInertia, 0.0, 1.0}, false) ||
       m_matrix.negativePivots() > 0)
     return kUnknown;
-  m_way.resize(motion.x.size());
-  for (std::size_t i = 0; i < m_way.size(); ++i) m_way[i] = motion.v[i] * system.mass()[i];
-  m_matrix.solve(m_way);
-  double missed = std::sqrt(squareSum(motion.v) * squareSum(m_way));
+  m_swing.resize(motion.x.size());
+  for (std::size_t i = 0; i < m_swing.size(); ++i) m_swing[i] = motion.v[i] * system.mass()[i];
+  m_matrix.solve(m_swing);
   m_way = m_force;
   m_matrix.solve(m_way);
-  missed += squareSum(m_way);
+  double missed = squareSum(m_way) + std::sqrt(squareSum(motion.v) * squareSum(m_swing)), local = 0.0;
+  for (std::size_t i = 0; i < m_way.size(); ++i)
+    local = std::max(local, dot(m_way[i], m_way[i]) +
+                              std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
+  missed = std::max(missed, local / kMostLocal * static_cast<double>(m_way.size()));
   if (!(missed <= mostSquare)) return std::isfinite(missed) ? missed / mostSquare : kUnknown;
   for (std::size_t i = 0; i < m_goal.size(); ++i) m_goal[i] += m_way[i];
   if (!(forcesAt(system, motion.time, m_goal) <= kLeft * force)) return kUnknown;

@@ -97,6 +97,28 @@ TEST(Settling, LeavesUnstableBalanceAndDriftAlone)
   }
 }
 
+// One node among a hundred that stands as far off as all of them may together is seen, and goes on.
+TEST(Settling, LetsASingleSpotSwingOn)
+{
+  SpringNet net;
+  for (int i = 0; i < 100; ++i) addAnchor(net, addNode(net, {0.01 * i, 0, 0}), {0.01 * i, 0, 0}, 400.0);
+  System system(net, {});
+  MotionState motion;
+  motion.x.resize(100);
+  copyNodes(net.restPosition, motion.x);
+  motion.v.assign(100, Lanes{0, 0, 0, 0});
+  motion.x[50][1] += 1e-3;
+  system.enter(motion, true);
+  Settling settling;
+  settling.layOut(system);
+  StepReport report;
+  EXPECT_NEAR(settling.settle(system, motion, 1e-6, report), 100.0 / 25.0, 1e-3);
+  EXPECT_EQ(motion.x[50][1], 1e-3);
+  motion.x[50][1] = 0.0;
+  for (Lanes& x : motion.x) x[1] += 1e-4; // the same sum, but of all
+  EXPECT_NEAR(settling.settle(system, motion, 1e-6, report), 1.0, 1e-3);
+}
+
 // A net that swings down to a load ends where the energy is least, at rest while single nodes would still
 // swing, and the error of the whole run keeps the tolerance. The work of the load is counted on the way.
 TEST(Settling, EndsARunInBalanceWithinTheTolerance)
