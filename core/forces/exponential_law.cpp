@@ -12,14 +12,15 @@ namespace {
 /// force stays a number that the step control can reject.
 constexpr double kLargestExponent = 100.0;
 
-/// exp(s) - 1 for |s| <= kLargestExponent, with plain arithmetic only: the C library's exp() has other last
-/// bits on CPUs with FMA. s = n ln 2 + r with |r| <= ln 2 / 2; the Taylor series of exp(r) - 1 to r^13 leaves
-/// 4e-18; exp(s) - 1 = 2^n (exp(r) - 1) + (2^n - 1) loses nothing near 0.
+/// exp(s) = power (1 + r + beyond)
 template <class Values>
-struct ExpParts { ///< exp(s) = power (1 + r + beyond)
+struct ExpParts {
   Values power, r, beyond;
 };
 
+/// For |s| <= kLargestExponent, with plain arithmetic only: the C library's exp() has other last bits on CPUs
+/// with FMA. s = n ln 2 + r with |r| <= ln 2 / 2, power = 2^n; the Taylor series of exp(r) - 1 to r^13 leaves
+/// 4e-18.
 template <class Values>
 ESM_INLINE void expParts(const Values& s, ExpParts<Values>& parts) noexcept
 {
@@ -44,6 +45,7 @@ ESM_INLINE void expParts(const Values& s, ExpParts<Values>& parts) noexcept
   __builtin_memcpy(&parts.power, &bits, sizeof(bits));
 }
 
+/// exp(s) - 1 = 2^n (exp(r) - 1) + (2^n - 1) loses nothing near 0.
 template <class Values>
 ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
 {
@@ -52,7 +54,7 @@ ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
   result = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0);
 }
 
-/// What |s| <= kLargestExponent leaves of s is outside.
+/// s, or the limit that it is beyond.
 template <class Values>
 ESM_INLINE void keepInside(const Values& s, Values& inside) noexcept
 {
