@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation_controller.h"
 
+#include "core/runtime/limited_pull.h"
+
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QScreen>
@@ -19,6 +21,12 @@ double refreshRate()
   const QScreen* screen = QGuiApplication::primaryScreen();
   const double rate = screen != nullptr ? screen->refreshRate() : 0.0;
   return rate >= 24.0 && rate <= 360.0 ? rate : 60.0;
+}
+
+/// Or fades in, or out.
+bool givesForce(DeviceState state)
+{
+  return state == DeviceState::Arming || state == DeviceState::Active || state == DeviceState::Fading;
 }
 
 } // namespace
@@ -268,9 +276,7 @@ void SimulationController::stop()
 bool SimulationController::forceMayFlow() const
 {
   if (!m_session) return false;
-  const DeviceState state = m_session->status().state;
-  return m_armed || state == DeviceState::Arming || state == DeviceState::Active ||
-         state == DeviceState::Fading;
+  return m_armed || givesForce(m_session->status().state);
 }
 
 void SimulationController::setForceLimit(double newtons)
@@ -289,13 +295,9 @@ void SimulationController::setForceScale(double scale)
 Eigen::Vector3d SimulationController::forceInHand() const
 {
   const HapticStatus status = hapticStatus();
-  if (status.state == DeviceState::Arming || status.state == DeviceState::Active ||
-      status.state == DeviceState::Fading)
-    return status.force;
-  const Eigen::Vector3d force = m_forceScale * m_snapshot.toolForce;
+  if (givesForce(status.state)) return status.force;
   const double limit = m_session ? std::min(m_forceLimit, m_session->profile().maxForce) : m_forceLimit;
-  const double norm = force.norm();
-  return norm > limit ? Eigen::Vector3d(force * (limit / norm)) : force;
+  return limitedForce(m_forceScale * m_snapshot.toolForce, limit);
 }
 
 /// The ball is shown where the tissue lets it be; while the simulation rests there is only the hand.

@@ -21,35 +21,6 @@ constexpr double kUnfolding = 0.01;
 constexpr double kSpending = 0.3, kMostShare = 3.0;
 constexpr double kForGood = 10.0; ///< lifetime of an error that is spent for good [s]
 
-ESM_CPU_CLONES double squaredDistance(std::size_t count, const Lanes* a, const Lanes* b) noexcept
-{
-  const auto take = [=](std::size_t i, Lanes& to) noexcept {
-    const Lanes d = a[i] - b[i];
-    to += d * d;
-  };
-  Lanes sum;
-  sumOver(count, take, sum);
-  return sumLanes(sum);
-}
-
-ESM_CPU_CLONES double squaredNorm(std::size_t count, const Lanes* a) noexcept
-{
-  const auto take = [=](std::size_t i, Lanes& to) noexcept { to += a[i] * a[i]; };
-  Lanes sum;
-  sumOver(count, take, sum);
-  return sumLanes(sum);
-}
-
-double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
-{
-  return squaredDistance(a.size(), a.data(), b.data());
-}
-
-double sumOfSquares(const NodeArray& a) noexcept
-{
-  return squaredNorm(a.size(), a.data());
-}
-
 /// Over `count` nodes, of which those that were not summed have the value 0.
 double rms(double sum, std::size_t count) noexcept
 {

@@ -58,9 +58,7 @@ void RegionDriver::begin()
   m_playedCount = m_squareAsleep = 0.0;
   m_extent = diagonalOf(m_body.motion.x);
   m_limitText.clear();
-  m_settling.forget();
-  m_settlingSpeed = m_settlingWork = 0.0;
-  m_looksToSettle = 0;
+  m_settling.begin();
   watchLoads();
   std::vector<Index> seeds = unbalancedNodes();
   seeds.insert(seeds.end(), m_loads.moving().begin(), m_loads.moving().end());

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace esm {
 namespace {
@@ -115,7 +114,7 @@ bool RegionDriver::stretchWhole(double target, std::int64_t maxSteps, StepReport
   const double event = m_body.system.nextEvent(motion.time);
   const StepReport whole = m_driver.advance(m_body.system, motion, target - motion.time, maxSteps);
   report.add(whole);
-  m_settlingWork += static_cast<double>(whole.springsEvaluated);
+  m_settling.countWork(whole.springsEvaluated);
   m_allMoved = true;
   if (motion.time >= event) watchLoads();
   return report.good();
@@ -177,43 +176,16 @@ void RegionDriver::look(StepReport& report)
   applyChange();
 }
 
-/// Whether the whole net could be brought to rest. Attempts are few: the first costs no more than what has
-/// been done until then, others a third of the work since the last one, and they come when the net is as slow
-/// as it should be by what that one found. Nobody should wait for them longer than some frames, and nobody
-/// sees these, since nothing moves much.
+/// Whether the whole net could be brought to rest at once.
 bool RegionDriver::settles(StepReport& report)
 {
-  constexpr double kNear = 5.0; // speeds with which nets of usual frequencies are as near as they must be
-  constexpr double kLayoutCost = 1500; // spring evaluations per node, measured
-  constexpr double kLongestLayout = 4; // frames
-  constexpr double kPatience = 3.0;
-  constexpr int kLongestWait = 32; // looks
-  const MotionState& motion = m_body.motion;
-  const double most = budget(), speed = m_driver.errorScale().speed;
-  const double within = std::sqrt(most / static_cast<double>(motion.x.size()));
+  const std::vector<ToolSpring>& tools = m_body.system.tools();
   const bool moves = !m_loads.moving().empty() ||
-                     std::any_of(m_body.system.tools().begin(), m_body.system.tools().end(),
+                     std::any_of(tools.begin(), tools.end(),
                                  [](const ToolSpring& tool) { return !tool.targetVelocity.isZero(); });
-  if (m_mode != Mode::Whole || moves || motion.x.size() > Settling::kMostNodes) return false;
-  if (speed * kFrame > kNear * within) {
-    m_settlingSpeed = std::numeric_limits<double>::infinity();
-    return false;
-  }
-  if (m_looksToSettle > 0 && speed > m_settlingSpeed) {
-    --m_looksToSettle;
-    return false;
-  }
-  const bool isFirst = !m_settling.isLaidOut();
-  const double layout = kLayoutCost * static_cast<double>(motion.x.size());
-  if (isFirst && layout > std::min(m_settlingWork, kLongestLayout * m_settings.effort)) return false;
-  if (isFirst) m_settling.layOut(m_body.system);
-  const double cost = m_settling.cost();
-  if (cost > std::min(isFirst ? m_settlingWork : m_settlingWork / kPatience, m_settings.effort)) return false;
-  const double missed = m_settling.settle(m_body.system, m_body.motion, most, report);
-  m_settlingWork = 0.0;
-  m_looksToSettle = kLongestWait;
-  m_settlingSpeed = 0.9 * speed / std::sqrt(std::max(missed, 1.0));
-  return missed <= 1.0;
+  return m_mode == Mode::Whole && !moves &&
+         m_settling.settleIfDue(m_body.system, m_body.motion, m_driver.errorScale().speed, budget(),
+                                m_settings.effort, report);
 }
 
 FastestMode RegionDriver::fastestMode()

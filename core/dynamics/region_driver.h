@@ -112,9 +112,6 @@ private:
   LoadWatch m_loads;
   SleepingTensions m_tensions;
   Settling m_settling;
-  double m_settlingSpeed = 0.0; ///< below which the next attempt comes [m/s]
-  int m_looksToSettle = 0;      ///< or after so many looks
-  double m_settlingWork = 0.0;  ///< since the last attempt [spring evaluations]
   SubNetCutter m_cutter;
   StepBound m_wholeBound;
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/settling.h"
 
+#include "core/dynamics/frame.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,24 +17,26 @@ constexpr double kLeft = 0.5;
 
 /// Of the mean square over the nodes, that a single one may miss: nobody shall see one spot stop at a blow.
 constexpr double kMostLocal = 25.0;
-
-double squareSum(const NodeArray& a) noexcept
-{
-  double sum = 0.0;
-  for (const Lanes& value : a) sum += dot(value, value);
-  return sum;
-}
+constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
+constexpr double kNear = 5.0; ///< speeds with which nets of usual frequencies are as near as they must be
+constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
+constexpr double kLongestLayout = 4.0; ///< frames
+constexpr double kPatience = 3.0;
+constexpr int kLongestWait = 32; ///< looks
 
 } // namespace
 
 /// Forces on nodes at x that stand still, into m_force; 0 where a support holds. @return their norm [N].
-double Settling::forcesAt(System& system, double time, NodeArray& x)
+double Settling::forcesAt(System& system, double time, NodeArray& x, StepReport& report)
 {
+  const std::int64_t before = system.springsEvaluated;
   m_still.assign(x.size(), Lanes{0, 0, 0, 0});
+  m_force.resize(x.size());
   system.evaluate(time, x, m_still, m_force);
+  report.springsEvaluated += system.springsEvaluated - before;
   for (std::size_t i = 0; i < x.size(); ++i)
     if (!system.isFree(i)) m_force[i] = Lanes{0, 0, 0, 0};
-  return std::sqrt(squareSum(m_force));
+  return std::sqrt(sumOfSquares(m_force));
 }
 
 void Settling::layOut(const System& system)
@@ -41,17 +45,52 @@ void Settling::layOut(const System& system)
   m_isLaidOut = true;
 }
 
+void Settling::begin() noexcept
+{
+  forget();
+  m_dueSpeed = m_work = 0.0;
+  m_looksLeft = 0;
+}
+
+/// Lays out, where that alone can be afforded: only then is it known what a factor costs.
+bool Settling::isAffordable(const System& system, double effort)
+{
+  const bool isFirst = !m_isLaidOut;
+  const double layout = kLayoutCost * static_cast<double>(system.nodeCount());
+  if (isFirst && layout > std::min(m_work, kLongestLayout * effort)) return false;
+  if (isFirst) layOut(system);
+  const double cost = m_matrix.factorCost() + 2.0 * m_matrix.solveCost();
+  return cost <= std::min(isFirst ? m_work : m_work / kPatience, effort);
+}
+
+bool Settling::settleIfDue(System& system, MotionState& motion, double speed, double mostSquare,
+                           double effort, StepReport& report)
+{
+  const double within = std::sqrt(mostSquare / static_cast<double>(motion.x.size()));
+  if (motion.x.size() > kMostNodes) return false;
+  if (speed * kFrame > kNear * within) {
+    m_dueSpeed = std::numeric_limits<double>::infinity();
+    return false;
+  }
+  if (m_looksLeft > 0 && speed > m_dueSpeed) {
+    --m_looksLeft;
+    return false;
+  }
+  if (!isAffordable(system, effort)) return false;
+  const double missed = settle(system, motion, mostSquare, report);
+  m_work = 0.0;
+  m_looksLeft = kLongestWait;
+  m_dueSpeed = 0.9 * speed / std::sqrt(std::max(missed, 1.0));
+  return missed <= 1.0;
+}
+
 double Settling::settle(System& system, MotionState& motion, double mostSquare, StepReport& report)
 {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
-  const std::int64_t springsBefore = system.springsEvaluated;
-  const auto count = [&] { report.springsEvaluated += system.springsEvaluated - springsBefore; };
-  m_force.resize(motion.x.size());
   m_matrix.constraintsChanged(system);
   m_goal = motion.x;
-  const double force = forcesAt(system, motion.time, m_goal);
+  const double force = forcesAt(system, motion.time, m_goal, report);
   ++report.factorizations;
-  count();
   if (!m_matrix.factor(system, motion.x, m_still, {kInertia, 0.0, 1.0}, false) ||
       m_matrix.negativePivots() > 0)
     return kUnknown;
@@ -60,14 +99,15 @@ double Settling::settle(System& system, MotionState& motion, double mostSquare, 
   m_matrix.solve(m_swing);
   m_way = m_force;
   m_matrix.solve(m_way);
-  double missed = squareSum(m_way) + std::sqrt(squareSum(motion.v) * squareSum(m_swing)), local = 0.0;
+  double missed = sumOfSquares(m_way) + std::sqrt(sumOfSquares(motion.v) * sumOfSquares(m_swing)),
+         local = 0.0;
   for (std::size_t i = 0; i < m_way.size(); ++i)
     local = std::max(local, dot(m_way[i], m_way[i]) +
                               std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
   missed = std::max(missed, local / kMostLocal * static_cast<double>(m_way.size()));
   if (!(missed <= mostSquare)) return std::isfinite(missed) ? missed / mostSquare : kUnknown;
   for (std::size_t i = 0; i < m_goal.size(); ++i) m_goal[i] += m_way[i];
-  if (!(forcesAt(system, motion.time, m_goal) <= kLeft * force)) return kUnknown;
+  if (!(forcesAt(system, motion.time, m_goal, report) <= kLeft * force)) return kUnknown;
   const double loads = system.loadPower(motion.time, m_way); // over the way: their work
   motion.work += loads;
   motion.heat +=

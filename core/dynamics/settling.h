@@ -17,11 +17,20 @@ namespace esm {
 /// @note One thread. Allocates when a net is laid out.
 class Settling {
 public:
-  static constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
-
-  void forget() noexcept { m_isLaidOut = false; } ///< another net, other parameters
-  bool isLaidOut() const noexcept { return m_isLaidOut; }
+  void begin() noexcept;                          ///< after creation and reset of the net
+  void forget() noexcept { m_isLaidOut = false; } ///< other parameters
   void layOut(const System& system);
+  /// The net has moved at this cost [spring evaluations].
+  void countWork(std::int64_t springs) noexcept { m_work += static_cast<double>(springs); }
+  /// settle() where it is worth a try, which it seldom is: the first attempt costs no more than what has been
+  /// done until then, others a third of the work since the last one, and they come when the net is as slow as
+  /// it should be by what that one found. Nobody should wait for them longer than some frames, and nobody
+  /// sees these, since nothing moves much.
+  /// @param speed  of the net now, RMS over its nodes [m/s]
+  /// @param effort  see SolverSettings
+  /// @return whether the net is at rest now. @pre no load moves.
+  bool settleIfDue(System& system, MotionState& motion, double speed, double mostSquare, double effort,
+                   StepReport& report);
   /// Moves the net into balance and takes its velocity, if no more than `mostSquare` [m^2], a sum of squares
   /// of displacements over the nodes, is missed by that, nor at a single node more than five times the mean;
   /// its energy becomes heat. Nothing is done if more is missed, if the stiffness is not positive definite
@@ -29,14 +38,16 @@ public:
   /// @pre layOut(), and no load moves.
   /// @return what is missed over `mostSquare`; infinity where it cannot be told; done if <= 1.
   double settle(System& system, MotionState& motion, double mostSquare, StepReport& report);
-  /// Of an attempt, in spring evaluations. @pre layOut()
-  double cost() const noexcept { return m_matrix.factorCost() + 2.0 * m_matrix.solveCost(); }
 
 private:
-  double forcesAt(System& system, double time, NodeArray& x);
+  double forcesAt(System& system, double time, NodeArray& x, StepReport& report);
+  bool isAffordable(const System& system, double effort);
 
   ImplicitMatrix m_matrix;
   bool m_isLaidOut = false;
+  double m_dueSpeed = 0.0; ///< below which the next attempt comes [m/s]
+  int m_looksLeft = 0;     ///< or after so many looks
+  double m_work = 0.0;     ///< since the last attempt [spring evaluations]
   NodeArray m_force, m_still, m_goal;
   NodeArray m_way, m_swing; ///< K^-1 F, K^-1 M v
 };

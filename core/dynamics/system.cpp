@@ -87,6 +87,25 @@ ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, const La
   for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor[i];
 }
 
+ESM_CPU_CLONES double sumOfSquares(const NodeArray& a) noexcept
+{
+  const auto take = [values = a.data()](std::size_t i, Lanes& to) noexcept { to += values[i] * values[i]; };
+  Lanes sum;
+  sumOver(a.size(), take, sum);
+  return sumLanes(sum);
+}
+
+ESM_CPU_CLONES double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept
+{
+  const auto take = [from = a.data(), to = b.data()](std::size_t i, Lanes& sum) noexcept {
+    const Lanes d = from[i] - to[i];
+    sum += d * d;
+  };
+  Lanes sum;
+  sumOver(a.size(), take, sum);
+  return sumLanes(sum);
+}
+
 void System::toAccelerations(NodeArray& force) const noexcept
 {
   sweepNodes([&](std::size_t first, std::size_t count) noexcept {

@@ -112,6 +112,10 @@ private:
   std::vector<std::uint8_t> m_fixed;
 };
 
+/// Of all lanes of the nodes, and of the differences of two arrays.
+double sumOfSquares(const NodeArray& a) noexcept;
+double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept; ///< @pre of one size
+
 /// to = factor from, node by node; both may be the same array.
 void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept;
 

@@ -53,8 +53,7 @@ public:
     const double k = batch.stiffness[i];
     const double strain = e / batch.restLength[i];
     const double stiffening = batch.parameter[i] * (strain * strain);
-    return {k * e * (1.0 + stiffening), k * (1.0 + 3.0 * stiffening),
-            0.5 * k * e * e * (1.0 + 0.5 * stiffening)};
+    return {k * e * (1.0 + stiffening), k * (1.0 + 3.0 * stiffening)};
   }
 };
 

@@ -3,7 +3,6 @@
 #include "core/forces/spring_pass.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace esm {
 namespace {
@@ -47,11 +46,17 @@ ESM_INLINE void expParts(const Values& s, ExpParts<Values>& parts) noexcept
 
 /// exp(s) - 1 = 2^n (exp(r) - 1) + (2^n - 1) loses nothing near 0.
 template <class Values>
+ESM_INLINE void minusOne(const ExpParts<Values>& parts, Values& result) noexcept
+{
+  result = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0);
+}
+
+template <class Values>
 ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
 {
   ExpParts<Values> parts;
   expParts(s, parts);
-  result = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0);
+  minusOne(parts, result);
 }
 
 /// s, or the limit that it is beyond.
@@ -82,14 +87,15 @@ struct Exponential {
   ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
                                 Values& result) noexcept
   {
-    Values factor, rate, inside;
+    Values factor, rate, inside, growth;
     detail::loadLanes(&batch.factor[i], factor);
     detail::loadLanes(&batch.growth[i], rate);
     const Values s = rate * e;
     keepInside(s, inside);
     ExpParts<Values> parts;
     expParts(inside, parts);
-    const Values growth = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0), outside = s - inside;
+    minusOne(parts, growth);
+    const Values outside = s - inside;
     const Values line = parts.power == 1.0 ? parts.beyond : growth - inside;
     result = factor / rate * (line + growth * outside + 0.5 * (growth + 1.0) * outside * outside);
   }
@@ -112,15 +118,6 @@ double expMinusOne(double s) noexcept
   return result[0];
 }
 
-/// exp(s) - 1 - s, without cancellation near 0; growth = exp(s) - 1.
-double expMinusLine(double s, double growth) noexcept
-{
-  if (std::abs(s) > 0.1) return growth - s;
-  double term = 0.5 * s * s, sum = term; // s^2/2! + s^3/3! + ...; s^12/12! is 2e-21
-  for (int n = 3; n <= 12; ++n) sum += term *= s / n;
-  return sum;
-}
-
 class ExponentialLaw final : public SpringLawKernel {
 public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -141,12 +138,7 @@ public:
     const double inside = std::min(std::max(s, -kLargestExponent), kLargestExponent);
     const double outside = s - inside; // along the tangent
     const double growth = expMinusOne(inside), slope = growth + 1.0;
-    SpringResponse response;
-    response.tension = k * scale * (growth + slope * outside);
-    response.tangent = k * slope;
-    response.energy =
-      k * scale * scale * (expMinusLine(inside, growth) + growth * outside + 0.5 * slope * outside * outside);
-    return response;
+    return {k * scale * (growth + slope * outside), k * slope};
   }
 };
 

@@ -57,7 +57,6 @@ struct SpringSums {
 struct SpringResponse {
   double tension = 0.0; ///< f(e) [N]
   double tangent = 0.0; ///< df/de [N/m]
-  double energy = 0.0;  ///< integral of f from 0 to e [J]
 };
 
 /// One elastic law. Implementations are stateless and live for ever; see springLawKernel() for the table.
@@ -76,8 +75,8 @@ public:
   virtual SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                                Lanes* damper) const noexcept = 0;
 
-  /// The energy of a whole batch [J], with equal bits on every CPU; here one spring after the other.
-  virtual double energy(const SpringBatch& batch, const Lanes* x) const noexcept;
+  /// The energy of a whole batch, the integrals of f from 0 to e [J]; equal bits, as above.
+  virtual double energy(const SpringBatch& batch, const Lanes* x) const noexcept = 0;
 
   /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents and
   /// tests.

@@ -52,6 +52,17 @@ struct Table {
       f[lane] = batch.stiffness[i + lane] * length * valueAt(tableOf(batch, i + lane), e[lane] / length);
     }
   }
+  template <class Values>
+  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
+                                Values& result) noexcept
+  {
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const ForceTable& table = tableOf(batch, i + lane);
+      const double length = batch.restLength[i + lane];
+      result[lane] = batch.stiffness[i + lane] * length * length *
+                     (integralTo(table, e[lane] / length) - integralTo(table, 0.0));
+    }
+  }
 };
 
 class TableLaw final : public SpringLawKernel {
@@ -62,12 +73,16 @@ public:
     return detail::springPass<Table, detail::FourEnds>(batch, x, v, force, damper);
   }
 
+  double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
+  {
+    return detail::energyPass<Table>(batch, x);
+  }
+
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override
   {
     const ForceTable& table = tableOf(batch, i);
     const double k = batch.stiffness[i], rest = batch.restLength[i], strain = e / rest;
-    return {k * rest * valueAt(table, strain), k * slopeOf(table, pieceAt(table, strain)),
-            k * rest * rest * (integralTo(table, strain) - integralTo(table, 0.0))};
+    return {k * rest * valueAt(table, strain), k * slopeOf(table, pieceAt(table, strain))};
   }
 };
 

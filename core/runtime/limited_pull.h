@@ -8,6 +8,13 @@
 
 namespace esm {
 
+/// The force, or one of this size along it [N].
+inline Eigen::Vector3d limitedForce(const Eigen::Vector3d& force, double maxForce)
+{
+  const double norm = force.norm();
+  return norm > maxForce ? Eigen::Vector3d(force * (maxForce / norm)) : force;
+}
+
 /// A tool's spring that pulls with no more than a limit, whatever its length: its end is moved closer, to
 /// where it pulls with the limit, and from twice that distance on it also softens, by octaves. So the force
 /// changes little while the tissue moves within a frame, and the stiffness changes rarely, which spares the

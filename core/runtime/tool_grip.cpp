@@ -91,8 +91,7 @@ Eigen::Vector3d ToolGrip::forceOnHand(const NetState& state) const
   const ToolSpring tool = spring(state);
   const Eigen::Vector3d force = tool.stiffness * (state.position.col(m_node) - tool.target) +
                                 tool.viscosity * (state.velocity.col(m_node) - m_targetVelocity);
-  const double norm = force.norm();
-  return norm > m_maxForce ? Eigen::Vector3d(force * (m_maxForce / norm)) : force;
+  return limitedForce(force, m_maxForce);
 }
 
 ContactModel ToolGrip::contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const

@@ -328,8 +328,7 @@ Eigen::Vector3d ToolTip::forceOnHand(const NetState& state) const
     force += spring.stiffness * (state.position.col(spring.node) - spring.target) +
              spring.viscosity * (state.velocity.col(spring.node) - spring.targetVelocity);
   if (force.dot(m_normal) <= 0.0) return Eigen::Vector3d::Zero(); // leaving faster than the surface follows
-  const double norm = force.norm();
-  return norm > m_maxForce ? Eigen::Vector3d(force * (m_maxForce / norm)) : force;
+  return limitedForce(force, m_maxForce);
 }
 
 ContactModel ToolTip::contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const
