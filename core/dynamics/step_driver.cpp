@@ -54,7 +54,7 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
       for (Candidate& candidate : m_candidates)
         if (candidate.prepared) candidate.integrator->constraintsChanged(system);
       m_checkGap = 1;
-      m_stepsSinceBound = std::numeric_limits<std::int64_t>::max() / 2;
+      m_sinceBound = kInfinity;
     } else {
       current().restart();
     }
@@ -80,7 +80,7 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
   if (result == StepResult::NotConverged) return Run::NotConverged;
   if (isLimited) return Run::Limit;
   report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
-  m_stepsSinceBound += steps;
+  m_sinceBound += static_cast<double>(steps) * passesOf(system, h);
   return Run::Done;
 }
 
@@ -311,15 +311,25 @@ void StepDriver::keep(const System& system, const MotionState& state, double err
 void StepDriver::setBound(const System& system, const MotionState& state)
 {
   m_mode = m_bound.compute(system, state.x, state.v);
-  m_stepsSinceBound = 0;
+  m_sinceBound = 0.0;
   for (Candidate& candidate : m_candidates) candidate.integrator->tune(system, m_mode);
   weighLeastCost(system);
 }
 
+/// Of a step, in force passes; an implicit one counts as one.
+double StepDriver::passesOf(const System& system, double step)
+{
+  return m_method == m_implicit
+           ? 1.0
+           : current().stepCost(system, step) / std::max(system.forces().passCost(), 1.0);
+}
+
+/// The bound costs about twenty passes. It follows what stiffens within some frames, and what turns and
+/// bends.
 void StepDriver::refreshBound(const System& system, const MotionState& state)
 {
-  const std::int64_t patience = m_method == m_implicit ? 32 : system.forces().isNonlinear() ? 128 : 512;
-  if (m_stepsSinceBound >= patience) setBound(system, state);
+  const double patience = m_method == m_implicit ? 32.0 : system.forces().isNonlinear() ? 384.0 : 768.0;
+  if (m_sinceBound >= patience) setBound(system, state);
 }
 
 FastestMode StepDriver::fastestMode(const System& system, const MotionState& state)

@@ -118,6 +118,7 @@ private:
   double cost(Method method, const System& system);
   void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
+  double passesOf(const System& system, double step);
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system, double patience);
@@ -166,7 +167,7 @@ private:
   std::vector<Candidate> m_candidates; ///< in the table's order
   StepBound m_bound;
   FastestMode m_mode;
-  std::int64_t m_stepsSinceBound = 0;
+  double m_sinceBound = 0.0; ///< work since m_mode was found, see refreshBound() [force passes]
   bool m_toleranceGivenUp = false;
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
   double m_leastCost = 0.0;             ///< of a frame, whatever the tolerance [spring evaluations]

@@ -155,6 +155,35 @@ TEST(Spectrum, DecayIsBoundedByMoreThanTheDamping)
     }
 }
 
+// A spring along a damper holds up what that brakes: r^2 - (c/m) r + k/m = 0. Turned across it, it does not,
+// and the node decays with c/m, while no row sum has changed. A look or two later the bound must know.
+TEST(Spectrum, DecayIsMeasuredAnewWhereSpringsTurn)
+{
+  const double mass = 1e-3, k = 100.0, c = 0.7;
+  SpringNet net;
+  const Index node = addNode(net, {0.0, 0.0, 0.0}), springEnd = addNode(net, {1.0, 0.0, 0.0}),
+              damperEnd = addNode(net, {-1.0, 0.0, 0.0});
+  net.mass << mass, 1e6, 1e6; // the ends stay where they are
+  addSpring(net, node, springEnd, k);
+  addSpring(net, node, damperEnd, 1e-6, c);
+  System system(net, {});
+  MotionState state;
+  state.x.resize(static_cast<std::size_t>(net.nodeCount()));
+  state.v.assign(state.x.size(), Lanes{0, 0, 0, 0});
+  copyNodes(net.restPosition, state.x);
+  system.enter(state, true);
+  StepBound bound;
+  bound.prepare(system);
+  const double along = bound.compute(system, state.x, state.v).decay;
+  const double fast = (c / mass + std::sqrt(c * c / mass / mass - 4.0 * k / mass)) / 2.0;
+  EXPECT_GE(along, fast);
+  EXPECT_LE(along, 0.8 * c / mass);
+  state.x[static_cast<std::size_t>(springEnd)] = Lanes{0.0, 1.0, 0.0, 0.0};
+  double across = 0.0;
+  for (int look = 0; look < 2; ++look) across = bound.compute(system, state.x, state.v).decay;
+  EXPECT_GE(across, c / mass);
+}
+
 // A tridiagonal matrix with 2 on the diagonal and -1 beside it has the eigenvalues 2 - 2 cos(k pi/(n + 1)).
 TEST(Spectrum, TridiagonalEigenvalueInClosedForm)
 {
