@@ -20,11 +20,20 @@ constexpr double kUnfolding = 0.01;
 /// share: errors of lively motion are the least sure.
 constexpr double kSpending = 0.3, kMostShare = 3.0;
 constexpr double kForGood = 10.0; ///< lifetime of an error that is spent for good [s]
+/// What follows the first motion, which dampers brake the most, lives longer than that tells.
+constexpr double kSlowerThanFirst = 4.0;
 
 /// Over `count` nodes, of which those that were not summed have the value 0.
 double rms(double sum, std::size_t count) noexcept
 {
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
+}
+
+/// Amplitudes of what oscillates fade by the rate heat / (4 kinetic energy); slow modes, where errors gather,
+/// by a quarter of that. @return time in which they do [s]
+double fadingTime(const ErrorScale& scale) noexcept
+{
+  return 16.0 * scale.recentKinetic / scale.recentHeat;
 }
 
 } // namespace
@@ -35,6 +44,7 @@ void ErrorGauge::begin(const NodeArray& x, double extent)
   m_count = x.size();
   m_squareElsewhere = 0.0;
   m_extent = extent;
+  m_guessedLifetime = 0.0;
   m_scale = ErrorScale{};
 }
 
@@ -77,6 +87,14 @@ ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start
   next.recentKinetic = fade * next.recentKinetic + system.kineticEnergy(end.v) * length;
   next.recentPath = fade * next.recentPath + next.speed * next.speed * length;
   return next;
+}
+
+void ErrorGauge::guessLifetime(const System& system, const MotionState& start,
+                               const MotionState& end) noexcept
+{
+  if (m_scale.recentPath > 0.0) return;
+  const ErrorScale next = scaleAfter(system, start, end, 0.0, 1.0);
+  m_guessedLifetime = next.recentHeat > 0.0 ? kSlowerThanFirst * fadingTime(next) : 0.0;
 }
 
 double ErrorGauge::budget(double tolerance, const MotionState& state, double length,
@@ -130,17 +148,15 @@ double ErrorGauge::slowDistance(const System& system, const NodeArray& otherV,
   return time * std::abs(along) / all * rms(sumOfSquares(state.x, m_rest), m_count);
 }
 
-/// How long an error lives [s]; infinity without damping. It fades as the motion itself does. Amplitudes of
-/// what oscillates fade by the rate heat / (4 kinetic energy); slow modes, where errors gather, by a quarter
-/// of that. What creeps fades in the time that it takes to its goal, displacement over speed. Both are
+/// How long an error lives [s]; infinity without damping. It fades as the motion itself does: what oscillates
+/// in its fadingTime(), what creeps in the time that it takes to its goal, displacement over speed. Both are
 /// averaged over the last fifth of a second.
 double ErrorGauge::lifetime() const noexcept
 {
   if (!(m_scale.recentHeat > 0.0) || !(m_scale.recentPath > 0.0))
-    return std::numeric_limits<double>::infinity();
+    return m_guessedLifetime > 0.0 ? m_guessedLifetime : std::numeric_limits<double>::infinity();
   const double creeping = 2.0 * m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath);
-  const double fading = 16.0 * m_scale.recentKinetic / m_scale.recentHeat;
-  return std::max(fading, creeping);
+  return std::max(fadingTime(m_scale), creeping);
 }
 
 /// Time over which errors add up [s]: without damping from the start on.

@@ -44,6 +44,8 @@ public:
   /// @param power  with which errors grow over time, see errorPower()
   ErrorScale scaleAfter(const System& system, const MotionState& start, const MotionState& end, double error,
                         double power) const noexcept;
+  /// After the first stretch since begin() has been tried: until then nothing tells how long errors live.
+  void guessLifetime(const System& system, const MotionState& start, const MotionState& end) noexcept;
   /// Loads have jumped or bent.
   void markEvent() noexcept { m_scale.calm = 0.0; }
 
@@ -72,6 +74,7 @@ private:
   std::size_t m_count = 0;
   double m_squareElsewhere = 0.0;
   double m_extent = 1.0;
+  double m_guessedLifetime = 0.0; ///< before any motion [s]; 0: errors seem to live for ever
   ErrorScale m_scale;
 };
 

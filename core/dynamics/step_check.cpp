@@ -31,6 +31,8 @@ constexpr int kProbes = 2, kLongestProbeGap = 4; ///< checks
 /// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
 /// and of parts, that make cutting the stretch worth while.
 constexpr double kOnsetError = 20.0, kOnsetParts = 16.0;
+/// After the event, in which an onset may begin [s]: a stretch that is done twice is half a frame.
+constexpr double kLatestOnset = 0.6 * kFrame;
 constexpr double kOnsetShare = 1.0 / 16.0; ///< of a frame: what each part may err as much as
 
 /// To the step that would just spend the budget, of which the present one spends this share.
@@ -113,6 +115,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   const double slow = m_gauge.slowDistance(system, m_coarseV, state);
   const double coarseError = std::max(apart, slow) * ratio / (ratio - 1.0);
   if (m_look.steps > 0) m_errorPower = ErrorGauge::errorPower(m_look.error, apart, m_look.share);
+  m_gauge.guessLifetime(system, m_start, state);
   const double allowed = budget(state, length);
   const bool isFine = coarseError / ratio <= allowed;
   // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
@@ -175,10 +178,10 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
   return std::nullopt;
 }
 
-/// What is known before the first stretch after an event.
+/// What is known before the first stretches after an event.
 void StepDriver::rememberBeforeOnset()
 {
-  if (m_onset.longest > 0.0 || m_gauge.scale().calm > 0.0) return;
+  if (m_onset.longest > 0.0 || m_gauge.scale().calm > kLatestOnset) return;
   m_onset.method = m_method;
   std::copy(m_candidates.begin(), m_candidates.end(), m_onset.known.begin());
 }
@@ -187,7 +190,7 @@ void StepDriver::rememberBeforeOnset()
 /// @return length of the next attempt, of which `count` steps would have made the present one [s]
 double StepDriver::beginOnset(double length, double count) noexcept
 {
-  const bool isFirst = m_gauge.scale().calm <= 0.0 && m_onset.longest <= 0.0;
+  const bool isFirst = m_gauge.scale().calm <= kLatestOnset && m_onset.longest <= 0.0;
   const bool isPayable = 2.0 * m_leastCost <= m_settings.effort; // else it is for plain steps only
   if (!m_auto || !isFirst || !(m_checkedShare > kOnsetError) || count < kOnsetParts || !isPayable)
     return length;

@@ -216,11 +216,12 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
 }
 
 /// The method that would be cheapest at its stability limit, and cheap enough to change to, of those whose
-/// turn it is.
+/// turn it is and whose errors, by what is known or guessed, leave a hope.
 /// @param step  receives the smallest with which it would be cheap enough [s]
 std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double& step)
 {
-  constexpr double kGain = 0.7; // of the present cost: below the patience of reconsider()
+  constexpr double kGain = 0.7;   // of the present cost: below the patience of reconsider()
+  constexpr double kHope = 100.0; // of the budget: guesses are that far off
   const double wanted = kGain * cost(m_method, system);
   double least = wanted;
   std::optional<Method> best;
@@ -230,9 +231,11 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
     const double stable = std::min(stableStep(candidate), kFrame);
     const double atLimit = candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
     if (atLimit >= least) continue;
+    const double tried = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
+    if (std::pow(tried / candidate.accurateStep, candidate.integrator->order()) > kHope) continue;
     least = atLimit;
     best = method;
-    step = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
+    step = tried;
   }
   return best;
 }
