@@ -30,10 +30,11 @@ double rms(double sum, std::size_t count) noexcept
 }
 
 /// Amplitudes of what oscillates fade by the rate heat / (4 kinetic energy); slow modes, where errors gather,
-/// by a quarter of that. @return time in which they do [s]
+/// by a quarter of that. @return time in which they do [s]; infinity without damping
 double fadingTime(const ErrorScale& scale) noexcept
 {
-  return 16.0 * scale.recentKinetic / scale.recentHeat;
+  return scale.recentHeat > 0.0 ? 16.0 * scale.recentKinetic / scale.recentHeat
+                                : std::numeric_limits<double>::infinity();
 }
 
 } // namespace
@@ -44,7 +45,7 @@ void ErrorGauge::begin(const NodeArray& x, double extent)
   m_count = x.size();
   m_squareElsewhere = 0.0;
   m_extent = extent;
-  m_guessedLifetime = 0.0;
+  m_guessedLifetime = std::numeric_limits<double>::infinity();
   m_scale = ErrorScale{};
 }
 
@@ -93,8 +94,7 @@ void ErrorGauge::guessLifetime(const System& system, const MotionState& start,
                                const MotionState& end) noexcept
 {
   if (m_scale.recentPath > 0.0) return;
-  const ErrorScale next = scaleAfter(system, start, end, 0.0, 1.0);
-  m_guessedLifetime = next.recentHeat > 0.0 ? kSlowerThanFirst * fadingTime(next) : 0.0;
+  m_guessedLifetime = kSlowerThanFirst * fadingTime(scaleAfter(system, start, end, 0.0, 1.0));
 }
 
 double ErrorGauge::budget(double tolerance, const MotionState& state, double length,
@@ -153,8 +153,7 @@ double ErrorGauge::slowDistance(const System& system, const NodeArray& otherV,
 /// averaged over the last fifth of a second.
 double ErrorGauge::lifetime() const noexcept
 {
-  if (!(m_scale.recentHeat > 0.0) || !(m_scale.recentPath > 0.0))
-    return m_guessedLifetime > 0.0 ? m_guessedLifetime : std::numeric_limits<double>::infinity();
+  if (!(m_scale.recentPath > 0.0)) return m_guessedLifetime;
   const double creeping = 2.0 * m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath);
   return std::max(fadingTime(m_scale), creeping);
 }

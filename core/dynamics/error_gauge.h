@@ -74,7 +74,7 @@ private:
   std::size_t m_count = 0;
   double m_squareElsewhere = 0.0;
   double m_extent = 1.0;
-  double m_guessedLifetime = 0.0; ///< before any motion [s]; 0: errors seem to live for ever
+  double m_guessedLifetime = 0.0; ///< of errors, until motion tells it [s]; set by begin()
   ErrorScale m_scale;
 };
 

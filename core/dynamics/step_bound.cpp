@@ -219,7 +219,7 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
   // hardly tell: a tube that springs back was seen to go from 0.88 to 1 while its sums moved by 2 %.
   constexpr int kPatience = 2;
   ++m_sinceDecay;
-  if ((isNew || (m_decayShare < 0.97 && m_sinceDecay >= kPatience)) && std::isfinite(mode.damping)) {
+  if ((isNew || (m_decayShare < 1.0 && m_sinceDecay >= kPatience)) && std::isfinite(mode.damping)) {
     m_decayShare = mode.damping > 0.0 ? measureDecay(system, mode) / mode.damping : 1.0;
     m_sinceDecay = 0;
   }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
+#include "core/dynamics/system.h"
 
 #include <gtest/gtest.h>
 
@@ -28,6 +29,17 @@ inline SolverSettings fixedSteps(const std::string& solver, double step)
   settings.solver = solver;
   settings.fixedStep = step;
   return settings;
+}
+
+/// The net as it stands at the start, for tests of a part of the engine; still to enter() a System.
+inline MotionState startOf(const SpringNet& net)
+{
+  MotionState state;
+  state.x.resize(static_cast<std::size_t>(net.nodeCount()));
+  state.v.assign(state.x.size(), Lanes{0, 0, 0, 0});
+  copyNodes(net.restPosition, state.x);
+  if (net.initialVelocity.cols() > 0) copyNodes(net.initialVelocity, state.v);
+  return state;
 }
 
 /// kinetic + elastic + gravity + heat - work: constant in time, whatever happens.

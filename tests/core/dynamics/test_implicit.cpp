@@ -21,11 +21,7 @@ struct Motion {
 
 Motion begin(const SpringNet& net, const Loads& loads, std::unique_ptr<Integrator> method, double tolerance)
 {
-  Motion motion{System(net, loads), std::move(method), {}, {}};
-  motion.state.x.resize(motion.system.nodeCount());
-  motion.state.v.assign(motion.system.nodeCount(), Lanes{0, 0, 0, 0});
-  copyNodes(net.restPosition, motion.state.x);
-  if (net.initialVelocity.cols() > 0) copyNodes(net.initialVelocity, motion.state.v);
+  Motion motion{System(net, loads), std::move(method), startOf(net), {}};
   motion.system.enter(motion.state, true);
   motion.method->prepare(motion.system);
   motion.method->setSolveTolerance(tolerance, false);
@@ -128,10 +124,7 @@ TEST(ImplicitMatrix, IsTheDerivativeOfTheResidual)
   for (const SpringLaw law : {SpringLaw::Linear, SpringLaw::Cubic, SpringLaw::Exponential}) {
     const SpringNet net = randomNet(3, 20, law);
     System system(net, {});
-    MotionState state;
-    state.x.resize(20);
-    copyNodes(net.restPosition, state.x);
-    state.v.assign(20, Lanes{0, 0, 0, 0});
+    MotionState state = startOf(net);
     system.enter(state, true);
     ImplicitMatrix matrix;
     matrix.prepare(system);

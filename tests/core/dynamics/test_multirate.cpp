@@ -5,6 +5,7 @@
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/multirate_layout.h"
 #include "tests/support/nets.h"
+#include "tests/support/physics.h"
 
 #include <gtest/gtest.h>
 
@@ -30,11 +31,7 @@ struct Trial {
 
 Trial begin(const SpringNet& net, const Loads& loads = {})
 {
-  Trial run{System(net, loads), {}, {}};
-  run.state.x.resize(static_cast<std::size_t>(net.nodeCount()));
-  run.state.v.assign(run.state.x.size(), Lanes{0, 0, 0, 0});
-  copyNodes(net.restPosition, run.state.x);
-  if (net.initialVelocity.cols() > 0) copyNodes(net.initialVelocity, run.state.v);
+  Trial run{System(net, loads), startOf(net), {}};
   run.system.enter(run.state, true);
   return run;
 }

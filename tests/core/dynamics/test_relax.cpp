@@ -17,10 +17,7 @@ public:
   explicit Relaxation(const SpringNet& net, const Loads& loads = {})
     : m_system(net, loads), m_relax(makeRelax())
   {
-    state.x.resize(m_system.nodeCount());
-    state.v.assign(m_system.nodeCount(), Lanes{0, 0, 0, 0});
-    copyNodes(net.restPosition, state.x);
-    if (net.initialVelocity.cols() > 0) copyNodes(net.initialVelocity, state.v);
+    state = startOf(net);
     m_system.enter(state, true);
     m_relax->prepare(m_system);
     m_relax->setSolveTolerance(1e-11, false);

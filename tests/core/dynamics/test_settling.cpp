@@ -4,6 +4,7 @@
 // The last part of the way to rest is taken in one go, where it is known how long it is.
 #include "core/dynamics/settling.h"
 #include "tests/core/dynamics/skip_nets.h"
+#include "tests/support/physics.h"
 
 #include <cmath>
 
@@ -103,10 +104,7 @@ TEST(Settling, LetsASingleSpotSwingOn)
   SpringNet net;
   for (int i = 0; i < 100; ++i) addAnchor(net, addNode(net, {0.01 * i, 0, 0}), {0.01 * i, 0, 0}, 400.0);
   System system(net, {});
-  MotionState motion;
-  motion.x.resize(100);
-  copyNodes(net.restPosition, motion.x);
-  motion.v.assign(100, Lanes{0, 0, 0, 0});
+  MotionState motion = startOf(net);
   motion.x[50][1] += 1e-3;
   system.enter(motion, true);
   Settling settling;

@@ -21,10 +21,7 @@ namespace {
 FastestMode boundOf(const SpringNet& net)
 {
   System system(net, {});
-  MotionState state;
-  state.x.resize(static_cast<std::size_t>(net.nodeCount()));
-  state.v.assign(state.x.size(), Lanes{0, 0, 0, 0});
-  copyNodes(net.restPosition, state.x);
+  MotionState state = startOf(net);
   system.enter(state, true);
   StepBound bound;
   bound.prepare(system);
@@ -167,10 +164,7 @@ TEST(Spectrum, DecayIsMeasuredAnewWhereSpringsTurn)
   addSpring(net, node, springEnd, k);
   addSpring(net, node, damperEnd, 1e-6, c);
   System system(net, {});
-  MotionState state;
-  state.x.resize(static_cast<std::size_t>(net.nodeCount()));
-  state.v.assign(state.x.size(), Lanes{0, 0, 0, 0});
-  copyNodes(net.restPosition, state.x);
+  MotionState state = startOf(net);
   system.enter(state, true);
   StepBound bound;
   bound.prepare(system);

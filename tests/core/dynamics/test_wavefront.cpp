@@ -5,6 +5,7 @@
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/wavefront_order.h"
 #include "tests/support/nets.h"
+#include "tests/support/physics.h"
 
 #include <gtest/gtest.h>
 
@@ -35,10 +36,7 @@ struct WaveRun {
 WaveRun runOf(const SpringNet& net, const Loads& loads, std::unique_ptr<Integrator> method, double h,
               int steps)
 {
-  WaveRun run{System(net, loads), {}, {}};
-  run.state.x.resize(static_cast<std::size_t>(net.nodeCount()));
-  run.state.v.assign(run.state.x.size(), Lanes{0, 0, 0, 0});
-  copyNodes(net.restPosition, run.state.x);
+  WaveRun run{System(net, loads), startOf(net), {}};
   run.system.enter(run.state, true);
   method->prepare(run.system);
   for (int i = 1; i <= steps; ++i)
