@@ -82,8 +82,8 @@ private:
     double ratio = 1.0, at = 0.0;
   };
   Sharpness m_stiffnessSharpness, m_dampingSharpness;
-  double m_decayShare = 1.0; ///< of the damping, measured when one of them was, and now and then
-  int m_sinceDecay = 0;      ///< calls of compute() since
+  double m_decayShare = 1.0; ///< of the damping, measured when one of them was
+  int m_sinceMeasured = 0;   ///< calls of compute()
 };
 
 } // namespace esm

@@ -178,6 +178,34 @@ TEST(Spectrum, DecayIsMeasuredAnewWhereSpringsTurn)
   EXPECT_GE(across, c / mass);
 }
 
+// Three springs from a light node, each at 60 degrees to both others as lines: in a plane, all pull against
+// one another and the largest eigenvalue is 1.5 k/m; as three edges of a tetrahedron they pull together, and
+// it is 2 k/m (1 + 2 cos 60). Sums of absolute values are 2 k/m in both.
+TEST(Spectrum, BoundIsMeasuredAnewWhereSpringsTurn)
+{
+  const double mass = 1e-3, k = 100.0, c = 0.2;
+  SpringNet net;
+  const Index node = addNode(net, {0.0, 0.0, 0.0});
+  const double root = std::sqrt(3.0);
+  const Index ends[] = {addNode(net, {1.0, 0.0, 0.0}), addNode(net, {0.5, root / 2.0, 0.0}),
+                        addNode(net, {-0.5, root / 2.0, 0.0})};
+  net.mass << mass, 1e6, 1e6, 1e6; // the ends stay where they are
+  for (const Index end : ends) addSpring(net, node, end, k, c);
+  System system(net, {});
+  MotionState state = startOf(net);
+  system.enter(state, true);
+  StepBound bound;
+  bound.prepare(system);
+  const FastestMode flat = bound.compute(system, state.x, state.v);
+  EXPECT_NEAR(flat.stiffness, 1.5 * k / mass, 0.05 * k / mass); // measured values are raised by 2 %
+  EXPECT_NEAR(flat.damping, 1.5 * c / mass, 0.05 * c / mass);
+  state.x[static_cast<std::size_t>(ends[2])] = Lanes{0.5, root / 6.0, std::sqrt(2.0 / 3.0), 0.0};
+  FastestMode raised;
+  for (int look = 0; look < 2; ++look) raised = bound.compute(system, state.x, state.v);
+  EXPECT_GE(raised.stiffness, 1.999 * k / mass);
+  EXPECT_GE(raised.damping, 1.999 * c / mass);
+}
+
 // A tridiagonal matrix with 2 on the diagonal and -1 beside it has the eigenvalues 2 - 2 cos(k pi/(n + 1)).
 TEST(Spectrum, TridiagonalEigenvalueInClosedForm)
 {
