@@ -140,8 +140,9 @@ Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outpu
     return work();
   };
   const SimulationSettings& settings = project.simulation;
-  Result<Simulation> created =
-    timed([&] { return Simulation::create(project.net, project.loads, settings.solver); });
+  SolverSettings solver = settings.solver;
+  solver.duration = settings.duration;
+  Result<Simulation> created = timed([&] { return Simulation::create(project.net, project.loads, solver); });
   if (!created) return created.error();
   Simulation& simulation = *created;
   const auto withFiles = [&](auto&& work) {

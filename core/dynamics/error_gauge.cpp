@@ -29,22 +29,21 @@ double rms(double sum, std::size_t count) noexcept
   return std::sqrt(sum / static_cast<double>(std::max<std::size_t>(count, 1)));
 }
 
-/// Amplitudes of what oscillates fade by the rate heat / (4 kinetic energy); slow modes, where errors gather,
-/// by a quarter of that. @return time in which they do [s]; infinity without damping
+} // namespace
+
 double fadingTime(const ErrorScale& scale) noexcept
 {
   return scale.recentHeat > 0.0 ? 16.0 * scale.recentKinetic / scale.recentHeat
                                 : std::numeric_limits<double>::infinity();
 }
 
-} // namespace
-
-void ErrorGauge::begin(const NodeArray& x, double extent)
+void ErrorGauge::begin(const NodeArray& x, double extent, double duration)
 {
   m_rest = x;
   m_count = x.size();
   m_squareElsewhere = 0.0;
   m_extent = extent;
+  m_duration = duration;
   m_guessedLifetime = std::numeric_limits<double>::infinity();
   m_scale = ErrorScale{};
 }
@@ -97,15 +96,26 @@ void ErrorGauge::guessLifetime(const System& system, const MotionState& start,
   m_guessedLifetime = kSlowerThanFirst * fadingTime(scaleAfter(system, start, end, 0.0, 1.0));
 }
 
-double ErrorGauge::budget(double tolerance, const MotionState& state, double length,
-                          double power) const noexcept
+/// Error that the motion before `state` or after it may have [m].
+double ErrorGauge::allowance(double tolerance, const MotionState& state) const noexcept
 {
   double scale = std::max(m_scale.displacement, displacementOf(state.x));
   if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_scale.squareOverTime / state.time));
   // In the first moments the displacement is not yet what the motion will make of it.
   if (state.time < kUnfolding)
     scale = std::max(scale, std::max(m_scale.speed, speedOf(state.v)) * kUnfolding);
-  const double all = kSafety * tolerance * std::max(scale, floor());
+  return kSafety * tolerance * std::max(scale, floor());
+}
+
+double ErrorGauge::unspent(double tolerance, const MotionState& state) const noexcept
+{
+  return std::max(allowance(tolerance, state) - m_scale.spent, 0.0);
+}
+
+double ErrorGauge::budget(double tolerance, const MotionState& state, double length,
+                          double power) const noexcept
+{
+  const double all = allowance(tolerance, state);
   const double even = all * std::min(1.0, std::pow(length / horizon(state.time), power));
   if (lifetime() > kForGood) return even;
   const double left = std::max(std::pow(all, 1.0 / power) - std::pow(m_scale.spent, 1.0 / power), 0.0);
@@ -158,10 +168,12 @@ double ErrorGauge::lifetime() const noexcept
   return std::max(fadingTime(m_scale), creeping);
 }
 
-/// Time over which errors add up [s]: without damping from the start on.
+/// Time over which errors add up [s]: without damping from the start on, and not beyond a known end.
 double ErrorGauge::horizon(double time) const noexcept
 {
-  return std::clamp(lifetime(), kShortestHorizon, std::max(kErrorHorizon, time));
+  double longest = std::max(kErrorHorizon, time);
+  if (time < m_duration) longest = std::clamp(m_duration, kShortestHorizon, longest);
+  return std::clamp(lifetime(), kShortestHorizon, longest);
 }
 
 } // namespace esm

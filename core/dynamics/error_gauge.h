@@ -19,6 +19,10 @@ struct ErrorScale {
   double recentPath = 0.0;    ///< integral of the squared speed [m^2/s]
 };
 
+/// Amplitudes of what oscillates fade by the rate heat / (4 kinetic energy); slow modes, where errors gather,
+/// by a quarter of that. @return time in which they do, as of late [s]; infinity without damping
+double fadingTime(const ErrorScale& scale) noexcept;
+
 /// Measures errors of stretches of motion, and knows how much of it a stretch may add, so that the error of
 /// docs/FILE_FORMAT.md stays below the tolerance.
 ///
@@ -32,7 +36,8 @@ class ErrorGauge {
 public:
   static constexpr std::size_t kFewNodes = 100; ///< a net below has few modes, and no waves among them
 
-  void begin(const NodeArray& x, double extent);
+  /// @param duration  of the whole motion [s]; 0 = unknown
+  void begin(const NodeArray& x, double extent, double duration);
   /// From now on positions are those of a part, whose positions at t = 0 are `rest`.
   /// @param squareElsewhere  sum of squared displacements of the other nodes [m^2]
   void setPart(NodeArray& rest, std::size_t wholeCount, double squareElsewhere) noexcept;
@@ -56,6 +61,8 @@ public:
   /// Error that a stretch of this length may add before `state` or after it [m].
   /// @param power with which errors grow over time, see errorPower()
   double budget(double tolerance, const MotionState& state, double length, double power) const noexcept;
+  /// Error that the motion may still add, were it to live for good [m].
+  double unspent(double tolerance, const MotionState& state) const noexcept;
   /// The power of time with which an error has grown that was `early` [m] after a `share` of the stretch and
   /// `late` [m] at its end: 1 adds up without end, 0.85 is the least that is believed.
   static double errorPower(double early, double late, double share) noexcept;
@@ -67,6 +74,7 @@ public:
   double shareOfWhole(std::size_t nodes) const noexcept;
 
 private:
+  double allowance(double tolerance, const MotionState& state) const noexcept;
   double lifetime() const noexcept;
   double horizon(double time) const noexcept;
 
@@ -74,6 +82,7 @@ private:
   std::size_t m_count = 0;
   double m_squareElsewhere = 0.0;
   double m_extent = 1.0;
+  double m_duration = 0.0;        ///< [s]
   double m_guessedLifetime = 0.0; ///< of errors, until motion tells it [s]; set by begin()
   ErrorScale m_scale;
 };

@@ -33,6 +33,10 @@ struct SolverSettings {
   /// and why() says so. The default is half a second of one core; whoever keeps time with a clock asks for
   /// less.
   double effort = 1e8;
+  /// How long the motion will be looked at, from t = 0 [s]; 0 = unknown, as in a window that runs on. Errors
+  /// of a short run have less time to add up, so each step may err more; beyond it the tolerance is kept as
+  /// if it had never been known.
+  double duration = 0.0;
   /// Nodes at rest sleep until something moves them, and cost nothing; what they miss stays within the
   /// tolerance. Without effect on fixed steps.
   bool skipResting = true;

@@ -20,6 +20,12 @@ constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
 constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
 /// Of the budget: an error that, grown with the power of the dampers since the last check, asks for the next.
 constexpr double kSuspicious = 1.5;
+/// Of what no stretch has spent: a check that finds more than its share takes it from there, and smaller
+/// steps from then on. To do the stretch again would cost more than such an error does.
+constexpr double kOnce = 0.1;
+/// Of the work of a check's first run: a second one below was cheaper. And how the largest cheap step grows
+/// back with each check that does not say so.
+constexpr double kCheaper = 0.9, kEase = 1.15;
 constexpr double kMostTransfer = 1.5;  ///< of what one method learned to others of lower order
 constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
 constexpr int kLongestCheckGap = 24;   ///< stretches
@@ -117,7 +123,8 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   if (m_look.steps > 0) m_errorPower = ErrorGauge::errorPower(m_look.error, apart, m_look.share);
   m_gauge.guessLifetime(system, m_start, state);
   const double allowed = budget(state, length);
-  const bool isFine = coarseError / ratio <= allowed;
+  const double most = std::max(allowed, kOnce * m_gauge.unspent(m_settings.tolerance, state));
+  const bool isFine = coarseError / ratio <= most;
   // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
   const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
   const bool atFloor = length / count <= floorStep() && coarseError <= rough;
@@ -125,6 +132,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   // Where another attempt could not be paid for, this one must do.
   const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system, length / count));
   learn(state, coarseError, allowed, length / count);
+  learnCost(length / count);
   if (!sane || !(isFine || atFloor || isLast)) return false;
   m_roughAtCheck = !isFine;
   report.rough = report.rough || m_roughAtCheck;
@@ -216,6 +224,18 @@ void StepDriver::continueOnset(System& system)
   use(m_onset.method, system);
   m_candidates[m_method].isMeasured = true; // see above
   explain(system);
+}
+
+/// Larger implicit steps are not always cheaper: Newton's method takes more iterations for them and more
+/// factors, until it fails. A check has run with `step` and with smaller ones, and tells which cost less.
+void StepDriver::learnCost(double step) noexcept
+{
+  Candidate& here = m_candidates[m_method];
+  if (isExplicit(here)) return;
+  if (m_finerWork < kCheaper * m_coarseWork)
+    here.cheapStep = step / kFiner;
+  else
+    here.cheapStep *= kEase;
 }
 
 /// From the error of steps of size `step` to the accurate one, for the method and for those like it.

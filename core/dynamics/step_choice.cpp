@@ -16,6 +16,8 @@ namespace {
 constexpr double kManySteps = 500.0;
 /// Implicit steps per frame to begin with; measured from then on.
 constexpr double kImplicitGuess = 4.0;
+/// Of a frame, that a stretch under check has.
+constexpr double kCheckShare = 0.5;
 
 std::string microseconds(double seconds)
 {
@@ -63,7 +65,7 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_startEnergies.reset();
   m_coarse = m_coarseV = m_look.x = state.x; // room for later
   m_probe = state;
-  m_gauge.begin(state.x, extentOf(system, state.x));
+  m_gauge.begin(state.x, extentOf(system, state.x), m_settings.duration);
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
 }
@@ -92,6 +94,7 @@ void StepDriver::guessSteps()
 {
   for (Candidate& candidate : m_candidates) {
     candidate.accurateStep = kFrame / kImplicitGuess;
+    candidate.cheapStep = kInfinity;
     candidate.estimate = 0.0;
     candidate.isMeasured = false;
     candidate.untilProbe = 0;
@@ -183,7 +186,7 @@ double StepDriver::cost(Method method, const System& system)
 {
   if (method == m_implicit) layOut(method, system);
   Candidate& candidate = m_candidates[method];
-  const double step = std::min({stableStep(candidate), candidate.accurateStep, kFrame});
+  const double step = std::min({stableStep(candidate), candidate.accurateStep, candidate.cheapStep, kFrame});
   return candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step);
 }
 
@@ -215,14 +218,23 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
   return best;
 }
 
+/// Whether what is saved in each frame until the end of the run, if that is known, makes up for a price; both
+/// in spring evaluations.
+bool StepDriver::paysOff(double saving, double price) const noexcept
+{
+  const double left = m_settings.duration - m_start.time;
+  return !(left > 0.0) || saving * left / kFrame >= price;
+}
+
 /// The method that would be cheapest at its stability limit, and cheap enough to change to, of those whose
 /// turn it is and whose errors, by what is known or guessed, leave a hope.
 /// @param step  receives the smallest with which it would be cheap enough [s]
 std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double& step)
 {
   constexpr double kGain = 0.7;   // of the present cost: below the patience of reconsider()
-  constexpr double kHope = 100.0; // of the budget: guesses are that far off
-  const double wanted = kGain * cost(m_method, system);
+  constexpr double kHope = 20.0;  // of the budget: guesses are that far off
+  constexpr double kChance = 0.3; // that a probe succeeds
+  const double present = cost(m_method, system), wanted = kGain * present;
   double least = wanted;
   std::optional<Method> best;
   for (Method method = 0; method < m_candidates.size(); ++method) {
@@ -230,7 +242,7 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
     if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
     const double stable = std::min(stableStep(candidate), kFrame);
     const double atLimit = candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
-    if (atLimit >= least) continue;
+    if (atLimit >= least || !paysOff(kChance * (present - atLimit), kCheckShare * atLimit)) continue;
     const double tried = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
     if (std::pow(tried / candidate.accurateStep, candidate.integrator->order()) > kHope) continue;
     least = atLimit;
@@ -286,7 +298,9 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
     const Method other = cheapestExplicit(system, kPatience);
     if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
   } else {
-    m_method = proven ? *proven : cheapestExplicit(system, kPatience);
+    const Method other = proven ? *proven : cheapestExplicit(system, kPatience);
+    const double price = proven ? 0.0 : (1.0 + kFiner) * kCheckShare * cost(other, system); // of its check
+    if (paysOff(cost(before, system) - cost(other, system), price)) m_method = other;
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors

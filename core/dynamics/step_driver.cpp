@@ -9,7 +9,9 @@ namespace esm {
 namespace {
 
 constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solvers leave
-constexpr int kMostAttempts = 24;   ///< of one stretch
+/// Of an implicit step that found no solution: larger ones are not tried soon.
+constexpr double kSmallerThanFailed = 0.6;
+constexpr int kMostAttempts = 24; ///< of one stretch
 /// Of a stretch that is done twice, if that is many steps [s].
 constexpr double kCheckLength = kFrame / 2.0;
 constexpr double kMostEffort = 3.0;            ///< for one frame, before descent takes over
@@ -93,11 +95,12 @@ bool StepDriver::stretchFixed(System& system, MotionState& state, double end, St
   return result == Run::Done;
 }
 
-/// The step that is both stable and accurate.
+/// The step that is stable, accurate, and not larger than is cheap.
 double StepDriver::controlledStep(double length) noexcept
 {
   const Candidate& candidate = m_candidates[m_method];
-  return std::min({stableStep(candidate), std::max(candidate.accurateStep, floorStep()), length});
+  const double wanted = std::min(candidate.accurateStep, candidate.cheapStep);
+  return std::min({stableStep(candidate), std::max(wanted, floorStep()), length});
 }
 
 bool StepDriver::stretchControlled(System& system, MotionState& state, double end, StepReport& report)
@@ -142,6 +145,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const auto finer = static_cast<std::int64_t>(std::ceil(kFiner * count));
     // A check that comes unforeseen has no look.
     m_look.steps = 0;
+    const double workBefore = system.workDone();
     Run result = !unchecked && m_untilCheck <= 0 ? runWithLook(system, state, end, steps, report)
                                                  : run(system, state, end, steps, report);
     if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
@@ -175,7 +179,9 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       m_coarseV = state.v;
       state = m_start;
       current().restart();
+      m_coarseWork = system.workDone() - workBefore;
       result = runAgain(system, state, end, finer, report);
+      m_finerWork = system.workDone() - workBefore - m_coarseWork;
       if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     }
     if (result != Run::Done) {
@@ -288,6 +294,7 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, StepRe
   const double tried = controlledStep(kFrame);
   state = m_start;
   m_candidates[m_method].accurateStep = tried / 4.0;
+  if (!isExplicit(m_candidates[m_method])) m_candidates[m_method].cheapStep = kSmallerThanFailed * tried;
   m_floorStep = std::min(m_floorStep, tried / 4.0);
   m_untilCheck = 0;
   m_checkGap = 1;

@@ -78,9 +78,10 @@ private:
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// What is known of a method's errors.
   struct Knowledge {
-    double accurateStep = 0.0; ///< by the last check, or a guess [s]
-    double estimate = 0.0;     ///< the same without the hysteresis [s]
-    bool isMeasured = false;   ///< since it was chosen
+    double accurateStep = 0.0;    ///< by the last check, or a guess [s]
+    double estimate = 0.0;        ///< the same without the hysteresis [s]
+    bool isMeasured = false;      ///< since it was chosen
+    double cheapStep = kInfinity; ///< larger ones would cost more [s]
   };
   struct Candidate : Knowledge {
     std::unique_ptr<Integrator> integrator;
@@ -124,6 +125,7 @@ private:
   Method cheapestExplicit(const System& system, double patience);
   std::optional<Method> worthAProbe(System& system, double& step);
   std::optional<Method> probe(System& system, const MotionState& state, double allowed, StepReport& report);
+  bool paysOff(double saving, double price) const noexcept;
   bool toleranceIsTooDear(const System& system) const noexcept;
 
   bool stretchFixed(System& system, MotionState& state, double end, StepReport& report);
@@ -142,6 +144,7 @@ private:
   void retreat(System& system, MotionState& state, int attempt, StepReport& report);
   bool checkDue(const MotionState& state) const noexcept;
   void learn(const MotionState& state, double error, double budget, double step);
+  void learnCost(double step) noexcept;
   double controlledStep(double length) noexcept;
   void giveToleranceUp(const System& system, bool yes);
   void rememberBeforeOnset();
@@ -179,10 +182,11 @@ private:
   int m_descentTerm = 0;                ///< how many there were after the last failure
   int m_untilCheck = 0;                 ///< stretches until the next one that is done twice
   int m_checkGap = 1;
-  double m_checkedError = 0.0; ///< that the present steps add, by the last check [m/s]
-  double m_checkedPower = 0.0; ///< of the dampers then [W]
-  double m_errorPower = 1.0;   ///< with which errors grow over time, by the last check
-  double m_checkedShare = 0.0; ///< of the budget, that the last check found
+  double m_checkedError = 0.0;                  ///< that the present steps add, by the last check [m/s]
+  double m_checkedPower = 0.0;                  ///< of the dampers then [W]
+  double m_errorPower = 1.0;                    ///< with which errors grow over time, by the last check
+  double m_coarseWork = 0.0, m_finerWork = 0.0; ///< of the two runs of a check [spring evaluations]
+  double m_checkedShare = 0.0;                  ///< of the budget, that the last check found
   Onset m_onset;
   std::int64_t m_maxSteps = 0;
 
