@@ -59,6 +59,7 @@ void RegionDriver::begin()
   m_extent = diagonalOf(m_body.motion.x);
   m_limitText.clear();
   m_settling.begin();
+  m_stirred = m_body.motion.time;
   watchLoads();
   std::vector<Index> seeds = unbalancedNodes();
   seeds.insert(seeds.end(), m_loads.moving().begin(), m_loads.moving().end());
@@ -159,6 +160,7 @@ void RegionDriver::enterWhole()
   m_changed = false;
   m_region.update(m_fresh);
   m_mode = Mode::Whole;
+  m_stirred = m_body.motion.time;
   m_squareAsleep = 0.0;
   m_tensions.prepare(static_cast<std::size_t>(m_body.net.springCount()));
   if (m_driverHasWhole)

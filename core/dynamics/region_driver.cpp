@@ -183,9 +183,11 @@ bool RegionDriver::settles(StepReport& report)
   const bool moves = !m_loads.moving().empty() ||
                      std::any_of(tools.begin(), tools.end(),
                                  [](const ToolSpring& tool) { return !tool.targetVelocity.isZero(); });
+  const ErrorScale& scale = m_driver.errorScale();
+  const double since = std::min(scale.calm, m_body.motion.time - m_stirred);
   return m_mode == Mode::Whole && !moves &&
-         m_settling.settleIfDue(m_body.system, m_body.motion, m_driver.errorScale().speed, budget(),
-                                m_settings.effort, report);
+         m_settling.settleIfDue(m_body.system, m_body.motion, scale.speed,
+                                {budget(), since, fadingTime(scale)}, m_settings.effort, report);
 }
 
 FastestMode RegionDriver::fastestMode()

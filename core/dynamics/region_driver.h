@@ -129,6 +129,7 @@ private:
   double m_playedCount = 0.0;
   double m_squareAsleep = 0.0; ///< sum of squared displacements of sleepers [m^2]
   double m_extent = 1.0;       ///< [m]
+  double m_stirred = 0.0;      ///< when parameters or tools changed last, or the whole net woke [s]
   std::vector<Index> m_moved;
   bool m_allMoved = true;
   std::string m_limitText;

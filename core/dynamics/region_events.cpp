@@ -43,6 +43,7 @@ void RegionDriver::parametersChanged(const SpringNet& before)
 {
   m_allMoved = true; // fixed nodes have lost their velocity
   m_settling.forget();
+  m_stirred = m_body.motion.time;
   if (m_on) {
     const SpringNet& net = m_body.net;
     std::vector<std::uint8_t> touched(static_cast<std::size_t>(net.nodeCount()), 0);
@@ -86,6 +87,7 @@ void RegionDriver::toolsChanged(const std::vector<ToolSpring>& before)
     wake(seeds, kFirstLayers);
     applyChange();
   }
+  m_stirred = m_body.motion.time;
   if (m_mode == Mode::Whole) m_driver.toolsChanged(m_body.system, m_body.motion, sameNodes);
   if (m_mode != Mode::Part) return;
   gather();

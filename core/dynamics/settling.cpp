@@ -22,9 +22,16 @@ constexpr double kNear = 5.0; ///< speeds with which nets of usual frequencies a
 constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
 constexpr double kLongestLayout = 4.0; ///< frames
 constexpr double kPatience = 3.0;
-constexpr int kLongestWait = 32; ///< looks
+constexpr int kLongestWait = 32;     ///< looks
+constexpr double kMostSquares = 9.0; ///< see SettlingBudget
 
 } // namespace
+
+double SettlingBudget::squareAt(double fadingTime) const noexcept
+{
+  const double gain = since > 0.0 ? 1.0 + 2.0 * since / fadingTime : 1.0;
+  return square * std::min(gain, kMostSquares);
+}
 
 /// Forces on nodes at x that stand still, into m_force; 0 where a support holds. @return their norm [N].
 double Settling::forcesAt(System& system, double time, NodeArray& x, StepReport& report)
@@ -63,10 +70,11 @@ bool Settling::isAffordable(const System& system, double effort)
   return cost <= std::min(isFirst ? m_work : m_work / kPatience, effort);
 }
 
-bool Settling::settleIfDue(System& system, MotionState& motion, double speed, double mostSquare,
+bool Settling::settleIfDue(System& system, MotionState& motion, double speed, const SettlingBudget& budget,
                            double effort, StepReport& report)
 {
-  const double within = std::sqrt(mostSquare / static_cast<double>(motion.x.size()));
+  const double most = budget.squareAt(budget.fading);
+  const double within = std::sqrt(most / static_cast<double>(motion.x.size()));
   if (motion.x.size() > kMostNodes) return false;
   if (speed * kFrame > kNear * within) {
     m_dueSpeed = std::numeric_limits<double>::infinity();
@@ -77,14 +85,14 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, do
     return false;
   }
   if (!isAffordable(system, effort)) return false;
-  const double missed = settle(system, motion, mostSquare, report);
+  const double missed = settle(system, motion, budget, report);
   m_work = 0.0;
   m_looksLeft = kLongestWait;
   m_dueSpeed = 0.9 * speed / std::sqrt(std::max(missed, 1.0));
   return missed <= 1.0;
 }
 
-double Settling::settle(System& system, MotionState& motion, double mostSquare, StepReport& report)
+double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
   constexpr double kUnknown = std::numeric_limits<double>::infinity();
   m_matrix.constraintsChanged(system);
@@ -99,13 +107,15 @@ double Settling::settle(System& system, MotionState& motion, double mostSquare, 
   m_matrix.solve(m_swing);
   m_way = m_force;
   m_matrix.solve(m_way);
-  double missed = sumOfSquares(m_way) + std::sqrt(sumOfSquares(motion.v) * sumOfSquares(m_swing)),
-         local = 0.0;
+  const double speed = sumOfSquares(motion.v);
+  double missed = sumOfSquares(m_way) + std::sqrt(speed * sumOfSquares(m_swing)), local = 0.0;
   for (std::size_t i = 0; i < m_way.size(); ++i)
     local = std::max(local, dot(m_way[i], m_way[i]) +
                               std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
   missed = std::max(missed, local / kMostLocal * static_cast<double>(m_way.size()));
-  if (!(missed <= mostSquare)) return std::isfinite(missed) ? missed / mostSquare : kUnknown;
+  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : kUnknown;
+  const double share = missed / budget.squareAt(std::max(budget.fading, creeping));
+  if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
   for (std::size_t i = 0; i < m_goal.size(); ++i) m_goal[i] += m_way[i];
   if (!(forcesAt(system, motion.time, m_goal, report) <= kLeft * force)) return kUnknown;
   const double loads = system.loadPower(motion.time, m_way); // over the way: their work
@@ -114,7 +124,7 @@ double Settling::settle(System& system, MotionState& motion, double mostSquare, 
     system.kineticEnergy(motion.v) + system.storedEnergy(motion.x) - system.storedEnergy(m_goal) + loads;
   motion.x.swap(m_goal);
   motion.v.swap(m_still);
-  return missed / mostSquare;
+  return share;
 }
 
 } // namespace esm

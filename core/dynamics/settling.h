@@ -7,6 +7,21 @@
 
 namespace esm {
 
+/// What may be missed where a motion is ended before its time.
+///
+/// Errors are means over time (docs/FILE_FORMAT.md), and what is missed fades as the motion would have. An
+/// amplitude A that fades as exp(-t/tau) adds A^2 tau/2 to the integral of the squared error, which is at
+/// most A^2 / (1 + 2 T/tau) of its mean at any time after a motion of length T.
+struct SettlingBudget {
+  double square = 0.0; ///< sum of squared displacements over the nodes, if they were missed for good [m^2]
+  double since = 0.0;  ///< T, how long the net has moved, undisturbed [s]
+  double fading = 0.0; ///< time in which its amplitudes fade [s]
+
+  /// The sum of squares that may be missed [m^2]: never more than nine times `square`, since an eye sees the
+  /// jump, not its mean.
+  double squareAt(double fadingTime) const noexcept;
+};
+
 /// Takes a net the last part of its way to rest in one go.
 ///
 /// Near its goal a net swings about it, or creeps towards it. With F the forces on nodes that stand still, K
@@ -29,15 +44,17 @@ public:
   /// @param speed  of the net now, RMS over its nodes [m/s]
   /// @param effort  see SolverSettings
   /// @return whether the net is at rest now. @pre no load moves.
-  bool settleIfDue(System& system, MotionState& motion, double speed, double mostSquare, double effort,
-                   StepReport& report);
-  /// Moves the net into balance and takes its velocity, if no more than `mostSquare` [m^2], a sum of squares
-  /// of displacements over the nodes, is missed by that, nor at a single node more than five times the mean;
-  /// its energy becomes heat. Nothing is done if more is missed, if the stiffness is not positive definite
-  /// (what nothing holds is held by its inertia over ten seconds), or if the forces are not smaller there.
+  bool settleIfDue(System& system, MotionState& motion, double speed, const SettlingBudget& budget,
+                   double effort, StepReport& report);
+  /// Moves the net into balance and takes its velocity, if no more than the budget is missed by that, nor at
+  /// a single node more than five times the mean; its energy becomes heat. A net that creeps takes amplitude
+  /// over speed to its goal, if that is longer than it takes to fade. Nothing is done if more is missed, if
+  /// the stiffness is not positive definite (what nothing holds is held by its inertia over ten seconds), or
+  /// if the forces are not smaller there.
   /// @pre layOut(), and no load moves.
-  /// @return what is missed over `mostSquare`; infinity where it cannot be told; done if <= 1.
-  double settle(System& system, MotionState& motion, double mostSquare, StepReport& report);
+  /// @return what is missed, a sum of squares, over what may be; infinity where it cannot be told; done if
+  /// <= 1.
+  double settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report);
 
 private:
   double forcesAt(System& system, double time, NodeArray& x, StepReport& report);

@@ -7,6 +7,7 @@
 #include "tests/support/physics.h"
 
 #include <cmath>
+#include <utility>
 
 namespace esm::test {
 namespace {
@@ -33,7 +34,10 @@ struct Oscillator {
     system.enter(motion, true);
     settling.layOut(system);
   }
-  double settle(double mostSquare) { return settling.settle(system, motion, mostSquare, report); }
+  double settle(double mostSquare, double since = 0.0)
+  {
+    return settling.settle(system, motion, {mostSquare, since, 0.0}, report);
+  }
 };
 
 /// A sheet that swings on its bedding some ten times before it rests.
@@ -76,6 +80,33 @@ TEST(Settling, TurnsTheEnergyThatIsLeftIntoHeat)
   EXPECT_GT(oscillator.report.springsEvaluated, 0);
 }
 
+// What is missed after a motion of length T fades as A exp(-t/tau): its mean square over all the time up to
+// then is never more than what may be missed for good, and never far below.
+TEST(Settling, MissesNoMoreInTheMeanThanForGood)
+{
+  const double tau = 0.3;
+  for (const double length : {0.0, 0.1, 0.3, 1.0}) {
+    const double square = SettlingBudget{1.0, length, tau}.squareAt(tau);
+    double worst = 0.0;
+    for (double s = 1e-4; s < 20.0 * tau; s += 1e-3)
+      worst = std::max(worst, square * tau / 2.0 * -std::expm1(-2.0 * s / tau) / (length + s));
+    EXPECT_LE(worst, 1.0) << length;
+    EXPECT_GE(worst, 0.6) << length;
+  }
+  EXPECT_DOUBLE_EQ((SettlingBudget{1.0, 1e6, tau}.squareAt(tau)), 9.0); // the eye sees the jump
+}
+
+// An oscillator reaches its goal in 1/w: a motion of four times that may miss nine times the square, and one
+// that has just begun no more than it would for good.
+TEST(Settling, LongMotionMayMissMore)
+{
+  const double length = 4.0 / Oscillator::kRate, square = 1e-6;
+  for (const auto& [since, gain] : {std::pair{0.0, 1.0}, std::pair{length, 9.0}}) {
+    Oscillator oscillator(0.0, 1e-2 * Oscillator::kRate);
+    EXPECT_NEAR(oscillator.settle(square, since), 1e-4 / square / gain, 1e-2 / square / gain) << since;
+  }
+}
+
 // A column under pressure stands in balance, and falls at a breath: that is no rest. Nor is the drift of what
 // nothing holds.
 TEST(Settling, LeavesUnstableBalanceAndDriftAlone)
@@ -93,7 +124,7 @@ TEST(Settling, LeavesUnstableBalanceAndDriftAlone)
     Settling settling;
     settling.layOut(system);
     StepReport report;
-    EXPECT_GT(settling.settle(system, motion, 1e-8, report), 1.0);
+    EXPECT_GT(settling.settle(system, motion, {1e-8}, report), 1.0);
     EXPECT_EQ(motion.v[1][1], drifts ? 1e-4 : 0.0);
   }
 }
@@ -110,11 +141,11 @@ TEST(Settling, LetsASingleSpotSwingOn)
   Settling settling;
   settling.layOut(system);
   StepReport report;
-  EXPECT_NEAR(settling.settle(system, motion, 1e-6, report), 100.0 / 25.0, 1e-3);
+  EXPECT_NEAR(settling.settle(system, motion, {1e-6}, report), 100.0 / 25.0, 1e-3);
   EXPECT_EQ(motion.x[50][1], 1e-3);
   motion.x[50][1] = 0.0;
   for (Lanes& x : motion.x) x[1] += 1e-4; // the same sum, but of all
-  EXPECT_NEAR(settling.settle(system, motion, 1e-6, report), 1.0, 1e-3);
+  EXPECT_NEAR(settling.settle(system, motion, {1e-6}, report), 1.0, 1e-3);
 }
 
 // A net that swings down to a load ends where the energy is least, at rest while single nodes would still
