@@ -187,14 +187,14 @@ all candidates takes long), all candidates in turn.
 velocity, classical Runge-Kutta, Dormand-Prince 5(4), linearised implicit Euler with conjugate gradients and with
 Cholesky, fast mass springs, XPBD, and CVODE and ARKODE of SUNDIALS. They stand on a kernel of their own: nodes renumbered
 breadth-first, four springs at a time, AVX2 and FMA. Their steps are tuned by search on the scene itself, to 4 % at
-each winning cell, which nobody can do in advance; `auto` gets the tolerance alone. The adaptive ones also know the scales of the motion beforehand.
+each winning cell, which nobody can do in advance; `auto` gets the tolerance and the length of the run. The adaptive ones also know the scales of the motion beforehand.
 
 **Scenes**: tube (400 nodes, linear), uterus (1,250, exponential), sheet (10,000, linear), stiff (400; stiffness over six decades, masses
 over four), organ100k (100,002 nodes, 300,000 cubic springs, 0.2 s); variants by seed and size.
 
 ## Run time against error
 
-`auto` has `--tolerance` equal to the error of its line. *Best of ours* is the fastest setting that a search found, fixed steps at the edge of
+`auto` has `--tolerance` equal to the error of its line and knows how long the run is, as in `esm simulate`. *Best of ours* is the fastest setting that a search found, fixed steps at the edge of
 stability among them; *best named with that tolerance* is what a user gets who names a method (`--solver`) and gives the same tolerance. A scene that
 is missing here was not part of the run that made this page.
 

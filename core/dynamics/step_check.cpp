@@ -29,6 +29,9 @@ constexpr double kCheaper = 0.9, kEase = 1.15;
 constexpr double kMostTransfer = 1.5;  ///< of what one method learned to others of lower order
 constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
 constexpr int kLongestCheckGap = 24;   ///< stretches
+/// A method that errs less than this share of the budget is not checked again if a known end is no further
+/// off than this many gaps: nothing that a check can still say would save what it costs.
+constexpr double kSureShare = 0.5, kGapsBeforeEnd = 2.0;
 /// A shorter stretch tells little of those to come: parts of an onset, and what an event or a growing part of
 /// the net cuts short.
 constexpr double kLeastProof = kFrame / 4.0;
@@ -261,6 +264,9 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
     m_checkGap = std::min(wider, grows || unfolds ? 2 : kLongestCheckGap);
   }
   m_untilCheck = grows ? 1 : m_checkGap;
+  const double left = std::ceil((m_settings.duration - state.time) / kFrame); // stretches
+  if (share <= kSureShare && left > 0.0 && left <= kGapsBeforeEnd * m_untilCheck)
+    m_untilCheck = static_cast<int>(left) + 1;
   if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
   if (isImplicit) return;
   // Motion that is easier or harder for this method is so for the others. Methods of low order err in slower
