@@ -4,6 +4,8 @@
 
 #include "core/dynamics/system.h"
 
+#include <limits>
+
 namespace esm {
 
 /// What the motion so far was like; RMS over the nodes of the whole net.
@@ -53,6 +55,8 @@ public:
   void guessLifetime(const System& system, const MotionState& start, const MotionState& end) noexcept;
   /// Loads have jumped or bent.
   void markEvent() noexcept { m_scale.calm = 0.0; }
+  /// When nodes that are held now will be let go, infinity if not: until then less may be spent.
+  void expectRelease(double time) noexcept { m_release = time; }
 
   double extent() const noexcept { return m_extent; }       ///< a length that positions are small against [m]
   double floor() const noexcept { return 1e-6 * m_extent; } ///< displacements below it do not matter [m]
@@ -82,7 +86,8 @@ private:
   std::size_t m_count = 0;
   double m_squareElsewhere = 0.0;
   double m_extent = 1.0;
-  double m_duration = 0.0;        ///< [s]
+  double m_duration = 0.0;                                    ///< [s]
+  double m_release = std::numeric_limits<double>::infinity(); ///< see expectRelease() [s]
   double m_guessedLifetime = 0.0; ///< of errors, until motion tells it [s]; set by begin()
   ErrorScale m_scale;
 };

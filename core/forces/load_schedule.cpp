@@ -132,6 +132,14 @@ double LoadSchedule::nextEvent(double t) const noexcept
   return next == m_events.end() ? std::numeric_limits<double>::infinity() : *next;
 }
 
+double LoadSchedule::nextRelease() const noexcept
+{
+  double next = std::numeric_limits<double>::infinity();
+  for (const Motion& motion : m_motions)
+    if (motion.active) next = std::min(next, motion.release);
+  return next;
+}
+
 void LoadSchedule::place(double t, Lanes* x, Lanes* v) const noexcept
 {
   for (const PrescribedNode& node : m_nodes) {

@@ -29,6 +29,8 @@ public:
   void enter(double t) noexcept;
   /// The first event after t; infinity if there is none.
   double nextEvent(double t) const noexcept;
+  /// When the first of the motions that are held now lets go; infinity if none does.
+  double nextRelease() const noexcept;
 
   struct PrescribedNode {
     Index node = kNoIndex;
