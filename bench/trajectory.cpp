@@ -76,7 +76,8 @@ Reference compute(const Scene& scene)
   const Trajectory other = runDormandPrince(scene, 3e-8, scales, passes);
   Reference reference;
   // The adaptive run tells how small steps must be: six passes a step.
-  int steps = std::max(8, static_cast<int>(1.4 * static_cast<double>(passes / 6 / scene.frames())));
+  const std::int64_t adaptiveSteps = passes / 6 / scene.frames();
+  int steps = std::max(8, static_cast<int>(1.4 * static_cast<double>(adaptiveSteps)));
   const double perStep = 4.0 * static_cast<double>(scene.frames()) * scene.net.springCount();
   double before = std::numeric_limits<double>::infinity();
   while (true) {

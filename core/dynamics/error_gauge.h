@@ -80,6 +80,7 @@ public:
 private:
   double allowance(double tolerance, const MotionState& state) const noexcept;
   double lifetime() const noexcept;
+  double knownEnd(double time) const noexcept;
   double horizon(double time) const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]

@@ -34,8 +34,8 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
   const double begin = state.time;
   double end = begin + interval;
   while (state.time < end) {
-    const double event = system.nextEvent(state.time);
     m_gauge.expectRelease(system.schedule().nextRelease());
+    const double event = system.nextEvent(state.time);
     // An event a rounding error away from the end of the interval is the end.
     if (std::abs(event - end) <= 1e-9 * interval) end = event;
     const double target = std::min(event, end);
