@@ -40,21 +40,32 @@ private:
   std::map<std::string, double> m_seconds;
 };
 
+SpringNet withoutAnchors(SpringNet net)
+{
+  net.anchors = {};
+  return net;
+}
+
 struct Subject {
   Scene scene;
-  ForceModel model;
-  NodeArray x, v, force;
+  ForceModel model, springs; ///< the latter without weight and anchors
+  NodeArray x, v, force, damper;
   FastNet plain;
   Nodes plainX, plainV, plainForce;
 
   explicit Subject(Scene from)
-    : scene(std::move(from)), model(scene.net, scene.loads.gravity), plain(scene.net, scene.loads)
+    : scene(std::move(from)),
+      model(scene.net, scene.loads.gravity),
+      springs(withoutAnchors(scene.net), Eigen::Vector3d::Zero()),
+      plain(scene.net, scene.loads)
   {
     const std::size_t count = model.nodeCount();
     x.resize(count);
     v.assign(count, Lanes{1e-3, 1e-3, 0, 0});
     force.resize(count);
     copyNodes(scene.net.restPosition, x);
+    damper.resize(model.damperSize());
+    model.computeForces(x.data(), v.data(), force.data(), damper.data());
     plain.start(plainX, plainV);
     plainForce.resize(plainX.size());
     plain.beginFrame(0.0, plainX, plainV);
@@ -67,6 +78,18 @@ void registerSubject(Subject& subject)
   benchmark::RegisterBenchmark((name + "|ours").c_str(), [&subject](benchmark::State& state) {
     for (auto _ : state) {
       subject.model.computeForces(subject.x.data(), subject.v.data(), subject.force.data());
+      benchmark::ClobberMemory();
+    }
+  });
+  benchmark::RegisterBenchmark((name + "|springs").c_str(), [&subject](benchmark::State& state) {
+    for (auto _ : state) {
+      subject.springs.computeForces(subject.x.data(), subject.v.data(), subject.force.data());
+      benchmark::ClobberMemory();
+    }
+  });
+  benchmark::RegisterBenchmark((name + "|dampers").c_str(), [&subject](benchmark::State& state) {
+    for (auto _ : state) {
+      subject.model.addDamping(subject.damper.data(), subject.v.data(), subject.force.data());
       benchmark::ClobberMemory();
     }
   });
@@ -99,16 +122,18 @@ int runKernel(const std::vector<std::string>& words)
   benchmark::Initialize(&count, arguments);
   LeastTime reporter;
   benchmark::RunSpecifiedBenchmarks(&reporter);
-  std::printf("what,springs,ns_per_spring,plain_ns_per_spring\n");
+  std::printf("what,springs,ns_per_spring,springs_alone_ns,kept_dampers_ns,plain_ns_per_spring\n");
   for (const auto& subject : subjects) {
     const auto springs = static_cast<double>(subject->scene.net.springCount());
     const std::string& name = subject->scene.name;
-    std::printf("%s,%d,%s,%s\n", name.c_str(), static_cast<int>(springs),
-                formatDouble(reporter.seconds(name + "|ours") * 1e9 / springs, 3).c_str(),
-                formatDouble(reporter.seconds(name + "|plain") * 1e9 / springs, 3).c_str());
+    const auto perSpring = [&](const char* what) {
+      return formatDouble(reporter.seconds(name + what) * 1e9 / springs, 3);
+    };
+    std::printf("%s,%d,%s,%s,%s,%s\n", name.c_str(), static_cast<int>(springs), perSpring("|ours").c_str(),
+                perSpring("|springs").c_str(), perSpring("|dampers").c_str(), perSpring("|plain").c_str());
   }
   for (const auto& [name, springs] : limits.springsPerPass())
-    std::printf("limit: %s,,%s,\n", name.c_str(),
+    std::printf("limit: %s,,%s,,,\n", name.c_str(),
                 formatDouble(reporter.seconds(name) * 1e9 / springs, 3).c_str());
   return 0;
 }

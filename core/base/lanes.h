@@ -27,7 +27,10 @@
       __attribute__((target("arch=x86-64-v4"))) ESM_WIDE_VERSION(8, signature, __VA_ARGS__)
 #else
 #define ESM_CPU_CLONES
-#define ESM_WIDE_CLONES(signature, ...) ESM_WIDE_VERSION(4, signature, __VA_ARGS__)
+#ifndef ESM_LANES_WITHOUT_CLONES // a test wants eight of the plain version, too
+#define ESM_LANES_WITHOUT_CLONES 4
+#endif
+#define ESM_WIDE_CLONES(signature, ...) ESM_WIDE_VERSION(ESM_LANES_WITHOUT_CLONES, signature, __VA_ARGS__)
 #endif
 #define ESM_WIDE_VERSION(lanes, signature, ...)                                                              \
   signature                                                                                                  \
@@ -72,7 +75,7 @@ ESM_INLINE void upperHalf(const WideLanes& value, Lanes& half) noexcept
 /// shuffle.
 ESM_INLINE void joinHalves(const Lanes& low, const Lanes& high, WideLanes& both) noexcept
 {
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(ESM_NO_CLONES)
   const WideLanes lower = __builtin_shufflevector(low, Lanes{0, 0, 0, 0}, 0, 1, 2, 3, 4, 5, 6, 7);
   asm("vinsertf64x4 $1, %2, %1, %0" : "=v"(both) : "v"(lower), "vm"(high));
 #else

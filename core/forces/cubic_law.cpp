@@ -7,21 +7,21 @@ namespace {
 
 /// f = k e (1 + a (e/L)^2)
 struct Cubic {
-  template <class Values>
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
+  static constexpr SpringLaw kLaw = SpringLaw::Cubic;
+  template <class Group, class Values>
+  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
   {
     Values k, a;
-    detail::loadLanes(&batch.factor[i], k);
-    detail::loadLanes(&batch.growth[i], a);
+    group.lawRow(0, k);
+    group.lawRow(1, a);
     f = k * e * (1.0 + a * (e * e));
   }
-  template <class Values>
-  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
-                                Values& result) noexcept
+  template <class Group, class Values>
+  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
   {
     Values k, a;
-    detail::loadLanes(&batch.factor[i], k);
-    detail::loadLanes(&batch.growth[i], a);
+    group.lawRow(0, k);
+    group.lawRow(1, a);
     result = 0.5 * k * e * e * (1.0 + 0.5 * a * (e * e));
   }
 };

@@ -70,12 +70,13 @@ ESM_INLINE void keepInside(const Values& s, Values& inside) noexcept
 
 /// f = k L/b (exp(b e/L) - 1)
 struct Exponential {
-  template <class Values>
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
+  static constexpr SpringLaw kLaw = SpringLaw::Exponential;
+  template <class Group, class Values>
+  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
   {
     Values factor, rate, inside, growth;
-    detail::loadLanes(&batch.factor[i], factor);
-    detail::loadLanes(&batch.growth[i], rate);
+    group.lawRow(0, factor);
+    group.lawRow(1, rate);
     const Values s = rate * e;
     keepInside(s, inside);
     expMinusOne(inside, growth);
@@ -83,13 +84,12 @@ struct Exponential {
     f = factor * growth;
   }
   /// k (L/b)^2 (exp(s) - 1 - s): the difference is a power series near 0, where it would cancel.
-  template <class Values>
-  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
-                                Values& result) noexcept
+  template <class Group, class Values>
+  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
   {
     Values factor, rate, inside, growth;
-    detail::loadLanes(&batch.factor[i], factor);
-    detail::loadLanes(&batch.growth[i], rate);
+    group.lawRow(0, factor);
+    group.lawRow(1, rate);
     const Values s = rate * e;
     keepInside(s, inside);
     ExpParts<Values> parts;

@@ -7,19 +7,19 @@ namespace {
 
 /// f = k e
 struct Linear {
-  template <class Values>
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
+  static constexpr SpringLaw kLaw = SpringLaw::Linear;
+  template <class Group, class Values>
+  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
   {
     Values k;
-    detail::loadLanes(&batch.factor[i], k);
+    group.lawRow(0, k);
     f = k * e;
   }
-  template <class Values>
-  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
-                                Values& result) noexcept
+  template <class Group, class Values>
+  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
   {
     Values k;
-    detail::loadLanes(&batch.factor[i], k);
+    group.lawRow(0, k);
     result = 0.5 * k * e * e;
   }
 };

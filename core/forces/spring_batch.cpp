@@ -3,6 +3,8 @@
 #include "core/forces/spring_law.h"
 
 #include <cmath>
+#include <cstdint>
+#include <cstring>
 
 namespace esm {
 
@@ -45,16 +47,33 @@ void SpringBatch::finish(std::size_t nodeCount)
     viscosity.push_back(0.0);
     parameter.push_back(law == SpringLaw::Table ? 0.0 : 1.0);
   }
-  factor = stiffness;
-  growth.assign(a.size(), 0.0);
   rootViscosity.resize(a.size());
+  for (std::size_t i = 0; i < a.size(); ++i) rootViscosity[i] = std::sqrt(viscosity[i]);
+  fillRecord();
+}
+
+void SpringBatch::fillRecord()
+{
+  const std::size_t rows = recordRows();
+  record.assign(a.size() / 4 * rows, Lanes{0, 0, 0, 0});
   for (std::size_t i = 0; i < a.size(); ++i) {
-    rootViscosity[i] = std::sqrt(viscosity[i]);
+    Lanes* const group = record.data() + i / 4 * rows;
+    const std::size_t lane = i % 4;
+    const auto putEnd = [&](Index node, std::size_t place) {
+      const auto offset = static_cast<std::uint32_t>(static_cast<std::size_t>(node) * sizeof(Lanes));
+      std::memcpy(reinterpret_cast<char*>(group) + place * sizeof(offset), &offset, sizeof(offset));
+    };
+    putEnd(a[i], lane);
+    putEnd(b[i], 4 + lane);
+    group[1][lane] = restLength[i];
     const double scale = parameter[i] / restLength[i];
-    if (law == SpringLaw::Cubic) growth[i] = scale / restLength[i];
-    if (law != SpringLaw::Exponential) continue;
-    factor[i] = stiffness[i] / scale;
-    growth[i] = scale;
+    if (law == SpringLaw::Linear || law == SpringLaw::Cubic) group[2][lane] = stiffness[i];
+    if (law == SpringLaw::Cubic) group[3][lane] = scale / restLength[i];
+    if (law == SpringLaw::Exponential) {
+      group[2][lane] = stiffness[i] / scale;
+      group[3][lane] = scale;
+    }
+    if (damped) group[rows - 1][lane] = viscosity[i];
   }
 }
 

@@ -14,6 +14,12 @@ namespace esm {
 /// elastic nor viscous, and is counted.
 inline constexpr double kMinSpringLength = 1e-12;
 
+/// Rows of SpringBatch::record that hold what a law needs.
+constexpr std::size_t lawRows(SpringLaw law) noexcept
+{
+  return law == SpringLaw::Linear ? 1 : law == SpringLaw::Table ? 0 : 2;
+}
+
 /// The springs of one law, with or without dampers, tension-only or not: one call serves them all. One array
 /// per property, padded to whole groups of four by springs from the first one's end to itself, which are too
 /// short to pull.
@@ -25,16 +31,26 @@ struct SpringBatch {
   std::vector<Index> a, b;                              ///< ends
   std::vector<double> restLength, stiffness, viscosity; ///< [m] [N/m] [N s/m]
   std::vector<double> parameter;                        ///< a, b of the law, or the index of the table [1]
-  /// What the kernels read, by finish(): linear k; cubic k and a/L^2; exponential k L/b and b/L.
-  std::vector<double> factor, growth;
+  /// What a force pass reads, by finish(): recordRows() rows of four for each group of four springs. Side by
+  /// side, since as many arrays need more registers than there are for their addresses.
+  ///
+  ///     0     ends a, then ends b, as places in a NodeArray [bytes], eight std::uint32_t
+  ///     1     rest length L [m]
+  ///     2 ..  lawRows() of the law: linear k; cubic k, a/L^2; exponential k L/b, b/L
+  ///     last  viscosity c, if damped [N s/m]
+  NodeArray record;
   std::vector<double> rootViscosity; ///< sqrt(c)
   std::vector<Index> spring;         ///< place in the SpringNet, `count` entries
   std::vector<ForceTable> tables;    ///< copy of the net's, for the table law only
 
   std::size_t paddedCount() const noexcept { return a.size(); }
+  std::size_t recordRows() const noexcept { return 2 + lawRows(law) + (damped ? 1 : 0); }
   void append(const SpringNet& net, Index s);
   /// After the last append(): puts the springs into the order of conflictFreeOrder(), pads and derives.
   void finish(std::size_t nodeCount);
+
+private:
+  void fillRecord();
 };
 
 /// The damping of a batch at one instant, kept by addForces(): for each group of four springs the x, y and z

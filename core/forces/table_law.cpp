@@ -44,18 +44,22 @@ double integralTo(const ForceTable& table, double strain) noexcept
 
 /// f = k L g(e/L), one spring after the other: a look-up does not profit from lanes.
 struct Table {
-  template <class Values>
-  ESM_INLINE static void tension(const SpringBatch& batch, std::size_t i, const Values& e, Values& f) noexcept
+  static constexpr SpringLaw kLaw = SpringLaw::Table;
+  template <class Group, class Values>
+  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
   {
+    const SpringBatch& batch = group.batch;
+    const std::size_t i = group.first;
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const double length = batch.restLength[i + lane];
       f[lane] = batch.stiffness[i + lane] * length * valueAt(tableOf(batch, i + lane), e[lane] / length);
     }
   }
-  template <class Values>
-  ESM_INLINE static void energy(const SpringBatch& batch, std::size_t i, const Values& e,
-                                Values& result) noexcept
+  template <class Group, class Values>
+  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
   {
+    const SpringBatch& batch = group.batch;
+    const std::size_t i = group.first;
     for (std::size_t lane = 0; lane < 4; ++lane) {
       const ForceTable& table = tableOf(batch, i + lane);
       const double length = batch.restLength[i + lane];
