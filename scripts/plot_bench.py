@@ -207,7 +207,8 @@ Broken lines are competitors.{all_methods}
 
 Nanoseconds per spring, least of several repetitions, and what the machine allows: the arithmetic of a linear spring on
 data in the first cache, its division and square root alone, and the memory stream alone of a net far beyond the caches
-(75 bytes a spring). `plain` is the competitors' kernel.
+(75 bytes a spring). Each with its share of the nodes (clearing the forces, weight, anchors); *springs alone* is without
+weight and anchors, *kept dampers* the viscous forces alone, *plain* the competitors' kernel.
 
 {table(kernel)}
 ## Real time

@@ -35,6 +35,11 @@ ESM_CPU_CLONES double cubicEnergy(const SpringBatch& batch, const Lanes* x) noex
   return detail::energyPass<Cubic>(batch, x);
 }
 
+ESM_CPU_CLONES double cubicLargestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+{
+  return detail::tensionPass<Cubic>(batch, x, v);
+}
+
 class CubicLaw final : public SpringLawKernel {
 public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -46,6 +51,11 @@ public:
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
   {
     return cubicEnergy(batch, x);
+  }
+
+  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  {
+    return cubicLargestTension(batch, x, v);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -118,6 +118,12 @@ double expMinusOne(double s) noexcept
   return result[0];
 }
 
+ESM_CPU_CLONES double exponentialLargestTension(const SpringBatch& batch, const Lanes* x,
+                                                const Lanes* v) noexcept
+{
+  return detail::tensionPass<Exponential>(batch, x, v);
+}
+
 class ExponentialLaw final : public SpringLawKernel {
 public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -129,6 +135,11 @@ public:
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
   {
     return exponentialEnergy(batch, x);
+  }
+
+  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  {
+    return exponentialLargestTension(batch, x, v);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

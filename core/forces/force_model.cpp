@@ -204,14 +204,8 @@ void ForceModel::springTensions(const Lanes* x, const Lanes* v, double* tension)
 double ForceModel::largestTension(const Lanes* x, const Lanes* v) const noexcept
 {
   double largest = 0.0;
-  forEachSpring(x, [&](const SpringBatch& batch, std::size_t i, const Lanes& d, double length) {
-    const double e = length - batch.restLength[i];
-    if (length < kMinSpringLength || (batch.tensionOnly && e <= 0.0)) return;
-    const double rate = dot(v[batch.b[i]] - v[batch.a[i]], d) / length;
-    const double tension =
-      springLawKernel(batch.law).respond(batch, i, e).tension + batch.viscosity[i] * rate;
-    largest = std::max(largest, std::abs(tension));
-  });
+  for (const SpringBatch& batch : m_batches)
+    largest = std::max(largest, springLawKernel(batch.law).largestTension(batch, x, v));
   return largest;
 }
 

@@ -33,6 +33,11 @@ ESM_CPU_CLONES double linearEnergy(const SpringBatch& batch, const Lanes* x) noe
   return detail::energyPass<Linear>(batch, x);
 }
 
+ESM_CPU_CLONES double linearLargestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+{
+  return detail::tensionPass<Linear>(batch, x, v);
+}
+
 class LinearLaw final : public SpringLawKernel {
 public:
   SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -44,6 +49,11 @@ public:
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
   {
     return linearEnergy(batch, x);
+  }
+
+  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  {
+    return linearLargestTension(batch, x, v);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -4,6 +4,7 @@
 
 #include "core/forces/spring_law.h"
 
+#include <algorithm>
 #include <type_traits>
 
 namespace esm::detail {
@@ -415,6 +416,40 @@ template <class Law>
 ESM_INLINE double energyPass(const SpringBatch& batch, const Lanes* x) noexcept
 {
   return batch.damped ? energyPass<Law, true>(batch, x) : energyPass<Law, false>(batch, x);
+}
+
+/// The largest absolute tension of a batch [N], four springs at a time; what only fills up has none.
+template <class Law, bool damped>
+ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  Lanes largest = zero;
+  for (std::size_t i = 0; i < batch.paddedCount(); i += FourEnds::kCount) {
+    const SpringGroup<Law, FourEnds, damped> springs(batch, i);
+    GroupInFlight<Lanes> group;
+    readGroup(springs, x, v, group);
+    Lanes length = group.square, restLength, tension;
+    squareRoot(length);
+    springs.restLength(restLength);
+    const Lanes e = length - restLength;
+    Law::tension(springs, e, tension);
+    if constexpr (damped) {
+      Lanes viscosity;
+      springs.viscosity(viscosity);
+      tension += viscosity * (group.slip / length);
+    }
+    if (batch.tensionOnly) tension = e <= zero ? zero : tension;
+    tension = length < zero + kMinSpringLength ? zero : tension;
+    tension = tension < zero ? -tension : tension;
+    largest = tension > largest ? tension : largest;
+  }
+  return std::max(std::max(largest[0], largest[1]), std::max(largest[2], largest[3]));
+}
+
+template <class Law>
+ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+{
+  return batch.damped ? tensionPass<Law, true>(batch, x, v) : tensionPass<Law, false>(batch, x, v);
 }
 
 } // namespace esm::detail

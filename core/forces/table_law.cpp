@@ -82,6 +82,11 @@ public:
     return detail::energyPass<Table>(batch, x);
   }
 
+  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  {
+    return detail::tensionPass<Table>(batch, x, v);
+  }
+
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override
   {
     const ForceTable& table = tableOf(batch, i);

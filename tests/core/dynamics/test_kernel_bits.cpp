@@ -48,11 +48,27 @@ double energyOf(const SpringBatch& batch, const NodeArray& x)
 
 } // namespace
 
+/// The largest absolute tension, one spring after the other.
+double largestTensionOf(const SpringLawKernel& law, const SpringBatch& batch, const NodeArray& x,
+                        const NodeArray& v)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < batch.count; ++i) {
+    const auto a = static_cast<std::size_t>(batch.a[i]), b = static_cast<std::size_t>(batch.b[i]);
+    const Lanes d = x[b] - x[a];
+    const double length = std::sqrt(dot(d, d)), e = length - batch.restLength[i];
+    if (a == b || (batch.tensionOnly && e <= 0.0)) continue;
+    const double drag = batch.damped ? batch.viscosity[i] * dot(v[b] - v[a], d) / length : 0.0;
+    largest = std::max(largest, std::abs(law.respond(batch, i, e).tension + drag));
+  }
+  return largest;
+}
+
 /// What a kernel makes of a batch.
 struct Pulled {
   NodeArray force, kept;
   SpringSums sums;
-  double energy;
+  double energy, largestTension;
 
   template <class AddDamping>
   Pulled(const SpringLawKernel& law, const AddDamping& addDampingTo, const SpringBatch& batch,
@@ -60,7 +76,8 @@ struct Pulled {
     : force(x.size(), Lanes{0, 0, 0, 0}),
       kept(damperSize(batch)),
       sums(law.addForces(batch, x.data(), v.data(), force.data(), kept.data())),
-      energy(law.energy(batch, x.data()))
+      energy(law.energy(batch, x.data())),
+      largestTension(law.largestTension(batch, x.data(), v.data()))
   {
     addDampingTo(batch, kept.data(), v.data(), force.data());
   }
@@ -68,7 +85,8 @@ struct Pulled {
 
 bool haveEqualBits(const NodeArray& a, const NodeArray& b)
 {
-  return a.size() == b.size() && (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Lanes)) == 0);
+  return a.size() == b.size() &&
+         (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Lanes)) == 0);
 }
 
 // Golden hashes must hold on every x86-64: the version that the loader chooses here (AVX2 or AVX-512 where
@@ -115,14 +133,17 @@ TEST_P(KernelBitsOf, WideAndPlainKernelsAgreeToTheLastBit)
         batch.tensionOnly = tensionOnly;
         batch.finish(kNodes);
         const Pulled here(*chosen, addDamping, batch, x, v);
-        for (const Pulled& other : {Pulled(*plain, plainAddDamping, batch, x, v),
-                                    Pulled(*wide, wideAddDamping, batch, x, v)}) {
+        for (const Pulled& other :
+             {Pulled(*plain, plainAddDamping, batch, x, v), Pulled(*wide, wideAddDamping, batch, x, v)}) {
           EXPECT_TRUE(haveEqualBits(here.kept, other.kept));
           EXPECT_TRUE(haveEqualBits(here.force, other.force));
           EXPECT_EQ(here.sums.heat, other.sums.heat);
           EXPECT_EQ(here.sums.degenerate, other.sums.degenerate);
           EXPECT_EQ(here.energy, other.energy);
+          EXPECT_EQ(here.largestTension, other.largestTension);
         }
+        const double largest = largestTensionOf(*chosen, batch, x, v);
+        EXPECT_NEAR(here.largestTension, largest, 1e-13 * largest); // rounding
         const double oneByOne = energyOf(batch, x);
         EXPECT_NEAR(here.energy, oneByOne, 1e-13 * oneByOne); // rounding of sums of 803
       }
