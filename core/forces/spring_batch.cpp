@@ -10,6 +10,9 @@ namespace esm {
 
 namespace {
 
+static_assert(static_cast<std::size_t>(kMostNetNodes) * sizeof(Lanes) <= std::size_t{1}
+                                                                           << 32); // see fillRecord()
+
 template <class Value>
 void putInto(const std::vector<std::size_t>& order, std::vector<Value>& values)
 {
@@ -66,12 +69,22 @@ void SpringBatch::fillRecord()
     putEnd(a[i], lane);
     putEnd(b[i], 4 + lane);
     group[1][lane] = restLength[i];
-    const double scale = parameter[i] / restLength[i];
-    if (law == SpringLaw::Linear || law == SpringLaw::Cubic) group[2][lane] = stiffness[i];
-    if (law == SpringLaw::Cubic) group[3][lane] = scale / restLength[i];
-    if (law == SpringLaw::Exponential) {
-      group[2][lane] = stiffness[i] / scale;
-      group[3][lane] = scale;
+    const double perStrain =
+      parameter[i] / restLength[i]; // unused, and infinite, in a linear spring of length 0
+    switch (law) {
+    case SpringLaw::Linear:
+      group[2][lane] = stiffness[i];
+      break;
+    case SpringLaw::Cubic:
+      group[2][lane] = stiffness[i];
+      group[3][lane] = perStrain / restLength[i];
+      break;
+    case SpringLaw::Exponential:
+      group[2][lane] = stiffness[i] / perStrain;
+      group[3][lane] = perStrain;
+      break;
+    case SpringLaw::Table:
+      break;
     }
     if (damped) group[rows - 1][lane] = viscosity[i];
   }

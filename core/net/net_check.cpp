@@ -37,6 +37,10 @@ struct Shape {
 
 Status checkShapes(const SpringNet& net)
 {
+  if (net.restPosition.cols() > kMostNetNodes)
+    return invalidValue("the net has " + std::to_string(net.restPosition.cols()) + " nodes, it may have " +
+                        std::to_string(kMostNetNodes) +
+                        ": simplify the mesh or cut it into several projects");
   const auto cols = [](const auto& matrix) { return static_cast<std::size_t>(matrix.cols()); };
   const auto size = [](const auto& array) { return static_cast<std::size_t>(array.size()); };
   const std::size_t n = cols(net.restPosition), s = cols(net.ends), a = net.anchors.node.size();

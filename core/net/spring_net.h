@@ -77,6 +77,9 @@ struct PressureBody {
   }
 };
 
+/// The most nodes that a net may have: passes tell their places in bytes, with 32 bits.
+inline constexpr Index kMostNetNodes = 1 << 27;
+
 /// Topology and parameters of a spring-mass net, one array per property (struct of arrays).
 /// Plain data: copyable, no pointers, no locks. While a simulation runs it works on its own copy.
 /// checkNet() says whether the arrays fit together; everything downstream may assume that they do.
