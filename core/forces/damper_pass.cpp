@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "core/forces/spring_pass.h"
+#include "core/forces/spring_ends.h"
 
 namespace esm {
 namespace {
@@ -25,7 +25,7 @@ template <class Widest>
 ESM_INLINE void dampAll(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept
 {
   if (!batch.damped) return;
-  const std::size_t whole = detail::inWholeGroups<Widest>(batch);
+  const std::size_t whole = batch.paddedCount() / Widest::kCount * Widest::kCount;
   dampGroups<Widest>(batch, 0, whole, damper, v, force);
   dampGroups<detail::FourEnds>(batch, whole, batch.paddedCount(), damper, v, force);
 }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/forces/spring_matrix.h"
 
-#include "core/forces/spring_pass.h"
+#include "core/forces/spring_ends.h"
 
 namespace esm {
 namespace {

@@ -46,8 +46,6 @@ double energyOf(const SpringBatch& batch, const NodeArray& x)
   return sum;
 }
 
-} // namespace
-
 /// The largest absolute tension, one spring after the other.
 double largestTensionOf(const SpringLawKernel& law, const SpringBatch& batch, const NodeArray& x,
                         const NodeArray& v)
@@ -88,6 +86,8 @@ bool haveEqualBits(const NodeArray& a, const NodeArray& b)
   return a.size() == b.size() &&
          (a.empty() || std::memcmp(a.data(), b.data(), a.size() * sizeof(Lanes)) == 0);
 }
+
+} // namespace
 
 // Golden hashes must hold on every x86-64: the version that the loader chooses here (AVX2 or AVX-512 where
 // the CPU has it), the plain one and the plain one eight at a time give the same bits for forces, heat and
