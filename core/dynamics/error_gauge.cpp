@@ -5,27 +5,62 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 namespace esm {
 namespace {
 
-constexpr double kErrorHorizon = 2.0; ///< motion over which errors add up at least, if nothing damps them [s]
-constexpr double kShortestHorizon = 0.1; ///< [s]
-constexpr double kMemory = 0.2;          ///< over which the net's damping is averaged [s]
-constexpr double kSafety = 0.8;          ///< share of the tolerance that is spent on purpose
+constexpr double kErrorHorizon = 2.0; ///< motion that is reckoned with at least, if nobody knows its end [s]
+constexpr double kShortestLife = 0.1; ///< of an error; to count on less would be bold [s]
+constexpr double kMemory = 0.2, kShortMemory = 0.03; ///< over which the net's damping is averaged [s]
+constexpr double kSafety = 0.8;                      ///< share of the tolerance that is spent on purpose
 /// In which a displacement becomes what the motion makes of it [s]. With 0.03 a struck organ ended 5 % above
 /// a tolerance of 1e-2, and with 0.017 more: a blow does not last.
 constexpr double kUnfolding = 0.01;
-/// What earlier stretches have left goes at this rate [s], and to no stretch more than some times its even
-/// share: errors of lively motion are the least sure.
-constexpr double kSpending = 0.3, kMostShare = 3.0;
 /// What a net errs while it is held bent grows when it is let go: errors in its stiff patterns, which are
 /// small in length but not in energy, become such of soft ones. In tubes they grew up to twentyfold, and 12
 /// of 200 runs of 40 tubes ended up to three times above the tolerance; with this share of it, none.
-constexpr double kShareBeforeRelease = 0.25;
-constexpr double kForGood = 10.0; ///< lifetime of an error that is spent for good [s]
+constexpr double kShareBeforeRelease = 0.15;
 /// What follows the first motion, which dampers brake the most, lives longer than that tells.
-constexpr double kSlowerThanFirst = 4.0;
+constexpr double kSlowerThanFirst = 2.0;
+/// Of what may be spent: an error for some time, where the end is known and the mean up to it counts; and
+/// the least that goes on to be spent when all is: smaller steps would cost without end and gain little.
+constexpr double kMostPeak = 1.4, kLeastRate = 1.0;
+/// What is over has faded faster than is counted on for what comes.
+constexpr double kFaster = 1.5;
+
+/// An error that is there, and how it fades: S = (spent + rate t) exp(-t/life).
+struct LivingError {
+  double spent = 0.0; ///< [m]
+  double life = 0.0;  ///< [s], may be infinite
+
+  /// The rate [m/s] with which S stays below `most` [m] for the time `left` [s].
+  double rateForPeak(double most, double left) const noexcept
+  {
+    const double share = spent / most;
+    if (share < 1.0) { // S is largest where t = life - spent/rate; within 2 % of the solution
+      const double rate = (1.0 + (std::numbers::e - 1.0) * std::sqrt(1.0 - share)) * most / life;
+      if (life - spent / rate < left) return rate;
+    } else if (life < left) {
+      return most / (share * share * life);
+    }
+    return (most * std::exp(left / life) - spent) / left;
+  }
+
+  /// The rate [m/s] with which the integral of S^2 over the time `left` [s] is `room` [m^2 s].
+  double rateForMean(double room, double left) const noexcept
+  {
+    const double a = 2.0 / life, x = a * left, fade = std::exp(-x);
+    double i0 = left, i1 = left * left / 2.0, i2 = left * left * left / 3.0; // of t^n exp(-a t)
+    if (x > 1e-3) {
+      i0 = (1.0 - fade) / a;
+      i1 = (1.0 - fade * (1.0 + x)) / (a * a);
+      i2 = (2.0 - fade * (2.0 + x * (2.0 + x))) / (a * a * a);
+    }
+    room -= spent * spent * i0;
+    return room > 0.0 ? room / (spent * i1 + std::sqrt(spent * spent * i1 * i1 + i2 * room)) : 0.0;
+  }
+};
 
 /// Over `count` nodes, of which those that were not summed have the value 0.
 double rms(double sum, std::size_t count) noexcept
@@ -37,8 +72,9 @@ double rms(double sum, std::size_t count) noexcept
 
 double fadingTime(const ErrorScale& scale) noexcept
 {
-  return scale.recentHeat > 0.0 ? 16.0 * scale.recentKinetic / scale.recentHeat
-                                : std::numeric_limits<double>::infinity();
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  const auto time = [](double kinetic, double heat) { return heat > 0.0 ? 8.0 * kinetic / heat : kNever; };
+  return std::max(time(scale.recentKinetic, scale.recentHeat), time(scale.latestKinetic, scale.latestHeat));
 }
 
 void ErrorGauge::begin(const NodeArray& x, double extent, double duration)
@@ -75,20 +111,24 @@ double ErrorGauge::shareOfWhole(std::size_t nodes) const noexcept
 }
 
 ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start, const MotionState& end,
-                                  double error, double power) const noexcept
+                                  double error) const noexcept
 {
-  const double length = end.time - start.time, fade = std::exp(-length / kMemory);
+  const double length = end.time - start.time, heat = std::max(end.heat - start.heat, 0.0);
+  const double kinetic = system.kineticEnergy(end.v) * length;
+  const double fade = std::exp(-length / kMemory), quickFade = std::exp(-length / kShortMemory);
   ErrorScale next = m_scale;
   next.calm += length;
   next.displacement = displacementOf(end.x);
-  const double alive = std::pow(m_scale.spent, 1.0 / power) * std::exp(-length / horizon(start.time));
-  next.spent = std::min(std::pow(alive + std::pow(error, 1.0 / power), power),
+  next.spent = std::min(m_scale.spent * std::exp(-kFaster * length / lifetime()) + error,
                         std::max(next.displacement, floor())); // no error is larger than that for long
+  next.spentSquare += next.spent * next.spent * length;
   next.squareOverTime += next.displacement * next.displacement * length;
   next.speed = speedOf(end.v);
   next.topSpeed = std::max(next.topSpeed, next.speed);
-  next.recentHeat = fade * next.recentHeat + std::max(end.heat - start.heat, 0.0);
-  next.recentKinetic = fade * next.recentKinetic + system.kineticEnergy(end.v) * length;
+  next.latestHeat = quickFade * next.latestHeat + heat;
+  next.latestKinetic = quickFade * next.latestKinetic + kinetic;
+  next.recentHeat = fade * next.recentHeat + heat;
+  next.recentKinetic = fade * next.recentKinetic + kinetic;
   next.recentPath = fade * next.recentPath + next.speed * next.speed * length;
   return next;
 }
@@ -97,7 +137,7 @@ void ErrorGauge::guessLifetime(const System& system, const MotionState& start,
                                const MotionState& end) noexcept
 {
   if (m_scale.recentPath > 0.0) return;
-  m_guessedLifetime = kSlowerThanFirst * fadingTime(scaleAfter(system, start, end, 0.0, 1.0));
+  m_guessedLifetime = kSlowerThanFirst * fadingTime(scaleAfter(system, start, end, 0.0));
 }
 
 /// Error that the motion before `state` or after it may have [m].
@@ -117,24 +157,27 @@ double ErrorGauge::unspent(double tolerance, const MotionState& state) const noe
   return std::max(allowance(tolerance, state) - m_scale.spent, 0.0);
 }
 
-double ErrorGauge::budget(double tolerance, const MotionState& state, double length,
-                          double power) const noexcept
+double ErrorGauge::budget(double tolerance, const MotionState& state, double length) const noexcept
 {
-  const double all = allowance(tolerance, state);
-  const double even = all * std::min(1.0, std::pow(length / horizon(state.time), power));
-  if (lifetime() > kForGood) return even;
-  const double left = std::max(std::pow(all, 1.0 / power) - std::pow(m_scale.spent, 1.0 / power), 0.0);
-  const double lively = std::pow(left * std::min(1.0, length / kSpending), power);
-  return std::clamp(lively, even, std::min(all, kMostShare * even));
+  const double all = allowance(tolerance, state), end = knownEnd(state.time);
+  const bool isKnown = std::isfinite(end);
+  const double left = std::max(timeLeft(state.time), length);
+  const LivingError error{m_scale.spent, lifetime()};
+  const double room = all * all * (state.time + left) - m_scale.spentSquare;
+  const double rate =
+    std::min(error.rateForPeak((isKnown ? kMostPeak : 1.0) * all, left), error.rateForMean(room, left));
+  const double least = kLeastRate * all / std::min(error.life, state.time + left);
+  return std::min(all, std::max(rate, least) * length);
 }
 
-/// A random walk has 1/2, and an error that fades has less. But slow modes err as well, unseen beside the
-/// fast ones: with 1/2 the error of a run was seen up to four times above the tolerance, with 0.7 at it.
-double ErrorGauge::errorPower(double early, double late, double share) noexcept
+/// A random walk has the power 1/2, and an error that fades has less. But slow modes err as well, unseen
+/// beside the fast ones: with 1/2 the error of a run was seen up to four times above the tolerance.
+double ErrorGauge::growing(double time, double length, double early, double late, double share) const noexcept
 {
   constexpr double kLeastPower = 0.85;
   if (!(early > 0.0) || !(late > 0.0)) return 1.0;
-  return std::clamp(std::log(late / early) / -std::log(share), kLeastPower, 1.0);
+  const double power = std::clamp(std::log(late / early) / -std::log(share), kLeastPower, 1.0);
+  return std::pow(std::max(std::min(lifetime(), timeLeft(time)) / length, 1.0), power - 1.0);
 }
 
 double ErrorGauge::distance(const NodeArray& otherX, const MotionState& state) const noexcept
@@ -164,26 +207,25 @@ double ErrorGauge::slowDistance(const System& system, const NodeArray& otherV,
 }
 
 /// How long an error lives [s]; infinity without damping. It fades as the motion itself does: what oscillates
-/// in its fadingTime(), what creeps in the time that it takes to its goal, displacement over speed. Both are
-/// averaged over the last fifth of a second.
+/// in its fadingTime(), what creeps in the time that it takes to its goal, displacement over speed.
 double ErrorGauge::lifetime() const noexcept
 {
-  if (!(m_scale.recentPath > 0.0)) return m_guessedLifetime;
+  if (!(m_scale.recentPath > 0.0)) return std::max(m_guessedLifetime, kShortestLife);
   const double creeping = 2.0 * m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath);
-  return std::max(fadingTime(m_scale), creeping);
+  return std::max({fadingTime(m_scale), creeping, kShortestLife});
 }
 
-/// The end of the motion as seen at `time` before it [s]; infinity if nobody knows it.
+/// Time over which errors may still add up, seen at `time` [s].
+double ErrorGauge::timeLeft(double time) const noexcept
+{
+  const double end = knownEnd(time);
+  return std::isfinite(end) ? end - time : std::max(kErrorHorizon, time);
+}
+
+/// The end of the motion as seen at `time` before it or at it [s]; infinity if nobody knows it.
 double ErrorGauge::knownEnd(double time) const noexcept
 {
-  return time < m_duration ? m_duration : std::numeric_limits<double>::infinity();
-}
-
-/// Time over which errors add up [s]: without damping from the start on, and not beyond a known end.
-double ErrorGauge::horizon(double time) const noexcept
-{
-  const double longest = std::clamp(knownEnd(time), kShortestHorizon, std::max(kErrorHorizon, time));
-  return std::clamp(lifetime(), kShortestHorizon, longest);
+  return time <= m_duration * (1.0 + 1e-9) ? m_duration : std::numeric_limits<double>::infinity();
 }
 
 } // namespace esm

@@ -15,25 +15,30 @@ struct ErrorScale {
   double speed = 0.0, topSpeed = 0.0; ///< now and so far [m/s]
   double calm = 0.0;                  ///< since the start or the last event [s]
   double spent = 0.0;                 ///< error that stretches have added and that still lives [m]
+  double spentSquare = 0.0;           ///< integral of its square [m^2 s]
+  double latestHeat = 0.0;            ///< of the last two frames [J]
+  double latestKinetic = 0.0;         ///< the same, integral [J s]
   // Of the last fifth of a second:
   double recentHeat = 0.0;    ///< [J]
   double recentKinetic = 0.0; ///< integral [J s]
   double recentPath = 0.0;    ///< integral of the squared speed [m^2/s]
 };
 
-/// Amplitudes of what oscillates fade by the rate heat / (4 kinetic energy); slow modes, where errors gather,
-/// by a quarter of that. @return time in which they do, as of late [s]; infinity without damping
+/// Amplitudes of what oscillates fade by the rate heat / (4 kinetic energy); slow modes by half of that.
+/// @return time in which they do [s], by the last fifth of a second and by the last two frames, whichever is
+/// longer: a blow's first heat must not shorten what swings on after it. Infinity without damping.
 double fadingTime(const ErrorScale& scale) noexcept;
 
 /// Measures errors of stretches of motion, and knows how much of it a stretch may add, so that the error of
 /// docs/FILE_FORMAT.md stays below the tolerance.
 ///
-/// An error lives as long as the motion's damping lets it (horizon()). Were errors to add up one to one, a
-/// stretch could have only its share of that time; those of fast waves do not, but lose their direction or
-/// fade within milliseconds, and add up like the steps of a random walk. Which it is shows inside a stretch:
-/// its error grows with a power of time (errorPower()), and the share of the budget goes with the same power.
-/// Motion errs unevenly: what calm stretches leave of their shares, a lively one may have
-/// (ErrorScale::spent). Distances are RMS over the nodes of the whole net, of which a System may be a part.
+/// What a method errs over long is a shift in time: each mode runs late (or loses amplitude) by its own share
+/// of the time that has passed, and the error that this makes dies with the mode. So after a time t of equal
+/// steps the error is t times the rate at which it grows *now*, not the sum of what was added on the way: on
+/// the uterus within a fifth throughout, while it falls by six decades and the sum would stay where it was.
+/// ErrorScale::spent fades with the motion for that reason. Not all of a stretch's error adds up one to one:
+/// that of fast waves loses its direction within milliseconds (growing()). Distances are RMS over the nodes
+/// of the whole net, of which a System may be a part.
 class ErrorGauge {
 public:
   static constexpr std::size_t kFewNodes = 100; ///< a net below has few modes, and no waves among them
@@ -48,9 +53,8 @@ public:
   void setScale(const ErrorScale& scale) noexcept { m_scale = scale; }
   /// The scale with one more stretch.
   /// @param error  that it has added [m]
-  /// @param power  with which errors grow over time, see errorPower()
-  ErrorScale scaleAfter(const System& system, const MotionState& start, const MotionState& end, double error,
-                        double power) const noexcept;
+  ErrorScale scaleAfter(const System& system, const MotionState& start, const MotionState& end,
+                        double error) const noexcept;
   /// After the first stretch since begin() has been tried: until then nothing tells how long errors live.
   void guessLifetime(const System& system, const MotionState& start, const MotionState& end) noexcept;
   /// Loads have jumped or bent.
@@ -62,14 +66,16 @@ public:
   double floor() const noexcept { return 1e-6 * m_extent; } ///< displacements below it do not matter [m]
   double displacementOf(const NodeArray& x) const noexcept; ///< [m]
   double speedOf(const NodeArray& v) const noexcept;        ///< [m/s]
-  /// Error that a stretch of this length may add before `state` or after it [m].
-  /// @param power with which errors grow over time, see errorPower()
-  double budget(double tolerance, const MotionState& state, double length, double power) const noexcept;
+  /// Error that a stretch of this length may add before `state` or after it [m]: as much as could be added
+  /// again and again until the end, if errors go on to fade as of late, without more than the tolerance in
+  /// the mean over time.
+  double budget(double tolerance, const MotionState& state, double length) const noexcept;
   /// Error that the motion may still add, were it to live for good [m].
   double unspent(double tolerance, const MotionState& state) const noexcept;
-  /// The power of time with which an error has grown that was `early` [m] after a `share` of the stretch and
-  /// `late` [m] at its end: 1 adds up without end, 0.85 is the least that is believed.
-  static double errorPower(double early, double late, double share) noexcept;
+  /// The part of a stretch's error that counts, as long as it lives and until the end, if it was `early` [m]
+  /// after a `share` of the stretch from `time` on and is `late` [m] at its end. That shows the power of time
+  /// with which it grows: with 1 it adds up one to one, 0.85 is the least that is believed.
+  double growing(double time, double length, double early, double late, double share) const noexcept;
   /// How far apart two ends of a stretch are [m].
   double distance(const NodeArray& x, const MotionState& state) const noexcept;
   /// How far apart their slow motion will bring them [m].
@@ -79,9 +85,9 @@ public:
 
 private:
   double allowance(double tolerance, const MotionState& state) const noexcept;
+  double timeLeft(double time) const noexcept;
   double lifetime() const noexcept;
   double knownEnd(double time) const noexcept;
-  double horizon(double time) const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]
   std::size_t m_count = 0;

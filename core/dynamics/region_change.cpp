@@ -13,7 +13,7 @@ namespace {
 constexpr Index kSmallestDivisible = 2000;            ///< nodes
 constexpr double kLargestPart = 0.6;                  ///< of the nodes; above it the whole net is as cheap
 constexpr double kLeastDecay = 0.5, kMostDecay = 8.0; ///< bounds of ratio - 8 in missedMotion()
-constexpr double kShare = 1.0 / 3.0;                  ///< of the tolerance that goes to sleepers
+constexpr double kShare = 0.5;                        ///< of the tolerance that goes to sleepers
 
 double diagonalOf(const NodeArray& x) noexcept
 {

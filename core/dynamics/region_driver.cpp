@@ -184,7 +184,9 @@ bool RegionDriver::settles(StepReport& report)
                      std::any_of(tools.begin(), tools.end(),
                                  [](const ToolSpring& tool) { return !tool.targetVelocity.isZero(); });
   const ErrorScale& scale = m_driver.errorScale();
-  const double since = std::min(scale.calm, m_body.motion.time - m_stirred);
+  const double time = m_body.motion.time;
+  const double known = time <= m_settings.duration ? m_settings.duration : 0.0;
+  const double since = std::max(std::min(scale.calm, time - m_stirred), known);
   return m_mode == Mode::Whole && !moves &&
          m_settling.settleIfDue(m_body.system, m_body.motion, scale.speed,
                                 {budget(), since, fadingTime(scale)}, m_settings.effort, report);

@@ -22,8 +22,8 @@ constexpr double kNear = 5.0; ///< speeds with which nets of usual frequencies a
 constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
 constexpr double kLongestLayout = 4.0; ///< frames
 constexpr double kPatience = 3.0;
-constexpr int kLongestWait = 32;     ///< looks
-constexpr double kMostSquares = 9.0; ///< see SettlingBudget
+constexpr int kLongestWait = 32;      ///< looks
+constexpr double kMostSquares = 16.0; ///< see SettlingBudget
 
 } // namespace
 

@@ -14,11 +14,11 @@ namespace esm {
 /// most A^2 / (1 + 2 T/tau) of its mean at any time after a motion of length T.
 struct SettlingBudget {
   double square = 0.0; ///< sum of squared displacements over the nodes, if they were missed for good [m^2]
-  double since = 0.0;  ///< T, how long the net has moved, undisturbed [s]
+  double since = 0.0;  ///< T, how long the net has moved, undisturbed, or will be looked at, if known [s]
   double fading = 0.0; ///< time in which its amplitudes fade [s]
 
-  /// The sum of squares that may be missed [m^2]: never more than nine times `square`, since an eye sees the
-  /// jump, not its mean.
+  /// The sum of squares that may be missed [m^2]: never more than sixteen times `square`, since an eye sees
+  /// the jump, not its mean.
   double squareAt(double fadingTime) const noexcept;
 };
 

@@ -13,7 +13,7 @@ namespace {
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0, kMostErrorGrowth = 30.0;
 constexpr double kMostShrinking = 1.0 / 64.0; ///< errors beyond tell of waves out of control, not of accuracy
-/// The look at the two runs of a check comes after about a quarter of the steps, if there are so many, and so
+/// The look at the two runs of a check comes after about half of the steps, if there are so many, and so
 /// many nodes: the errors of a few modes add up, whatever one look may say.
 constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
 /// Of the budget, see isKept().
@@ -110,7 +110,7 @@ double StepDriver::expectedError(const MotionState& state) const noexcept
 double StepDriver::budget(const MotionState& state, double length) const noexcept
 {
   const double counted = m_onset.longest > 0.0 ? std::max(length, kOnsetShare * kFrame) : length;
-  return m_gauge.budget(m_settings.tolerance, state, counted, m_errorPower);
+  return m_gauge.budget(m_settings.tolerance, state, counted);
 }
 
 /// After a stretch has been done in `steps` and again in `finer` steps: whether the second run may be kept;
@@ -122,8 +122,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
   const double apart = m_gauge.distance(m_coarse, state);
   const double slow = m_gauge.slowDistance(system, m_coarseV, state);
-  const double coarseError = std::max(apart, slow) * ratio / (ratio - 1.0);
-  if (m_look.steps > 0) m_errorPower = ErrorGauge::errorPower(m_look.error, apart, m_look.share);
+  if (m_look.steps > 0) m_growing = m_gauge.growing(m_start.time, length, m_look.error, apart, m_look.share);
+  // What swings is now in the one and now in the other; the mean square of both does not.
+  const double swinging = std::sqrt((apart * apart + slow * slow) / 2.0);
+  const double coarseError = m_growing * std::max(apart, swinging) * ratio / (ratio - 1.0);
   m_gauge.guessLifetime(system, m_start, state);
   const double allowed = budget(state, length);
   const double most = std::max(allowed, kOnce * m_gauge.unspent(m_settings.tolerance, state));

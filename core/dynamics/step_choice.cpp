@@ -76,7 +76,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_untilCheck = 0;
   m_checkGap = 1;
   m_checkedError = m_checkedPower = 0.0;
-  m_errorPower = 1.0;
+  m_growing = 1.0;
   m_settled = m_descents = m_descentTerm = 0;
   m_grown = 0.0;
   m_onset.longest = 0.0;

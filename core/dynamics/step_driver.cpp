@@ -138,7 +138,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const auto steps = static_cast<std::int64_t>(count);
     // An implicit solver measures over the nodes that it has.
     const double budget =
-      m_gauge.budget(m_settings.tolerance, m_start, length, 1.0) * m_gauge.shareOfWhole(state.x.size());
+      m_gauge.budget(m_settings.tolerance, m_start, length) * m_gauge.shareOfWhole(state.x.size());
     // What nobody checks needs no digits beyond what the eye can see.
     const bool unchecked = m_toleranceGivenUp && m_method == m_implicit;
     current().setSolveTolerance(
@@ -311,7 +311,7 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, StepRe
 /// @param error  that it has added [m]
 void StepDriver::keep(const System& system, const MotionState& state, double error) noexcept
 {
-  m_gauge.setScale(m_gauge.scaleAfter(system, m_start, state, error, m_errorPower));
+  m_gauge.setScale(m_gauge.scaleAfter(system, m_start, state, error));
   m_grown = m_growth;
 }
 

@@ -184,7 +184,7 @@ private:
   int m_checkGap = 1;
   double m_checkedError = 0.0;                  ///< that the present steps add, by the last check [m/s]
   double m_checkedPower = 0.0;                  ///< of the dampers then [W]
-  double m_errorPower = 1.0;                    ///< with which errors grow over time, by the last check
+  double m_growing = 1.0;                       ///< part of it that goes on to grow
   double m_coarseWork = 0.0, m_finerWork = 0.0; ///< of the two runs of a check [spring evaluations]
   double m_checkedShare = 0.0;                  ///< of the budget, that the last check found
   Onset m_onset;

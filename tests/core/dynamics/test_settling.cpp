@@ -93,7 +93,7 @@ TEST(Settling, MissesNoMoreInTheMeanThanForGood)
     EXPECT_LE(worst, 1.0) << length;
     EXPECT_GE(worst, 0.6) << length;
   }
-  EXPECT_DOUBLE_EQ((SettlingBudget{1.0, 1e6, tau}.squareAt(tau)), 9.0); // the eye sees the jump
+  EXPECT_DOUBLE_EQ((SettlingBudget{1.0, 1e6, tau}.squareAt(tau)), 16.0); // the eye sees the jump
 }
 
 // An oscillator reaches its goal in 1/w: a motion of four times that may miss nine times the square, and one

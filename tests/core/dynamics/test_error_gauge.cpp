@@ -1,0 +1,132 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// How much a stretch may err, and what becomes of it.
+#include "core/dynamics/error_gauge.h"
+#include "tests/support/nets.h"
+#include "tests/support/physics.h"
+
+#include <cmath>
+#include <limits>
+
+namespace esm::test {
+namespace {
+
+constexpr double kStretch = 1.0 / 120.0;
+
+/// A node that stands 1 m from where it was.
+struct Displaced {
+  SpringNet net = chain(2);
+  System system{net, {}};
+  MotionState state = startOf(net);
+  ErrorGauge gauge;
+
+  explicit Displaced(double duration)
+  {
+    gauge.begin(state.x, 1.0, duration);
+    for (Lanes& x : state.x) x[1] += 1.0;
+  }
+};
+
+/// Errors over the displacement of a motion whose errors fade in `life` and which spends in each stretch what
+/// it may.
+struct Spent {
+  double mean = 0.0, peak = 0.0;
+};
+
+Spent spend(double life, double duration, double tolerance)
+{
+  Displaced motion(duration);
+  ErrorScale scale;
+  scale.displacement = 1.0;
+  scale.recentPath = 1e12; // nothing creeps
+  scale.recentKinetic = scale.latestKinetic = life / 8.0;
+  scale.recentHeat = scale.latestHeat = std::isfinite(life) ? 1.0 : 0.0;
+  Spent result;
+  const auto count = std::lround(duration / kStretch);
+  for (long i = 1; i <= count; ++i) {
+    motion.state.time = static_cast<double>(i) * kStretch;
+    scale.squareOverTime = motion.state.time;
+    motion.gauge.setScale(scale);
+    scale.spent =
+      scale.spent * std::exp(-kStretch / life) + motion.gauge.budget(tolerance, motion.state, kStretch);
+    scale.spentSquare += scale.spent * scale.spent * kStretch;
+    result.peak = std::max(result.peak, scale.spent);
+  }
+  result.mean = std::sqrt(scale.spentSquare / duration);
+  return result;
+}
+
+} // namespace
+
+// Four fifths of the tolerance are spent on purpose, in the mean over the time that is looked at. What lives
+// long spends at least half in the mean; what dies soon is bound by its peak, which comes before much of it
+// was there.
+TEST(ErrorGauge, SpendsTheToleranceInTheMeanAndNoMore)
+{
+  constexpr double kForever = std::numeric_limits<double>::infinity();
+  for (const double duration : {0.5, 1.0, 2.0})
+    for (const double life : {0.1, 0.3, 1.0, 10.0, kForever}) {
+      const Spent spent = spend(life, duration, 1e-3);
+      EXPECT_LE(spent.mean, 1e-3) << life << " s of " << duration;
+      EXPECT_LE(spent.peak, 2e-3) << life << " s of " << duration;
+      EXPECT_GE(spent.mean, life >= duration ? 0.5e-3 : 0.0) << life << " s of " << duration;
+      EXPECT_GE(spent.peak, 0.5e-3) << life << " s of " << duration;
+    }
+}
+
+// A motion whose amplitude fades as exp(-t/T) while it errs at a rate in proportion: each mode runs late by a
+// time that grows evenly, so the error is t times the rate of now, however large the first ones were. It is
+// taken to fade at three quarters of that, never faster.
+TEST(ErrorGauge, WhatHasBeenSpentFadesWithTheMotion)
+{
+  const double fade = 0.2;
+  Displaced motion(0.0);
+  motion.gauge.guessLifetime(motion.system, motion.state, motion.state);
+  ErrorScale scale;
+  scale.displacement = 1.0;
+  scale.recentPath = 1e12;
+  double spent = 0.0, now = 0.0;
+  for (int i = 1; i <= 60; ++i) {
+    // of an oscillator, kinetic energy and heat in a time dt: E/2 dt and 2 E/T dt
+    scale.recentKinetic = scale.latestKinetic = 0.5;
+    scale.recentHeat = scale.latestHeat = 2.0 / fade;
+    scale.spent = spent;
+    MotionState end = motion.state;
+    end.time = i * kStretch;
+    now = 1e-6 * std::exp(-end.time / fade);
+    motion.gauge.setScale(scale);
+    spent = motion.gauge.scaleAfter(motion.system, motion.state, end, now).spent;
+    motion.state.time = end.time;
+  }
+  EXPECT_GE(spent, 60 * now);
+  EXPECT_LE(spent, 4.0 * 60 * now); // exp(t/(4 T)) is 1.9 by then
+}
+
+// Where nothing is damped no error dies.
+TEST(ErrorGauge, ErrorsOfUndampedMotionStay)
+{
+  Displaced motion(0.0);
+  ErrorScale scale;
+  scale.spent = 1e-3;
+  motion.gauge.setScale(scale);
+  MotionState end = motion.state;
+  end.time += 0.5;
+  EXPECT_EQ(motion.gauge.scaleAfter(motion.system, motion.state, end, 0.0).spent, 1e-3);
+}
+
+// An error that grows evenly counts in full; one that swings or walks at random counts less, the more
+// stretches there are for it to lose itself in, but more than sixty walks would leave of it.
+TEST(ErrorGauge, TellsWhatGrowsFromWhatSwings)
+{
+  Displaced motion(0.5);
+  const auto growing = [&](double early) { return motion.gauge.growing(0.0, kStretch, early, 1.0, 0.25); };
+  EXPECT_DOUBLE_EQ(growing(0.25), 1.0);
+  EXPECT_DOUBLE_EQ(growing(0.1), 1.0);
+  EXPECT_LT(growing(0.3), 1.0);
+  EXPECT_DOUBLE_EQ(growing(0.5), growing(1.0));
+  EXPECT_GT(growing(1.0), std::sqrt(1.0 / 60.0));
+  EXPECT_DOUBLE_EQ(motion.gauge.growing(0.5 - kStretch, kStretch, 1.0, 1.0, 0.25), 1.0); // it is the last
+}
+
+} // namespace esm::test
