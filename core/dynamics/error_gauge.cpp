@@ -23,9 +23,8 @@ constexpr double kUnfolding = 0.01;
 constexpr double kShareBeforeRelease = 0.15;
 /// What follows the first motion, which dampers brake the most, lives longer than that tells.
 constexpr double kSlowerThanFirst = 2.0;
-/// Of what may be spent: an error for some time, where the end is known and the mean up to it counts; and
-/// the least that goes on to be spent when all is: smaller steps would cost without end and gain little.
-constexpr double kMostPeak = 1.4, kLeastRate = 1.0;
+/// Of what may be spent: an error for some time, where the end is known and the mean up to it counts.
+constexpr double kMostPeak = 1.4;
 /// What is over has faded faster than is counted on for what comes.
 constexpr double kFaster = 1.5;
 
@@ -166,7 +165,8 @@ double ErrorGauge::budget(double tolerance, const MotionState& state, double len
   const double room = all * all * (state.time + left) - m_scale.spentSquare;
   const double rate =
     std::min(error.rateForPeak((isKnown ? kMostPeak : 1.0) * all, left), error.rateForMean(room, left));
-  const double least = kLeastRate * all / std::min(error.life, state.time + left);
+  // An even share goes on when all is spent: smaller steps would cost without end and gain little.
+  const double least = all / std::min(error.life, state.time + left);
   return std::min(all, std::max(rate, least) * length);
 }
 

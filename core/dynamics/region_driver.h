@@ -34,8 +34,8 @@ struct Body {
 /// is taken back and done again with a larger part; above a quarter of it, the part grows for the next
 /// stretch. It grows only where the sum comes from, by many layers at once.
 ///
-/// **Budget.** A third of the tolerance goes to sleepers: sum of squares of missed displacements <=
-/// (tolerance/3)^2 times the sum of squares of all displacements, as it is now or has been on average, the
+/// **Budget.** Half of the tolerance goes to sleepers: sum of squares of missed displacements <=
+/// (tolerance/2)^2 times the sum of squares of all displacements, as it is now or has been on average, the
 /// larger; with a floor of a millionth of the net's extent.
 ///
 /// **Sleeping.** RestWatch says who is slow: within a quarter of the budget in all. Slow nodes that are some

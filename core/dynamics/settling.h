@@ -11,7 +11,8 @@ namespace esm {
 ///
 /// Errors are means over time (docs/FILE_FORMAT.md), and what is missed fades as the motion would have. An
 /// amplitude A that fades as exp(-t/tau) adds A^2 tau/2 to the integral of the squared error, which is at
-/// most A^2 / (1 + 2 T/tau) of its mean at any time after a motion of length T.
+/// most A^2 / (1 + 2 T/tau) of its mean at any time after a motion of length T, and at most a third more at
+/// the end of a run of length T.
 struct SettlingBudget {
   double square = 0.0; ///< sum of squared displacements over the nodes, if they were missed for good [m^2]
   double since = 0.0;  ///< T, how long the net has moved, undisturbed, or will be looked at, if known [s]

@@ -87,7 +87,7 @@ TEST(ErrorGauge, WhatHasBeenSpentFadesWithTheMotion)
   scale.displacement = 1.0;
   scale.recentPath = 1e12;
   double spent = 0.0, now = 0.0;
-  for (int i = 1; i <= 60; ++i) {
+  for (int i = 1; i <= 120; ++i) {
     // of an oscillator, kinetic energy and heat in a time dt: E/2 dt and 2 E/T dt
     scale.recentKinetic = scale.latestKinetic = 0.5;
     scale.recentHeat = scale.latestHeat = 2.0 / fade;
@@ -99,8 +99,8 @@ TEST(ErrorGauge, WhatHasBeenSpentFadesWithTheMotion)
     spent = motion.gauge.scaleAfter(motion.system, motion.state, end, now).spent;
     motion.state.time = end.time;
   }
-  EXPECT_GE(spent, 60 * now);
-  EXPECT_LE(spent, 4.0 * 60 * now); // exp(t/(4 T)) is 1.9 by then
+  EXPECT_GE(spent, 120 * now);
+  EXPECT_LE(spent, 2.5 * 120 * now); // t = 5 T, and (exp(t/(4 T)) - 1)/(t/(4 T)) is 2.0
 }
 
 // Where nothing is damped no error dies.
