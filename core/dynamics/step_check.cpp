@@ -13,7 +13,7 @@ namespace {
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0, kMostErrorGrowth = 30.0;
 constexpr double kMostShrinking = 1.0 / 64.0; ///< errors beyond tell of waves out of control, not of accuracy
-/// The look at the two runs of a check comes after about half of the steps, if there are so many, and so
+/// The look at the two runs of a check comes after about a quarter of the steps, if there are so many, and so
 /// many nodes: the errors of a few modes add up, whatever one look may say.
 constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
 /// Of the budget, see isKept().
