@@ -82,7 +82,6 @@ TEST(ErrorGauge, WhatHasBeenSpentFadesWithTheMotion)
 {
   const double fade = 0.2;
   Displaced motion(0.0);
-  motion.gauge.guessLifetime(motion.system, motion.state, motion.state);
   ErrorScale scale;
   scale.displacement = 1.0;
   scale.recentPath = 1e12;
