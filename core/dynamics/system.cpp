@@ -61,9 +61,8 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
 {
   place(t, x, v);
   Rates rates;
-  const SpringSums sums = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers);
+  rates.heat = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers);
   springsEvaluated += m_forces.activeSprings();
-  rates.heat = sums.heat;
   rates.work = m_schedule.addForces(t, v.data(), force.data());
   for (std::size_t i = 0; i < m_tools.size(); ++i) {
     const ToolSpring& tool = m_tools[i];

@@ -26,8 +26,8 @@ struct Cubic {
   }
 };
 
-ESM_WIDE_CLONES(SpringSums cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                     Lanes* damper) noexcept,
+ESM_WIDE_CLONES(double cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                 Lanes* damper) noexcept,
                 return detail::springPass<Cubic, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
 
 ESM_CPU_CLONES double cubicEnergy(const SpringBatch& batch, const Lanes* x) noexcept
@@ -42,8 +42,8 @@ ESM_CPU_CLONES double cubicLargestTension(const SpringBatch& batch, const Lanes*
 
 class CubicLaw final : public SpringLawKernel {
 public:
-  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                       Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                   Lanes* damper) const noexcept override
   {
     return cubicPass(batch, x, v, force, damper);
   }

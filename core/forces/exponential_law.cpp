@@ -101,8 +101,8 @@ struct Exponential {
   }
 };
 
-ESM_WIDE_CLONES(SpringSums exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
-                                           Lanes* force, Lanes* damper) noexcept,
+ESM_WIDE_CLONES(double exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                       Lanes* damper) noexcept,
                 return detail::springPass<Exponential, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
 
 ESM_CPU_CLONES double exponentialEnergy(const SpringBatch& batch, const Lanes* x) noexcept
@@ -126,8 +126,8 @@ ESM_CPU_CLONES double exponentialLargestTension(const SpringBatch& batch, const 
 
 class ExponentialLaw final : public SpringLawKernel {
 public:
-  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                       Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                   Lanes* damper) const noexcept override
   {
     return exponentialPass(batch, x, v, force, damper);
   }

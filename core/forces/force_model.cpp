@@ -123,27 +123,22 @@ void ForceModel::forEachSpringPart(WorkerPool* workers, const Work& work) const 
   }
 }
 
-SpringSums ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
-                                     WorkerPool* workers) const noexcept
+double ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                                 WorkerPool* workers) const noexcept
 {
   double heat[NetDivision::kMostParts];
-  std::int64_t degenerate[NetDivision::kMostParts];
   forEachSpringPart(workers, [&](std::size_t p) noexcept {
     const Part& part = m_parts[p];
     Lanes* kept = damper != nullptr ? damper + part.damper : nullptr;
     heat[p] = p < nodeRanges().count() ? m_nodeForces.set(p, x, v, force) : 0.0;
-    degenerate[p] = 0;
     for (std::size_t b = part.firstBatch; b < part.endBatch; ++b) {
       const SpringBatch& batch = m_batches[b];
-      const SpringSums sums = springLawKernel(batch.law).addForces(batch, x, v, force, kept);
+      heat[p] += springLawKernel(batch.law).addForces(batch, x, v, force, kept);
       if (kept != nullptr) kept += esm::damperSize(batch);
-      heat[p] += sums.heat;
-      degenerate[p] += sums.degenerate;
     }
   });
   m_pressure.addForces(x, force);
-  return {std::accumulate(heat, heat + m_parts.size(), 0.0),
-          std::accumulate(degenerate, degenerate + m_parts.size(), std::int64_t{0})};
+  return std::accumulate(heat, heat + m_parts.size(), 0.0);
 }
 
 void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force,

@@ -50,8 +50,9 @@ public:
   /// Sets `force` (N entries) to the weight plus all other forces of the net. Does not allocate.
   /// @param damper   damperSize() entries that receive the springs' damping at x, or null.
   /// @param workers  null: this thread alone.
-  SpringSums computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper = nullptr,
-                           WorkerPool* workers = nullptr) const noexcept;
+  /// @return the power that the dampers turn into heat [W].
+  double computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper = nullptr,
+                       WorkerPool* workers = nullptr) const noexcept;
   /// Adds viscous forces at velocities v to `force`: the springs' as computeForces() kept them, and those of
   /// single anchors. Where nodeViscosity() has entries, - c v of it is the caller's, who sweeps over the
   /// nodes anyway; together they are - D v.

@@ -24,8 +24,8 @@ struct Linear {
   }
 };
 
-ESM_WIDE_CLONES(SpringSums linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                      Lanes* damper) noexcept,
+ESM_WIDE_CLONES(double linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                  Lanes* damper) noexcept,
                 return detail::springPass<Linear, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
 
 ESM_CPU_CLONES double linearEnergy(const SpringBatch& batch, const Lanes* x) noexcept
@@ -40,8 +40,8 @@ ESM_CPU_CLONES double linearLargestTension(const SpringBatch& batch, const Lanes
 
 class LinearLaw final : public SpringLawKernel {
 public:
-  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                       Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                   Lanes* damper) const noexcept override
   {
     return linearPass(batch, x, v, force, damper);
   }

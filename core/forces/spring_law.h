@@ -63,12 +63,6 @@ inline std::size_t damperSize(const SpringBatch& batch) noexcept
 /// Adds the forces of the kept dampers at velocities v (N) to `force` (N): less than half of a full pass.
 void addDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept;
 
-/// What a pass over springs found besides the forces.
-struct SpringSums {
-  double heat = 0.0;           ///< power that the dampers turn into heat [W]
-  std::int64_t degenerate = 0; ///< springs without direction
-};
-
 /// A spring's answer to one extension.
 struct SpringResponse {
   double tension = 0.0; ///< f(e) [N]
@@ -86,10 +80,11 @@ public:
   ///
   /// @param x, v, force  N entries each; contributions are added, the caller clears `force`.
   /// @param damper  damperSize() entries that receive the damping, or null.
+  /// @return the power that the dampers turn into heat [W].
   /// @note Any thread. Never throws or allocates. Springs are summed in array order and each lane computes
   ///       what a single spring would, so equal input gives equal bits with and without AVX2.
-  virtual SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                               Lanes* damper) const noexcept = 0;
+  virtual double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                           Lanes* damper) const noexcept = 0;
 
   /// The energy of a whole batch, the integrals of f from 0 to e [J]; equal bits, as above.
   virtual double energy(const SpringBatch& batch, const Lanes* x) const noexcept = 0;

@@ -55,15 +55,22 @@ struct GroupInFlight {
   Values scale;          ///< tension over length [N/m]
 };
 
+/// Where the ends are.
+template <class Ends, class Values>
+ESM_INLINE void readPlaces(const Ends& ends, const Lanes* x, GroupInFlight<Values>& group) noexcept
+{
+  ends.difference(x, group.d0, group.d1, group.d2, group.d3);
+  transpose(group.d0, group.d1, group.d2, group.d3, group.dx, group.dy, group.dz);
+  group.square = group.dx * group.dx + group.dy * group.dy + group.dz * group.dz;
+}
+
 /// First part: what the nodes say.
 template <class Law, class Ends, bool damped, class Values>
 ESM_INLINE void readGroup(const SpringGroup<Law, Ends, damped>& springs, const Lanes* x, const Lanes* v,
                           GroupInFlight<Values>& group) noexcept
 {
   const Ends ends = springs.ends();
-  ends.difference(x, group.d0, group.d1, group.d2, group.d3);
-  transpose(group.d0, group.d1, group.d2, group.d3, group.dx, group.dy, group.dz);
-  group.square = group.dx * group.dx + group.dy * group.dy + group.dz * group.dz;
+  readPlaces(ends, x, group);
   if constexpr (damped) {
     Values w0, w1, w2, w3, wx, wy, wz;
     ends.difference(v, w0, w1, w2, w3);
@@ -79,7 +86,7 @@ ESM_INLINE void readGroup(const SpringGroup<Law, Ends, damped>& springs, const L
 /// the length, not after it: the damping needs that one anyway, and no division waits for a root.
 template <bool tensionOnly, bool keep, class Law, class Ends, bool damped, class Values>
 ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped>& springs, GroupInFlight<Values>& group,
-                             Lanes* damper, Lanes& heat, BitsOf<Values>& degenerate) noexcept
+                             Lanes* damper, Lanes& heat) noexcept
 {
   const Values zero = {};
   const Values one = zero + 1.0;
@@ -87,7 +94,6 @@ ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped>& springs, Grou
   Values length = group.square, restLength, tension;
   squareRoot(length);
   const BitsOf<Values> tooShort = group.square < shortest; // all bits set where true
-  degenerate -= tooShort;
   Values inverseSquare = one / group.square;
   inverseSquare = tooShort ? zero : inverseSquare;
   const Values inverse = length * inverseSquare;
@@ -122,48 +128,42 @@ ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped>& springs, Grou
 /// groups of a step go through each part together, and wait together: a quarter of the time.
 template <class Law, class Ends, std::size_t groups, bool damped, bool tensionOnly, bool keep>
 ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, std::size_t end,
-                                  const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper, Lanes& heat,
-                                  std::int64_t& degenerate) noexcept
+                                  const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                                  Lanes& heat) noexcept
 {
   using Values = typename Ends::Values;
-  BitsOf<Values> found = {};
   std::size_t i = begin;
   for (; i + groups * Ends::kCount <= end; i += groups * Ends::kCount) {
     using Springs = SpringGroup<Law, Ends, damped>;
     GroupInFlight<Values> group[groups];
     for (std::size_t g = 0; g < groups; ++g) readGroup(Springs(batch, i + g * Ends::kCount), x, v, group[g]);
     for (std::size_t g = 0; g < groups; ++g)
-      stretchGroup<tensionOnly, keep>(Springs(batch, i + g * Ends::kCount), group[g], damper, heat, found);
+      stretchGroup<tensionOnly, keep>(Springs(batch, i + g * Ends::kCount), group[g], damper, heat);
     for (std::size_t g = 0; g < groups; ++g)
       Springs(batch, i + g * Ends::kCount)
         .ends()
         .pullAlong(force, group[g].d0, group[g].d1, group[g].d2, group[g].d3, group[g].scale);
   }
-  for (std::size_t lane = 0; lane < Ends::kCount; ++lane) degenerate += found[lane];
   return i;
 }
 
 /// In the widest groups that the version of a function has, and what is left by fours.
 template <class Law, class Widest, bool damped, bool tensionOnly, bool keep>
-ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                 Lanes* damper) noexcept
+ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                             Lanes* damper) noexcept
 {
   const std::size_t count = batch.paddedCount();
   Lanes heat = {0, 0, 0, 0};
-  SpringSums sums;
-  sums.degenerate = static_cast<std::int64_t>(batch.count) - static_cast<std::int64_t>(count);
   const std::size_t done = passGroups<Law, Widest, kGroupsAtOnce<Widest>, damped, tensionOnly, keep>(
-    batch, 0, count, x, v, force, damper, heat, sums.degenerate);
-  passGroups<Law, FourEnds, 1, damped, tensionOnly, keep>(batch, done, count, x, v, force, damper, heat,
-                                                          sums.degenerate);
-  sums.heat = sumLanes(heat);
-  return sums;
+    batch, 0, count, x, v, force, damper, heat);
+  passGroups<Law, FourEnds, 1, damped, tensionOnly, keep>(batch, done, count, x, v, force, damper, heat);
+  return sumLanes(heat);
 }
 
 /// Chooses among the kinds of batch, once per batch.
 template <class Law, class Widest>
-ESM_INLINE SpringSums springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                 Lanes* damper) noexcept
+ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                             Lanes* damper) noexcept
 {
   if (!batch.damped)
     return batch.tensionOnly ? springPass<Law, Widest, false, true, false>(batch, x, v, force, nullptr)
@@ -185,10 +185,9 @@ ESM_INLINE double energyPass(const SpringBatch& batch, const Lanes* x) noexcept
   Lanes sum = zero;
   for (std::size_t i = 0; i < batch.paddedCount(); i += FourEnds::kCount) {
     const SpringGroup<Law, FourEnds, damped> springs(batch, i);
-    Lanes d0, d1, d2, d3, dx, dy, dz, restLength, energy;
-    springs.ends().difference(x, d0, d1, d2, d3);
-    transpose(d0, d1, d2, d3, dx, dy, dz);
-    Lanes length = dx * dx + dy * dy + dz * dz;
+    GroupInFlight<Lanes> group;
+    readPlaces(springs.ends(), x, group);
+    Lanes length = group.square, restLength, energy;
     squareRoot(length);
     springs.restLength(restLength);
     const Lanes e = length - restLength;

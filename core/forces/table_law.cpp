@@ -71,8 +71,8 @@ struct Table {
 
 class TableLaw final : public SpringLawKernel {
 public:
-  SpringSums addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                       Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                   Lanes* damper) const noexcept override
   {
     return detail::springPass<Table, detail::FourEnds>(batch, x, v, force, damper);
   }
