@@ -40,8 +40,8 @@ constexpr int kProbes = 2, kLongestProbeGap = 4; ///< checks
 /// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
 /// and of parts, that make cutting the stretch worth while.
 constexpr double kOnsetError = 20.0, kOnsetParts = 16.0;
-/// After the event, in which an onset may begin [s]: a stretch that is done twice is half a frame.
-constexpr double kLatestOnset = 0.6 * kFrame;
+/// After the event, in which an onset may begin [s]: in any stretch of the first frame.
+constexpr double kLatestOnset = 0.9 * kFrame;
 constexpr double kOnsetShare = 1.0 / 16.0; ///< of a frame: what each part may err as much as
 
 /// To the step that would just spend the budget, of which the present one spends this share.
@@ -172,6 +172,7 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
     candidate.integrator->run(system, m_probe, state.time, static_cast<std::int64_t>(count), report);
   report.rejectedSteps += report.steps - stepsBefore;
   report.steps = stepsBefore;
+  // In full: what of an unknown method's error goes on to grow nobody has measured.
   const double share =
     result == StepResult::Done
       ? std::max(m_gauge.distance(m_probe.x, state), m_gauge.slowDistance(system, m_probe.v, state)) / allowed

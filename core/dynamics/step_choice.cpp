@@ -16,8 +16,6 @@ namespace {
 constexpr double kManySteps = 500.0;
 /// Implicit steps per frame to begin with; measured from then on.
 constexpr double kImplicitGuess = 4.0;
-/// Of a frame, that a stretch under check has.
-constexpr double kCheckShare = 0.5;
 
 std::string microseconds(double seconds)
 {
@@ -242,7 +240,8 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
     if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
     const double stable = std::min(stableStep(candidate), kFrame);
     const double atLimit = candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
-    if (atLimit >= least || !paysOff(kChance * (present - atLimit), kCheckShare * atLimit)) continue;
+    if (atLimit >= least || !paysOff(kChance * (present - atLimit), kCheckLength / kFrame * atLimit))
+      continue;
     const double tried = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
     if (std::pow(tried / candidate.accurateStep, candidate.integrator->order()) > kHope) continue;
     least = atLimit;
@@ -299,7 +298,8 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
     if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
   } else {
     const Method other = proven ? *proven : cheapestExplicit(system, kPatience);
-    const double price = proven ? 0.0 : (1.0 + kFiner) * kCheckShare * cost(other, system); // of its check
+    const double price =
+      proven ? 0.0 : (1.0 + kFiner) * kCheckLength / kFrame * cost(other, system); // of its check
     if (paysOff(cost(before, system) - cost(other, system), price)) m_method = other;
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {

@@ -11,9 +11,7 @@ namespace {
 constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solvers leave
 /// Of an implicit step that found no solution: larger ones are not tried soon.
 constexpr double kSmallerThanFailed = 0.6;
-constexpr int kMostAttempts = 24; ///< of one stretch
-/// Of a stretch that is done twice, if that is many steps [s].
-constexpr double kCheckLength = kFrame / 2.0;
+constexpr int kMostAttempts = 24;              ///< of one stretch
 constexpr double kMostEffort = 3.0;            ///< for one frame, before descent takes over
 constexpr double kLeastShare = 1.0 / 8.0;      ///< of it for a stretch, however short
 constexpr double kLeastOnsetShare = 1.0 / 8.0; ///< of that, when the others of an onset have used up theirs
