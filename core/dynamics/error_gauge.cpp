@@ -223,7 +223,6 @@ double ErrorGauge::timeLeft(double time) const noexcept
   return std::isfinite(end) ? end - time : std::max(kErrorHorizon, time);
 }
 
-/// The end of the motion as seen at `time` before it or at it [s]; infinity if nobody knows it.
 double ErrorGauge::knownEnd(double time) const noexcept
 {
   return time <= m_duration * (1.0 + 1e-9) ? m_duration : std::numeric_limits<double>::infinity();

@@ -82,12 +82,13 @@ public:
   double slowDistance(const System& system, const NodeArray& v, const MotionState& state) const noexcept;
   /// From the whole net's RMS to that over `nodes` nodes, outside of which nothing errs.
   double shareOfWhole(std::size_t nodes) const noexcept;
+  /// The end of the motion as seen at `time` before it or at it [s]; infinity if nobody knows it.
+  double knownEnd(double time) const noexcept;
 
 private:
   double allowance(double tolerance, const MotionState& state) const noexcept;
   double timeLeft(double time) const noexcept;
   double lifetime() const noexcept;
-  double knownEnd(double time) const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]
   std::size_t m_count = 0;

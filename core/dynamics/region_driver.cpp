@@ -185,8 +185,8 @@ bool RegionDriver::settles(StepReport& report)
                                  [](const ToolSpring& tool) { return !tool.targetVelocity.isZero(); });
   const ErrorScale& scale = m_driver.errorScale();
   const double time = m_body.motion.time;
-  const double known = time <= m_settings.duration ? m_settings.duration : 0.0;
-  const double since = std::max(std::min(scale.calm, time - m_stirred), known);
+  const double undisturbed = std::min(scale.calm, time - m_stirred), end = m_driver.knownEnd(time);
+  const double since = std::isfinite(end) ? std::max(undisturbed, end) : undisturbed;
   return m_mode == Mode::Whole && !moves &&
          m_settling.settleIfDue(m_body.system, m_body.motion, scale.speed,
                                 {budget(), since, fadingTime(scale)}, m_settings.effort, report);

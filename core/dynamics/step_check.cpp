@@ -267,8 +267,8 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
     m_checkGap = std::min(wider, grows || unfolds ? 2 : kLongestCheckGap);
   }
   m_untilCheck = grows ? 1 : m_checkGap;
-  const double left = std::ceil((m_settings.duration - state.time) / kFrame); // stretches
-  if (share <= kSureShare && left > 0.0 && left <= kGapsBeforeEnd * m_untilCheck)
+  const double left = std::ceil((knownEnd(state.time) - state.time) / kFrame); // stretches
+  if (share <= kSureShare && left <= kGapsBeforeEnd * m_untilCheck)
     m_untilCheck = static_cast<int>(left) + 1;
   if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
   if (isImplicit) return;

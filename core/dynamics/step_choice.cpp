@@ -220,8 +220,7 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
 /// in spring evaluations.
 bool StepDriver::paysOff(double saving, double price) const noexcept
 {
-  const double left = m_settings.duration - m_start.time;
-  return !(left > 0.0) || saving * left / kFrame >= price;
+  return saving * (knownEnd(m_start.time) - m_start.time) / kFrame >= price;
 }
 
 /// The method that would be cheapest at its stability limit, and cheap enough to change to, of those whose

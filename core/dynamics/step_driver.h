@@ -58,6 +58,7 @@ public:
   void setAccuracy(const System& system, double tolerance, double effort);
   /// For a caller that takes an advance() back.
   const ErrorScale& errorScale() const noexcept { return m_gauge.scale(); }
+  double knownEnd(double time) const noexcept { return m_gauge.knownEnd(time); } ///< see ErrorGauge
   void setErrorScale(const ErrorScale& scale) noexcept { m_gauge.setScale(scale); }
 
   StepReport advance(System& system, MotionState& state, double interval, std::int64_t maxSteps);
