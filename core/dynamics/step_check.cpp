@@ -268,8 +268,7 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
   }
   m_untilCheck = grows ? 1 : m_checkGap;
   const double left = std::ceil((knownEnd(state.time) - state.time) / kFrame); // stretches
-  if (share <= kSureShare && left <= kGapsBeforeEnd * m_untilCheck)
-    m_untilCheck = static_cast<int>(left) + 1;
+  if (share <= kSureShare && left <= kGapsBeforeEnd * m_untilCheck) m_untilCheck = static_cast<int>(left) + 1;
   if (!m_candidates[m_method].isMeasured && accurate < 0.7 * step) m_settled = 0; // it promised too much
   if (isImplicit) return;
   // Motion that is easier or harder for this method is so for the others. Methods of low order err in slower
