@@ -191,6 +191,28 @@ void timeAgain(const Scene& scene, const Reference& reference, const WorkOptions
   }
 }
 
+/// Runs of auto at the tolerances between kTargets that reach an error sooner than those at kTargets do.
+std::vector<Row> autoBetween(const Scene& scene, const Reference& reference, const Front& front,
+                             const WorkOptions& options, const std::vector<Row>& automatic)
+{
+  std::vector<Row> rows;
+  for (double tolerance = kTargets.front(); tolerance > 1.5 * kTargets.back(); tolerance /= std::sqrt(10.0)) {
+    const auto isSo = [&](double target) { return std::abs(target - tolerance) < 1e-6 * tolerance; };
+    if (std::any_of(kTargets.begin(), kTargets.end(), isSo)) continue;
+    const double cap = std::min(5.0 + 10.0 * front.seconds.back(), 10.0 * options.patience.cap);
+    rows.push_back(runEngine(scene, "auto", tolerance, 0, reference, cap));
+  }
+  std::erase_if(rows, [&](const Row& row) {
+    return std::none_of(kTargets.begin(), kTargets.end(), [&](double target) {
+      const auto isSooner = [&](const Row& other) {
+        return other.good && other.error <= target && other.seconds <= row.seconds;
+      };
+      return row.good && row.error <= target && std::none_of(automatic.begin(), automatic.end(), isSooner);
+    });
+  });
+  return rows;
+}
+
 std::vector<Cell> measure(const Scene& scene, const WorkOptions& options, std::vector<Row>& all)
 {
   const Reference reference = referenceOf(scene);
@@ -208,13 +230,14 @@ std::vector<Cell> measure(const Scene& scene, const WorkOptions& options, std::v
     const double cap = std::min(5.0 + 10.0 * front.seconds[i], 10.0 * options.patience.cap);
     automatic.push_back(runEngine(scene, "auto", kTargets[i], 0, reference, cap));
   }
-  std::vector<Row> sweepOfAuto;
-  append(sweepOfAuto, automatic);
+  append(all, automatic);
   timed.insert(timed.end(), automatic.begin(), automatic.end());
+  const std::vector<Row> between = autoBetween(scene, reference, front, options, automatic);
+  append(all, between);
+  timed.insert(timed.end(), between.begin(), between.end());
   timeAgain(scene, reference, options, timed);
   all.insert(all.end(), competitorRows.begin(), competitorRows.end());
   all.insert(all.end(), ourRows.begin(), ourRows.end());
-  all.insert(all.end(), automatic.begin(), automatic.end());
   return cellsOf(scene.name, timed, reference.agreement);
 }
 

@@ -29,6 +29,7 @@ struct Cell {
   bool meaningful = true;          ///< the references agree well enough
   Row competitor, ours, automatic; ///< method "" = nobody came so far; automatic has tolerance = target
   Row named;                       ///< the best of ours that was named and given the same tolerance
+  Row swept;                       ///< the best of auto at any tolerance, as the others have any setting
 };
 
 /// Whether the row is one of a method of ours that was given this tolerance, and kept it.
