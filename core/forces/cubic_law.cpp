@@ -35,9 +35,10 @@ ESM_CPU_CLONES double cubicEnergy(const SpringBatch& batch, const Lanes* x) noex
   return detail::energyPass<Cubic>(batch, x);
 }
 
-ESM_CPU_CLONES double cubicLargestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+ESM_CPU_CLONES double cubicTensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                    double* tension) noexcept
 {
-  return detail::tensionPass<Cubic>(batch, x, v);
+  return detail::tensionPass<Cubic>(batch, x, v, tension);
 }
 
 class CubicLaw final : public SpringLawKernel {
@@ -53,9 +54,10 @@ public:
     return cubicEnergy(batch, x);
   }
 
-  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  double tensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                  double* tension) const noexcept override
   {
-    return cubicLargestTension(batch, x, v);
+    return cubicTensions(batch, x, v, tension);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -118,10 +118,10 @@ double expMinusOne(double s) noexcept
   return result[0];
 }
 
-ESM_CPU_CLONES double exponentialLargestTension(const SpringBatch& batch, const Lanes* x,
-                                                const Lanes* v) noexcept
+ESM_CPU_CLONES double exponentialTensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                          double* tension) noexcept
 {
-  return detail::tensionPass<Exponential>(batch, x, v);
+  return detail::tensionPass<Exponential>(batch, x, v, tension);
 }
 
 class ExponentialLaw final : public SpringLawKernel {
@@ -137,9 +137,10 @@ public:
     return exponentialEnergy(batch, x);
   }
 
-  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  double tensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                  double* tension) const noexcept override
   {
-    return exponentialLargestTension(batch, x, v);
+    return exponentialTensions(batch, x, v, tension);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

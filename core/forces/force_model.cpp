@@ -187,20 +187,14 @@ double ForceModel::gravityEnergy(const Lanes* x) const noexcept
 void ForceModel::springTensions(const Lanes* x, const Lanes* v, double* tension) const noexcept
 {
   std::fill(tension, tension + m_springCount, 0.0);
-  forEachSpring(x, [&](const SpringBatch& batch, std::size_t i, const Lanes& d, double length) {
-    const double e = length - batch.restLength[i];
-    if (length < kMinSpringLength || (batch.tensionOnly && e <= 0.0)) return;
-    const double rate = dot(v[batch.b[i]] - v[batch.a[i]], d) / length;
-    tension[batch.spring[i]] =
-      springLawKernel(batch.law).respond(batch, i, e).tension + batch.viscosity[i] * rate;
-  });
+  for (const SpringBatch& batch : m_batches) springLawKernel(batch.law).tensions(batch, x, v, tension);
 }
 
 double ForceModel::largestTension(const Lanes* x, const Lanes* v) const noexcept
 {
   double largest = 0.0;
   for (const SpringBatch& batch : m_batches)
-    largest = std::max(largest, springLawKernel(batch.law).largestTension(batch, x, v));
+    largest = std::max(largest, springLawKernel(batch.law).tensions(batch, x, v, nullptr));
   return largest;
 }
 

@@ -33,9 +33,10 @@ ESM_CPU_CLONES double linearEnergy(const SpringBatch& batch, const Lanes* x) noe
   return detail::energyPass<Linear>(batch, x);
 }
 
-ESM_CPU_CLONES double linearLargestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+ESM_CPU_CLONES double linearTensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                     double* tension) noexcept
 {
-  return detail::tensionPass<Linear>(batch, x, v);
+  return detail::tensionPass<Linear>(batch, x, v, tension);
 }
 
 class LinearLaw final : public SpringLawKernel {
@@ -51,9 +52,10 @@ public:
     return linearEnergy(batch, x);
   }
 
-  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  double tensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                  double* tension) const noexcept override
   {
-    return linearLargestTension(batch, x, v);
+    return linearTensions(batch, x, v, tension);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -89,8 +89,10 @@ public:
   /// The energy of a whole batch, the integrals of f from 0 to e [J]; equal bits, as above.
   virtual double energy(const SpringBatch& batch, const Lanes* x) const noexcept = 0;
 
-  /// The largest absolute tension of a batch, dampers included [N].
-  virtual double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept = 0;
+  /// The tensions of a batch, dampers included [N], each at its spring's place in `tension` unless that is
+  /// null. @return the largest absolute one.
+  virtual double tensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                          double* tension) const noexcept = 0;
 
   /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents and
   /// tests.

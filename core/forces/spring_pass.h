@@ -204,9 +204,9 @@ ESM_INLINE double energyPass(const SpringBatch& batch, const Lanes* x) noexcept
   return batch.damped ? energyPass<Law, true>(batch, x) : energyPass<Law, false>(batch, x);
 }
 
-/// The largest absolute tension of a batch [N], four springs at a time; what only fills up has none.
+/// SpringLawKernel::tensions(), four springs at a time; what only fills up has none.
 template <class Law, bool damped>
-ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, double* each) noexcept
 {
   const Lanes zero = {0, 0, 0, 0};
   Lanes largest = zero;
@@ -226,6 +226,9 @@ ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const La
     }
     if (batch.tensionOnly) tension = e <= zero ? zero : tension;
     tension = length < zero + kMinSpringLength ? zero : tension;
+    if (each != nullptr)
+      for (std::size_t s = i; s < std::min(i + FourEnds::kCount, batch.count); ++s)
+        each[batch.spring[s]] = tension[s - i];
     tension = tension < zero ? -tension : tension;
     largest = tension > largest ? tension : largest;
   }
@@ -233,9 +236,10 @@ ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const La
 }
 
 template <class Law>
-ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v) noexcept
+ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, double* each) noexcept
 {
-  return batch.damped ? tensionPass<Law, true>(batch, x, v) : tensionPass<Law, false>(batch, x, v);
+  return batch.damped ? tensionPass<Law, true>(batch, x, v, each)
+                      : tensionPass<Law, false>(batch, x, v, each);
 }
 
 } // namespace esm::detail

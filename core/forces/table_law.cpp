@@ -82,9 +82,10 @@ public:
     return detail::energyPass<Table>(batch, x);
   }
 
-  double largestTension(const SpringBatch& batch, const Lanes* x, const Lanes* v) const noexcept override
+  double tensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                  double* tension) const noexcept override
   {
-    return detail::tensionPass<Table>(batch, x, v);
+    return detail::tensionPass<Table>(batch, x, v, tension);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

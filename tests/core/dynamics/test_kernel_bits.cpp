@@ -46,26 +46,28 @@ double energyOf(const SpringBatch& batch, const NodeArray& x)
   return sum;
 }
 
-/// The largest absolute tension, one spring after the other.
-double largestTensionOf(const SpringLawKernel& law, const SpringBatch& batch, const NodeArray& x,
-                        const NodeArray& v)
+/// Each tension, one spring after the other, at its spring's place.
+std::vector<double> tensionsOf(const SpringLawKernel& law, const SpringBatch& batch, const NodeArray& x,
+                               const NodeArray& v)
 {
-  double largest = 0.0;
+  std::vector<double> tensions(batch.count, 0.0);
   for (std::size_t i = 0; i < batch.count; ++i) {
     const auto a = static_cast<std::size_t>(batch.a[i]), b = static_cast<std::size_t>(batch.b[i]);
     const Lanes d = x[b] - x[a];
     const double length = std::sqrt(dot(d, d)), e = length - batch.restLength[i];
     if (a == b || (batch.tensionOnly && e <= 0.0)) continue;
     const double drag = batch.damped ? batch.viscosity[i] * dot(v[b] - v[a], d) / length : 0.0;
-    largest = std::max(largest, std::abs(law.respond(batch, i, e).tension + drag));
+    tensions[static_cast<std::size_t>(batch.spring[i])] = law.respond(batch, i, e).tension + drag;
   }
-  return largest;
+  return tensions;
 }
 
 /// What a kernel makes of a batch.
 struct Pulled {
   NodeArray force, kept;
-  double heat, energy, largestTension;
+  double heat, energy;
+  std::vector<double> tension;
+  double largestTension;
 
   template <class AddDamping>
   Pulled(const SpringLawKernel& law, const AddDamping& addDampingTo, const SpringBatch& batch,
@@ -74,7 +76,8 @@ struct Pulled {
       kept(damperSize(batch)),
       heat(law.addForces(batch, x.data(), v.data(), force.data(), kept.data())),
       energy(law.energy(batch, x.data())),
-      largestTension(law.largestTension(batch, x.data(), v.data()))
+      tension(batch.count, 0.0),
+      largestTension(law.tensions(batch, x.data(), v.data(), tension.data()))
   {
     addDampingTo(batch, kept.data(), v.data(), force.data());
   }
@@ -138,10 +141,16 @@ TEST_P(KernelBitsOf, WideAndPlainKernelsAgreeToTheLastBit)
           EXPECT_TRUE(haveEqualBits(here.force, other.force));
           EXPECT_EQ(here.heat, other.heat);
           EXPECT_EQ(here.energy, other.energy);
+          EXPECT_EQ(here.tension, other.tension);
           EXPECT_EQ(here.largestTension, other.largestTension);
         }
-        const double largest = largestTensionOf(*chosen, batch, x, v);
+        const std::vector<double> tension = tensionsOf(*chosen, batch, x, v);
+        double largest = 0.0;
+        for (const double each : tension) largest = std::max(largest, std::abs(each));
         EXPECT_NEAR(here.largestTension, largest, 1e-13 * largest); // rounding
+        for (std::size_t s = 0; s < tension.size(); ++s)
+          EXPECT_NEAR(here.tension[s], tension[s], 1e-13 * largest) << s;
+        EXPECT_EQ(chosen->tensions(batch, x.data(), v.data(), nullptr), here.largestTension);
         const double oneByOne = energyOf(batch, x);
         EXPECT_NEAR(here.energy, oneByOne, 1e-13 * oneByOne); // rounding of sums of 803
       }
