@@ -225,7 +225,7 @@ double ErrorGauge::timeLeft(double time) const noexcept
 
 double ErrorGauge::knownEnd(double time) const noexcept
 {
-  return time <= m_duration * (1.0 + 1e-9) ? m_duration : std::numeric_limits<double>::infinity();
+  return time < m_duration * (1.0 + 1e-9) ? m_duration : std::numeric_limits<double>::infinity();
 }
 
 } // namespace esm

@@ -75,6 +75,16 @@ TEST(ErrorGauge, SpendsTheToleranceInTheMeanAndNoMore)
     }
 }
 
+// Where nobody knows the end two seconds are reckoned with, from the very first stretch on.
+TEST(ErrorGauge, AnUnknownEndIsNotTheBeginning)
+{
+  const Displaced unknown(0.0), known(2.0);
+  ASSERT_EQ(unknown.state.time, 0.0);
+  const double most = known.gauge.budget(1e-3, known.state, kStretch);
+  EXPECT_LE(unknown.gauge.budget(1e-3, unknown.state, kStretch), most);
+  EXPECT_LT(most, 0.1e-3); // of 1 m; 240 stretches to come
+}
+
 // A motion whose amplitude fades as exp(-t/T) while it errs at a rate in proportion: each mode runs late by a
 // time that grows evenly, so the error is t times the rate of now, however large the first ones were. It is
 // taken to fade at three quarters of that, never faster.
