@@ -25,7 +25,7 @@ std::string named(const Row& row)
 
 std::string ratio(const Row& ours, const Row& other)
 {
-  if (!ours.good || other.method.empty()) return "-";
+  if (!ours.good || ours.method.empty() || other.method.empty()) return "-";
   return formatDouble(ours.seconds / other.seconds, 2);
 }
 

@@ -195,7 +195,7 @@ over four), organ100k (100,002 nodes, 300,000 cubic springs, 0.2 s); variants by
 ## Run time against error
 
 `auto` has `--tolerance` equal to the error of its line and knows how long the run is, as in `esm simulate`. *Best of ours* is the fastest setting that a search found, fixed steps at the edge of
-stability among them; *best named with that tolerance* is what a user gets who names a method (`--solver`) and gives the same tolerance. A scene that
+stability among them; *best named with that tolerance* is what a user gets who names a method (`--solver`) and gives the same tolerance. *Auto at any tolerance* is `auto` measured as the others are: by the fastest of its settings whose error came out below. A scene that
 is missing here was not part of the run that made this page.
 
 {work_table}
