@@ -88,6 +88,7 @@ public:
 private:
   double allowance(double tolerance, const MotionState& state) const noexcept;
   double timeLeft(double time) const noexcept;
+  double expectedEnd(double time) const noexcept;
   double lifetime() const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]

@@ -239,7 +239,7 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
     if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
     const double stable = std::min(stableStep(candidate), kFrame);
     const double atLimit = candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
-    if (atLimit >= least || !paysOff(kChance * (present - atLimit), kCheckLength / kFrame * atLimit))
+    if (atLimit >= least || !paysOff(kChance * (present - atLimit), checkLength() / kFrame * atLimit))
       continue;
     const double tried = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
     if (std::pow(tried / candidate.accurateStep, candidate.integrator->order()) > kHope) continue;
@@ -298,7 +298,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
   } else {
     const Method other = proven ? *proven : cheapestExplicit(system, kPatience);
     const double price =
-      proven ? 0.0 : (1.0 + kFiner) * kCheckLength / kFrame * cost(other, system); // of its check
+      proven ? 0.0 : (1.0 + kFiner) * checkLength() / kFrame * cost(other, system); // of its check
     if (paysOff(cost(before, system) - cost(other, system), price)) m_method = other;
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {

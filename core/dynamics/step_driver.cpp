@@ -40,8 +40,8 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     const bool isFixed = m_settings.fixedStep > 0.0;
     continueOnset(system);
     const double longest = m_onset.longest > 0.0 ? m_onset.longest
-                           : m_untilCheck <= 0 && controlledStep(kFrame) < kCheckLength / 8.0 ? kCheckLength
-                                                                                              : kFrame;
+                           : m_untilCheck <= 0 && controlledStep(kFrame) < checkLength() / 8.0 ? checkLength()
+                                                                                               : kFrame;
     const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / longest * (1.0 - 1e-9));
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
     const double workBefore = system.workDone();
