@@ -225,7 +225,8 @@ double ErrorGauge::timeLeft(double time) const noexcept
 
 /// What budgets reckon with. At the very start of a motion whose end nobody knows it is the start itself: the
 /// first stretch may spend all once, which counts from then on. With a smaller share a struck organ began in
-/// small parts, and what these erred nobody saw: with checks of a third of a frame 2.2 times the tolerance of 1e-2, three times that of 1e-3.
+/// small parts, and what these erred nobody saw: with checks of a third of a frame 2.2 times the tolerance of
+/// 1e-2, three times that of 1e-3.
 double ErrorGauge::expectedEnd(double time) const noexcept
 {
   return time > 0.0 ? knownEnd(time) : m_duration;
