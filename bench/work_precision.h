@@ -32,6 +32,8 @@ struct Cell {
   Row swept;                       ///< the best of auto at any tolerance, as the others have any setting
 };
 
+/// But for the rounding of a sweep.
+bool isSameTolerance(double one, double other);
 /// Whether the row is one of a method of ours that was given this tolerance, and kept it.
 bool keepsTolerance(const Row& row, double tolerance);
 std::vector<Cell> cellsOf(const std::string& scene, const std::vector<Row>& timed, double agreement);

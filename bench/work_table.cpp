@@ -37,9 +37,14 @@ std::string automatic(const Row& row)
 
 } // namespace
 
+bool isSameTolerance(double one, double other)
+{
+  return std::abs(one - other) <= 1e-6 * other;
+}
+
 bool keepsTolerance(const Row& row, double tolerance)
 {
-  const bool isSetSo = !row.fixed && std::abs(row.setting - tolerance) <= 1e-6 * tolerance;
+  const bool isSetSo = !row.fixed && isSameTolerance(row.setting, tolerance);
   return row.ours && row.good && isSetSo && row.error <= tolerance;
 }
 
@@ -52,17 +57,14 @@ std::vector<Cell> cellsOf(const std::string& scene, const std::vector<Row>& time
     cell.target = target;
     cell.meaningful = agreement * 10.0 <= target;
     for (const Row& row : timed) {
-      if (row.method == "auto" && row.setting == target) cell.automatic = row;
+      const bool isAuto = row.method == "auto";
+      if (isAuto && row.setting == target) cell.automatic = row;
       if (!row.good || row.error > target) continue;
       const auto offer = [&row](Row& best) {
         if (best.method.empty() || row.seconds < best.seconds) best = row;
       };
-      if (row.method == "auto") {
-        offer(cell.swept);
-        continue;
-      }
-      offer(row.ours ? cell.ours : cell.competitor);
-      if (keepsTolerance(row, target)) offer(cell.named);
+      offer(isAuto ? cell.swept : row.ours ? cell.ours : cell.competitor);
+      if (!isAuto && keepsTolerance(row, target)) offer(cell.named);
     }
     cells.push_back(cell);
   }

@@ -154,17 +154,6 @@ void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force,
   });
 }
 
-/// visit(batch, i, d, l) for every active spring, d from a to b [m], l = |d|.
-template <class Visit>
-void ForceModel::forEachSpring(const Lanes* x, const Visit& visit) const
-{
-  for (const SpringBatch& batch : m_batches)
-    for (std::size_t i = 0; i < batch.count; ++i) {
-      const Lanes d = x[batch.b[i]] - x[batch.a[i]];
-      visit(batch, i, d, std::sqrt(dot(d, d)));
-    }
-}
-
 double ForceModel::elasticEnergy(const Lanes* x) const noexcept
 {
   double energy = 0.0;
@@ -202,17 +191,20 @@ void ForceModel::springTangents(const Lanes* x, const Lanes* v, std::vector<Spri
 {
   tangents.resize(m_ends.size());
   std::size_t place = 0;
-  forEachSpring(x, [&](const SpringBatch& batch, std::size_t i, const Lanes& d, double length) {
-    SpringTangent& tangent = tangents[place++];
-    tangent = SpringTangent{};
-    const double e = length - batch.restLength[i];
-    if (!(length >= kMinSpringLength) || (batch.tensionOnly && e <= 0.0)) return;
-    const SpringResponse response = springLawKernel(batch.law).respond(batch, i, e);
-    const double c = batch.viscosity[i];
-    const Eigen::Vector3d u = toVector(d) / length, w = toVector(v[batch.b[i]] - v[batch.a[i]]);
-    const double rate = u.dot(w);
-    tangent = {u, response.tangent, (response.tension + c * rate) / length, c, (c / length) * (w - rate * u)};
-  });
+  for (const SpringBatch& batch : m_batches)
+    for (std::size_t i = 0; i < batch.count; ++i) {
+      SpringTangent& tangent = tangents[place++];
+      tangent = SpringTangent{};
+      const Lanes d = x[batch.b[i]] - x[batch.a[i]];
+      const double length = std::sqrt(dot(d, d)), e = length - batch.restLength[i];
+      if (!(length >= kMinSpringLength) || (batch.tensionOnly && e <= 0.0)) continue;
+      const SpringResponse response = springLawKernel(batch.law).respond(batch, i, e);
+      const double c = batch.viscosity[i];
+      const Eigen::Vector3d u = toVector(d) / length, w = toVector(v[batch.b[i]] - v[batch.a[i]]);
+      const double rate = u.dot(w);
+      tangent = {u, response.tangent, (response.tension + c * rate) / length, c,
+                 (c / length) * (w - rate * u)};
+    }
 }
 
 } // namespace esm

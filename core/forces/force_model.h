@@ -99,8 +99,6 @@ private:
   void addBatches(const SpringNet& net, std::span<const Index> springs);
   template <class Work>
   void forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept;
-  template <class Visit>
-  void forEachSpring(const Lanes* x, const Visit& visit) const;
 
   std::vector<SpringBatch> m_batches;          ///< part by part
   std::vector<Part> m_parts;                   ///< the first ones belong to the ranges of nodes
