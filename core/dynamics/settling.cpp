@@ -23,6 +23,9 @@ constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measure
 constexpr double kLongestLayout = 4.0; ///< frames
 constexpr double kPatience = 3.0;
 constexpr int kLongestWait = 32;      ///< looks
+constexpr int kGlances = 16;          ///< iterations of each bound
+constexpr double kGlanceCost = 40.0;  ///< force passes, with all of them
+constexpr double kFarEnough = 16.0;   ///< share of what may be missed, that a bound need not go beyond
 constexpr double kMostSquares = 16.0; ///< see SettlingBudget
 
 } // namespace
@@ -55,19 +58,22 @@ void Settling::layOut(const System& system)
 void Settling::begin() noexcept
 {
   forget();
-  m_dueSpeed = m_work = 0.0;
+  m_dueSpeed = m_work = m_workAtGlance = 0.0;
   m_looksLeft = 0;
 }
 
-/// Lays out, where that alone can be afforded: only then is it known what a factor costs.
-bool Settling::isAffordable(const System& system, double effort)
+/// By what is known so far: what a factor costs is so once it is laid out.
+bool Settling::isAffordable(const System& system, double effort) const noexcept
 {
-  const bool isFirst = !m_isLaidOut;
-  const double layout = kLayoutCost * static_cast<double>(system.nodeCount());
-  if (isFirst && layout > std::min(m_work, kLongestLayout * effort)) return false;
-  if (isFirst) layOut(system);
-  const double cost = m_matrix.factorCost() + 2.0 * m_matrix.solveCost();
-  return cost <= std::min(isFirst ? m_work : m_work / kPatience, effort);
+  const double passes = kGlanceCost * static_cast<double>(system.forces().activeSprings());
+  if (kPatience * passes > m_work - m_workAtGlance) return false;
+  if (m_isLaidOut) return attemptCost() <= std::min(m_work / kPatience, effort);
+  return kLayoutCost * static_cast<double>(system.nodeCount()) <= std::min(m_work, kLongestLayout * effort);
+}
+
+double Settling::attemptCost() const noexcept
+{
+  return m_matrix.factorCost() + 2.0 * m_matrix.solveCost();
 }
 
 bool Settling::settleIfDue(System& system, MotionState& motion, double speed, const SettlingBudget& budget,
@@ -85,11 +91,48 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
     return false;
   }
   if (!isAffordable(system, effort)) return false;
-  const double missed = settle(system, motion, budget, report);
-  m_work = 0.0;
   m_looksLeft = kLongestWait;
+  m_workAtGlance = m_work;
+  double missed = glance(system, motion, budget, report);
+  if (missed <= 1.0) {
+    if (!m_isLaidOut) {
+      layOut(system);
+      if (attemptCost() > std::min(m_work, effort)) return false;
+    }
+    missed = settle(system, motion, budget, report);
+    m_work = m_workAtGlance = 0.0;
+  }
   m_dueSpeed = 0.9 * speed / std::sqrt(std::max(missed, 1.0));
   return missed <= 1.0;
+}
+
+/// What is missed over what may be; a net that creeps takes amplitude over speed to its goal, if that is
+/// longer than it takes to fade. Rises with what is missed.
+double Settling::shareOf(double missed, double speed, const SettlingBudget& budget) const noexcept
+{
+  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : std::numeric_limits<double>::infinity();
+  return missed / budget.squareAt(std::max(budget.fading, creeping));
+}
+
+double Settling::glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
+{
+  if (!system.forces().pressure().isEmpty()) return 0.0;
+  m_bound.prepare(system, motion.x, kInertia);
+  const double speed = sumOfSquares(motion.v), enough = kFarEnough * budget.squareAt(budget.fading);
+  m_way.resize(motion.x.size());
+  scaleNodes(m_way.size(), system.mass().data(), motion.v.data(), m_way.data());
+  const double momentum = std::sqrt(sumOfSquares(m_way));
+  double missed = 0.0;
+  if (momentum > 0.0) {
+    const double perEnergy = std::sqrt(speed) / momentum; // |v| |y| >= |v|/|M v| (M v).y
+    missed = perEnergy * m_bound.below(system, m_way, enough / perEnergy, kGlances);
+  }
+  if (missed <= enough) {
+    const double force = forcesAt(system, motion.time, motion.x, report);
+    if (force > 0.0)
+      missed += std::pow(m_bound.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
+  }
+  return shareOf(missed, speed, budget);
 }
 
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
@@ -113,8 +156,7 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
     local = std::max(local, dot(m_way[i], m_way[i]) +
                               std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
   missed = std::max(missed, local / kMostLocal * static_cast<double>(m_way.size()));
-  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : kUnknown;
-  const double share = missed / budget.squareAt(std::max(budget.fading, creeping));
+  const double share = shareOf(missed, speed, budget);
   if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
   for (std::size_t i = 0; i < m_goal.size(); ++i) m_goal[i] += m_way[i];
   if (!(forcesAt(system, motion.time, m_goal, report) <= kLeft * force)) return kUnknown;

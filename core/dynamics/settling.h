@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/compliance_bound.h"
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/step_report.h"
 
@@ -29,7 +30,9 @@ struct SettlingBudget {
 /// the tangent stiffness and M the masses, the goal is d = K^-1 F away, and what the velocities carry the
 /// net beyond it has y = K^-1 M v with |v| |y| >= the sum of squares of that part of the amplitude (one mode:
 /// equal). So two solutions with one factor tell how far the net can still get, however slow its slowest
-/// mode; speeds and accelerations at single nodes do not, as a slow sway hides behind them.
+/// mode; speeds and accelerations at single nodes do not, as a slow sway hides behind them. A factor costs as
+/// much as hundreds of force passes, and most looks find that it is too early: so bounds from below come
+/// first (ComplianceBound), by b.K^-1 b <= |b| |K^-1 b| for both.
 /// @note One thread. Allocates when a net is laid out.
 class Settling {
 public:
@@ -38,10 +41,10 @@ public:
   void layOut(const System& system);
   /// The net has moved at this cost [spring evaluations].
   void countWork(std::int64_t springs) noexcept { m_work += static_cast<double>(springs); }
-  /// settle() where it is worth a try, which it seldom is: the first attempt costs no more than what has been
-  /// done until then, others a third of the work since the last one, and they come when the net is as slow as
-  /// it should be by what that one found. Nobody should wait for them longer than some frames, and nobody
-  /// sees these, since nothing moves much.
+  /// settle() where it is worth a try, which it seldom is: glance() leaves a hope, the first attempt costs no
+  /// more than what has been done until then, others a third of the work since the last one, and they come
+  /// when the net is as slow as it should be by what that one found. Nobody should wait for them longer than
+  /// some frames, and nobody sees these, since nothing moves much.
   /// @param speed  of the net now, RMS over its nodes [m/s]
   /// @param effort  see SolverSettings
   /// @return whether the net is at rest now. @pre no load moves.
@@ -57,15 +60,22 @@ public:
   /// <= 1.
   double settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report);
 
+  /// A bound from below of what settle() returns, for some tens of products with the stiffness.
+  double glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report);
+
 private:
   double forcesAt(System& system, double time, NodeArray& x, StepReport& report);
-  bool isAffordable(const System& system, double effort);
+  double shareOf(double missed, double speed, const SettlingBudget& budget) const noexcept;
+  bool isAffordable(const System& system, double effort) const noexcept;
+  double attemptCost() const noexcept; ///< of one settle() once laid out [spring evaluations]
 
   ImplicitMatrix m_matrix;
+  ComplianceBound m_bound;
   bool m_isLaidOut = false;
   double m_dueSpeed = 0.0; ///< below which the next attempt comes [m/s]
   int m_looksLeft = 0;     ///< or after so many looks
   double m_work = 0.0;     ///< since the last attempt [spring evaluations]
+  double m_workAtGlance = 0.0;
   NodeArray m_force, m_still, m_goal;
   NodeArray m_way, m_swing; ///< K^-1 F, K^-1 M v
 };

@@ -6,7 +6,10 @@
 #include "tests/core/dynamics/skip_nets.h"
 #include "tests/support/physics.h"
 
+#include <Eigen/Dense>
+
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace esm::test {
@@ -34,6 +37,7 @@ struct Oscillator {
     system.enter(motion, true);
     settling.layOut(system);
   }
+  double glance(double mostSquare) { return settling.glance(system, motion, {mostSquare, 0.0, 0.0}, report); }
   double settle(double mostSquare, double since = 0.0)
   {
     return settling.settle(system, motion, {mostSquare, since, 0.0}, report);
@@ -48,7 +52,85 @@ SpringNet livelySheet()
   return net;
 }
 
+/// b.K^-1 b of a bedded net whose springs have their rest length, dense.
+double exactCompliance(const SpringNet& net, const NodeArray& b)
+{
+  const Eigen::Index n = 3 * net.nodeCount();
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index i = net.ends(0, s), j = net.ends(1, s);
+    const Eigen::Vector3d u = (net.restPosition.col(j) - net.restPosition.col(i)).normalized();
+    const Eigen::Matrix3d block = net.stiffness[s] * u * u.transpose();
+    k.block<3, 3>(3 * i, 3 * i) += block;
+    k.block<3, 3>(3 * j, 3 * j) += block;
+    k.block<3, 3>(3 * i, 3 * j) -= block;
+    k.block<3, 3>(3 * j, 3 * i) -= block;
+  }
+  for (Index a = 0; a < net.anchors.count(); ++a)
+    k.block<3, 3>(3 * net.anchors.node[static_cast<std::size_t>(a)],
+                  3 * net.anchors.node[static_cast<std::size_t>(a)]) +=
+      net.anchors.stiffness[a] * Eigen::Matrix3d::Identity();
+  Eigen::VectorXd load(n);
+  for (std::size_t i = 0; i < b.size(); ++i)
+    load.segment<3>(3 * static_cast<Eigen::Index>(i)) = toVector(b[i]);
+  return load.dot(k.ldlt().solve(load));
+}
+
 } // namespace
+
+// Each iteration comes nearer to b.K^-1 b, from below; as many as there are eigenvalues reach it, up to
+// rounding. What pushes at held nodes moves nothing.
+TEST(ComplianceBound, RisesToTheCompliance)
+{
+  SpringNet net = beddedSheet(4);
+  for (Index i = 0; i < net.nodeCount(); ++i) net.mass[i] *= 1.0 + 0.3 * (i % 4);
+  System system(net, {});
+  MotionState motion = startOf(net);
+  system.enter(motion, true);
+  NodeArray b(motion.x.size());
+  for (std::size_t i = 0; i < b.size(); ++i)
+    b[i] = Lanes{std::sin(1.0 + 2.0 * static_cast<double>(i)), std::cos(static_cast<double>(i)), 0.3, 0.0};
+  const double exact = exactCompliance(net, b), enough = std::numeric_limits<double>::infinity();
+  ComplianceBound bound;
+  bound.prepare(system, motion.x, 0.0);
+  double before = 0.0;
+  for (const int most : {1, 2, 4, 8, 16}) {
+    const double found = bound.below(system, b, enough, most);
+    EXPECT_GT(found, before) << most;
+    EXPECT_LE(found, exact * (1.0 + 1e-12)) << most;
+    before = found;
+  }
+  EXPECT_GT(before, 0.9 * exact);
+  EXPECT_NEAR(bound.below(system, b, enough, 200), exact, 1e-9 * exact);
+  EXPECT_LT(bound.below(system, b, 1e-3 * exact, 200), 0.9 * exact); // enough is enough
+
+  net.fixed.assign(static_cast<std::size_t>(net.nodeCount()), 1);
+  net.fixed[0] = 0;
+  system = System(net, {});
+  system.enter(motion, true);
+  bound.prepare(system, motion.x, 0.0);
+  for (std::size_t i = 1; i < b.size(); ++i) b[i] = Lanes{1e3, 1e3, 1e3, 0};
+  const double alone = bound.below(system, b, enough, 200);
+  EXPECT_GT(alone, 0.0);
+  EXPECT_LT(alone, dot(b[0], b[0]) / net.anchors.stiffness[0] * (1.0 + 1e-12));
+}
+
+// A pressed column gives way sidewards: nothing bounds how far.
+TEST(ComplianceBound, SeesWhatIsUnstable)
+{
+  SpringNet column = chain(3);
+  column.fixed[0] = column.fixed[2] = 1;
+  column.restLength.setConstant(1.2);
+  System system(column, {});
+  MotionState motion;
+  motion.x = {Lanes{0, 0, 0, 0}, Lanes{1, 0, 0, 0}, Lanes{2, 0, 0, 0}};
+  motion.v.assign(3, Lanes{0, 0, 0, 0});
+  system.enter(motion, true);
+  ComplianceBound bound;
+  bound.prepare(system, motion.x, 0.0);
+  const NodeArray sidewards = {Lanes{0, 0, 0, 0}, Lanes{0, 1, 0, 0}, Lanes{0, 0, 0, 0}};
+  EXPECT_TRUE(std::isinf(bound.below(system, sidewards, 1.0, 16)));
+}
 
 // An oscillator gets sqrt(x^2 + v^2/w^2) far, wherever in its period it is: at the turning point, in the
 // middle, in between. The inertia over ten seconds makes 2.5e-5 of it.
@@ -60,6 +142,8 @@ TEST(Settling, KnowsHowFarAnOscillatorGets)
     Oscillator oscillator(displacement, speed);
     const MotionState before = oscillator.motion;
     const double square = std::pow(displacement, 2) + std::pow(speed / Oscillator::kRate, 2);
+    // One node, one iteration: here the bound is what it bounds.
+    EXPECT_NEAR(oscillator.glance(1e-6), square / 1e-6, 1e-4 * square / 1e-6);
     EXPECT_NEAR(oscillator.settle(1e-9), square / 1e-9, 1e-4 * square / 1e-9);
     EXPECT_EQ(toVector(oscillator.motion.x[1]), toVector(before.x[1])); // too far: nothing is done
     EXPECT_EQ(toVector(oscillator.motion.v[1]), toVector(before.v[1]));
@@ -126,6 +210,49 @@ TEST(Settling, LeavesUnstableBalanceAndDriftAlone)
     StepReport report;
     EXPECT_GT(settling.settle(system, motion, {1e-8}, report), 1.0);
     EXPECT_EQ(motion.v[1][1], drifts ? 1e-4 : 0.0);
+  }
+}
+
+// A net that is slow enough to try but has too far to go is seen to be so without a factor.
+TEST(Settling, TakesNoFactorToSeeThatItIsTooEarly)
+{
+  Oscillator oscillator(1e-3, 0.0);
+  oscillator.settling.countWork(1'000'000);
+  const auto tryWith = [&](double square) {
+    return oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, 0.0, {square, 0.0, 0.0}, 1e6,
+                                           oscillator.report);
+  };
+  EXPECT_FALSE(tryWith(0.5e-6));
+  EXPECT_EQ(oscillator.report.factorizations, 0);
+  oscillator.settling.countWork(1'000'000);
+  EXPECT_TRUE(tryWith(2e-6));
+  EXPECT_EQ(oscillator.report.factorizations, 1);
+}
+
+// What is seen at a glance is never more than what a factor finds, in whichever moment of a net's motion.
+TEST(Settling, GlancesFromBelow)
+{
+  const SpringNet net = livelySheet();
+  Loads loads;
+  loads.forces.push_back({{70, 71}, curve({0.0}, Eigen::Vector3d(0, 2e-3, 5e-3))});
+  Simulation simulation = simulate(net, loads, settingsOf(1e-4, false));
+  System system(net, loads);
+  Settling settling;
+  settling.layOut(system);
+  StepReport report;
+  for (int frame = 0; frame < 30; ++frame) {
+    ASSERT_TRUE(simulation.advance(1.0 / 60.0).good());
+    const NetState& state = simulation.state();
+    MotionState motion = startOf(net);
+    system.enter(motion, true);
+    copyNodes(state.position, motion.x);
+    copyNodes(state.velocity, motion.v);
+    const SettlingBudget budget{1e-14, 0.0, 0.0};
+    const double glanced = settling.glance(system, motion, budget, report);
+    const double missed = settling.settle(system, motion, budget, report);
+    EXPECT_GT(missed, 1.0); // so that nothing was moved
+    EXPECT_LE(glanced, missed * (1.0 + 1e-9)) << frame;
+    EXPECT_GT(glanced, std::min(16.0, 0.1 * missed)) << frame; // further it need not look
   }
 }
 
