@@ -88,6 +88,8 @@ void SpringBatch::fillRecord()
     }
     if (damped) group[rows - 1][lane] = viscosity[i];
   }
+  ends.clear();
+  for (std::size_t group = 0; damped && group < a.size() / 4; ++group) ends.push_back(record[group * rows]);
 }
 
 } // namespace esm

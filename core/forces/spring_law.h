@@ -39,6 +39,7 @@ struct SpringBatch {
   ///     2 ..  lawRows() of the law: linear k; cubic k, a/L^2; exponential k L/b, b/L
   ///     last  viscosity c, if damped [N s/m]
   NodeArray record;
+  NodeArray ends;                    ///< the rows 0 alone, if damped: what addDamping() reads of a spring
   std::vector<double> rootViscosity; ///< sqrt(c)
   std::vector<Index> spring;         ///< place in the SpringNet, `count` entries
   std::vector<ForceTable> tables;    ///< copy of the net's, for the table law only
