@@ -9,9 +9,9 @@ namespace {
 
 ESM_CPU_CLONES void addBlocks(const SpringBatch& batch, const Lanes* row, const Lanes* z, Lanes* y) noexcept
 {
-  const std::size_t count = batch.paddedCount();
-  for (std::size_t i = 0; i < count; i += 4, row += 5) {
-    const detail::FourEnds ends(batch, i);
+  const std::size_t groups = batch.paddedCount() / 4, recordRows = batch.recordRows();
+  for (std::size_t i = 0; i < groups; ++i, row += 5) {
+    const detail::FourEnds ends(&batch.record[i * recordRows]);
     Lanes d0, d1, d2, d3, dx, dy, dz, f0, f1, f2, f3;
     ends.difference(z, d0, d1, d2, d3);
     transpose(d0, d1, d2, d3, dx, dy, dz);
