@@ -75,7 +75,7 @@ private:
   double m_dueSpeed = 0.0; ///< below which the next attempt comes [m/s]
   int m_looksLeft = 0;     ///< or after so many looks
   double m_work = 0.0;     ///< since the last attempt [spring evaluations]
-  double m_workAtGlance = 0.0;
+  double m_workAtGlance = 0.0; ///< m_work when glance() was asked last
   NodeArray m_force, m_still, m_goal;
   NodeArray m_way, m_swing; ///< K^-1 F, K^-1 M v
 };
