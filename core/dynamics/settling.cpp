@@ -28,6 +28,15 @@ constexpr double kGlanceCost = 40.0;  ///< force passes, with all of them
 constexpr double kFarEnough = 16.0;   ///< share of what may be missed, that a bound need not go beyond
 constexpr double kMostSquares = 16.0; ///< see SettlingBudget
 
+/// What is missed over what may be; a net that creeps takes amplitude over speed to its goal, if that is
+/// longer than it takes to fade. Rises with what is missed.
+/// @param missed, speed  sums of squares over the nodes
+double shareOf(double missed, double speed, const SettlingBudget& budget) noexcept
+{
+  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : std::numeric_limits<double>::infinity();
+  return missed / budget.squareAt(std::max(budget.fading, creeping));
+}
+
 } // namespace
 
 double SettlingBudget::squareAt(double fadingTime) const noexcept
@@ -104,14 +113,6 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
   }
   m_dueSpeed = 0.9 * speed / std::sqrt(std::max(missed, 1.0));
   return missed <= 1.0;
-}
-
-/// What is missed over what may be; a net that creeps takes amplitude over speed to its goal, if that is
-/// longer than it takes to fade. Rises with what is missed.
-double Settling::shareOf(double missed, double speed, const SettlingBudget& budget) const noexcept
-{
-  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : std::numeric_limits<double>::infinity();
-  return missed / budget.squareAt(std::max(budget.fading, creeping));
 }
 
 double Settling::glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)

@@ -65,16 +65,15 @@ public:
 
 private:
   double forcesAt(System& system, double time, NodeArray& x, StepReport& report);
-  double shareOf(double missed, double speed, const SettlingBudget& budget) const noexcept;
   bool isAffordable(const System& system, double effort) const noexcept;
   double attemptCost() const noexcept; ///< of one settle() once laid out [spring evaluations]
 
   ImplicitMatrix m_matrix;
   ComplianceBound m_bound;
   bool m_isLaidOut = false;
-  double m_dueSpeed = 0.0; ///< below which the next attempt comes [m/s]
-  int m_looksLeft = 0;     ///< or after so many looks
-  double m_work = 0.0;     ///< since the last attempt [spring evaluations]
+  double m_dueSpeed = 0.0;     ///< below which the next attempt comes [m/s]
+  int m_looksLeft = 0;         ///< or after so many looks
+  double m_work = 0.0;         ///< since the last attempt [spring evaluations]
   double m_workAtGlance = 0.0; ///< m_work when glance() was asked last
   NodeArray m_force, m_still, m_goal;
   NodeArray m_way, m_swing; ///< K^-1 F, K^-1 M v

@@ -6,21 +6,11 @@ namespace esm {
 namespace {
 
 template <class Ends>
-ESM_INLINE Ends endsAt(const SpringBatch& batch, std::size_t i) noexcept
-{
-  const Lanes* row = &batch.ends[i / 4];
-  if constexpr (Ends::kCount == 4)
-    return Ends(row);
-  else
-    return Ends(row, row + 1);
-}
-
-template <class Ends>
 ESM_INLINE void dampGroups(const SpringBatch& batch, std::size_t begin, std::size_t end, const Lanes* damper,
                            const Lanes* v, Lanes* force) noexcept
 {
   for (std::size_t i = begin; i < end; i += Ends::kCount) {
-    const Ends ends = endsAt<Ends>(batch, i);
+    const Ends ends(&batch.ends[i / 4], 1);
     typename Ends::Values w0, w1, w2, w3, wx, wy, wz, qx, qy, qz, f0, f1, f2, f3;
     ends.difference(v, w0, w1, w2, w3);
     transpose(w0, w1, w2, w3, wx, wy, wz);

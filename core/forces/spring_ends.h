@@ -64,19 +64,8 @@ struct FourEnds {
   static constexpr std::size_t kCount = 4;
   std::size_t a0, a1, a2, a3, b0, b1, b2, b3;
 
-  /// Of springs i .. i+3.
-  ESM_INLINE FourEnds(const SpringBatch& batch, std::size_t i) noexcept
-    : a0(offsetOf(batch.a[i])),
-      a1(offsetOf(batch.a[i + 1])),
-      a2(offsetOf(batch.a[i + 2])),
-      a3(offsetOf(batch.a[i + 3])),
-      b0(offsetOf(batch.b[i])),
-      b1(offsetOf(batch.b[i + 1])),
-      b2(offsetOf(batch.b[i + 2])),
-      b3(offsetOf(batch.b[i + 3]))
-  {}
-  /// Of a group by the first row of its record.
-  ESM_INLINE explicit FourEnds(const Lanes* row) noexcept
+  /// Of a group by the first row of its record; how many rows that has matters to EightEnds.
+  ESM_INLINE explicit FourEnds(const Lanes* row, std::size_t /*rows*/ = 1) noexcept
     : a0(entry(row, 0)),
       a1(entry(row, 1)),
       a2(entry(row, 2)),
@@ -86,10 +75,6 @@ struct FourEnds {
       b2(entry(row, 6)),
       b3(entry(row, 7))
   {}
-  ESM_INLINE static std::size_t offsetOf(Index node) noexcept
-  {
-    return static_cast<std::size_t>(node) * sizeof(Lanes);
-  }
   ESM_INLINE static std::size_t entry(const Lanes* row, std::size_t place) noexcept
   {
     std::uint32_t offset;
@@ -145,9 +130,8 @@ struct EightEnds {
   static constexpr std::size_t kCount = 8;
   FourEnds low, high;
 
-  ESM_INLINE EightEnds(const SpringBatch& batch, std::size_t i) noexcept : low(batch, i), high(batch, i + 4)
-  {}
-  ESM_INLINE EightEnds(const Lanes* row, const Lanes* nextRow) noexcept : low(row), high(nextRow) {}
+  /// Of two groups whose records have `rows` rows each.
+  ESM_INLINE EightEnds(const Lanes* row, std::size_t rows) noexcept : low(row), high(row + rows) {}
   ESM_INLINE static void difference(const Lanes& b, const Lanes& nextB, const Lanes& a, const Lanes& nextA,
                                     WideLanes& d) noexcept
   {

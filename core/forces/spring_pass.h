@@ -26,13 +26,7 @@ struct SpringGroup {
   ESM_INLINE SpringGroup(const SpringBatch& of, std::size_t i) noexcept
     : batch(of), first(i), record(of.record.data() + i / 4 * kRows)
   {}
-  ESM_INLINE Ends ends() const noexcept
-  {
-    if constexpr (Ends::kCount == 4)
-      return Ends(record);
-    else
-      return Ends(record, record + kRows);
-  }
+  ESM_INLINE Ends ends() const noexcept { return Ends(record, kRows); }
   ESM_INLINE void row(std::size_t k, Values& values) const noexcept
   {
     if constexpr (Ends::kCount == 4)

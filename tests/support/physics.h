@@ -42,6 +42,24 @@ inline MotionState startOf(const SpringNet& net)
   return state;
 }
 
+/// Sum of strength u u^T over springs that have their rest length, with both signs; dense, 3 N x 3 N. With
+/// stiffness as the strength it is their tangent stiffness.
+inline Eigen::MatrixXd axialMatrix(const SpringNet& net, const Eigen::ArrayXd& strength)
+{
+  const Eigen::Index n = 3 * net.nodeCount();
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index a = net.ends(0, s), b = net.ends(1, s);
+    const Eigen::Vector3d u = (net.restPosition.col(b) - net.restPosition.col(a)).normalized();
+    const Eigen::Matrix3d block = strength[s] * u * u.transpose();
+    k.block<3, 3>(3 * a, 3 * a) += block;
+    k.block<3, 3>(3 * b, 3 * b) += block;
+    k.block<3, 3>(3 * a, 3 * b) -= block;
+    k.block<3, 3>(3 * b, 3 * a) -= block;
+  }
+  return k;
+}
+
 /// kinetic + elastic + gravity + heat - work: constant in time, whatever happens.
 inline double balance(const Simulation& simulation)
 {

@@ -55,22 +55,12 @@ SpringNet livelySheet()
 /// b.K^-1 b of a bedded net whose springs have their rest length, dense.
 double exactCompliance(const SpringNet& net, const NodeArray& b)
 {
-  const Eigen::Index n = 3 * net.nodeCount();
-  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
-  for (Index s = 0; s < net.springCount(); ++s) {
-    const Index i = net.ends(0, s), j = net.ends(1, s);
-    const Eigen::Vector3d u = (net.restPosition.col(j) - net.restPosition.col(i)).normalized();
-    const Eigen::Matrix3d block = net.stiffness[s] * u * u.transpose();
-    k.block<3, 3>(3 * i, 3 * i) += block;
-    k.block<3, 3>(3 * j, 3 * j) += block;
-    k.block<3, 3>(3 * i, 3 * j) -= block;
-    k.block<3, 3>(3 * j, 3 * i) -= block;
-  }
+  Eigen::MatrixXd k = axialMatrix(net, net.stiffness);
   for (Index a = 0; a < net.anchors.count(); ++a)
     k.block<3, 3>(3 * net.anchors.node[static_cast<std::size_t>(a)],
                   3 * net.anchors.node[static_cast<std::size_t>(a)]) +=
       net.anchors.stiffness[a] * Eigen::Matrix3d::Identity();
-  Eigen::VectorXd load(n);
+  Eigen::VectorXd load(k.rows());
   for (std::size_t i = 0; i < b.size(); ++i)
     load.segment<3>(3 * static_cast<Eigen::Index>(i)) = toVector(b[i]);
   return load.dot(k.ldlt().solve(load));

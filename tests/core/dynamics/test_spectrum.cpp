@@ -31,17 +31,8 @@ FastestMode boundOf(const SpringNet& net)
 /// M^-1/2 K M^-1/2 of springs at rest length (only the axial part), dense.
 Eigen::MatrixXd scaledMatrix(const SpringNet& net, const Eigen::ArrayXd& stiffness)
 {
-  const Eigen::Index n = 3 * net.nodeCount();
-  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(n, n);
-  for (Index s = 0; s < net.springCount(); ++s) {
-    const Index a = net.ends(0, s), b = net.ends(1, s);
-    const Eigen::Vector3d u = (net.restPosition.col(b) - net.restPosition.col(a)).normalized();
-    const Eigen::Matrix3d block = stiffness[s] * u * u.transpose();
-    k.block<3, 3>(3 * a, 3 * a) += block;
-    k.block<3, 3>(3 * b, 3 * b) += block;
-    k.block<3, 3>(3 * a, 3 * b) -= block;
-    k.block<3, 3>(3 * b, 3 * a) -= block;
-  }
+  Eigen::MatrixXd k = axialMatrix(net, stiffness);
+  const Eigen::Index n = k.rows();
   for (Eigen::Index i = 0; i < n; ++i)
     for (Eigen::Index j = 0; j < n; ++j) k(i, j) /= std::sqrt(net.mass[i / 3] * net.mass[j / 3]);
   return k;
