@@ -68,8 +68,8 @@ bool SceneModel::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t gene
 {
   m_net = std::move(net);
   m_generation = generation;
-  m_sequence = 0;
-  m_time = 0.0;
+  m_sequence = m_revision = 0;
+  m_time = m_largest = 0.0;
   m_grabbed = kNoIndex;
   m_position = m_net ? m_net->restPosition : Eigen::Matrix3Xd(3, 0);
   m_tension = Eigen::ArrayXd::Zero(m_net ? m_net->springCount() : 0);
@@ -94,25 +94,33 @@ bool SceneModel::setSnapshot(const SimSnapshot& snapshot)
       snapshot.sequence == m_sequence)
     return false;
   m_sequence = snapshot.sequence;
+  const bool isKnown = snapshot.revision != 0 && snapshot.revision == m_revision;
   const bool fits = snapshot.tension.size() == m_tension.size();
-  if (snapshot.grabbedNode == m_grabbed && snapshot.time == m_time && snapshot.position == m_position &&
-      (!fits || (snapshot.tension == m_tension).all()))
-    return false;
+  const bool moved =
+    !isKnown && !(snapshot.position == m_position && (!fits || (snapshot.tension == m_tension).all()));
   const double elapsed = snapshot.time - m_time;
+  const Index wasGrabbed = m_grabbed;
+  const ValueRange before = valueRange();
   if (elapsed < 0.0) { // started again from t = 0
     m_strainRange.reset();
     m_forceRange.reset();
   }
   m_time = snapshot.time;
-  m_position = snapshot.position;
-  if (fits) m_tension = snapshot.tension;
+  m_revision = snapshot.revision;
+  if (moved) {
+    m_position = snapshot.position;
+    if (fits) m_tension = snapshot.tension;
+    updateBounds();
+  }
   m_grabbed =
     snapshot.grabbedNode >= 0 && snapshot.grabbedNode < m_net->nodeCount() ? snapshot.grabbedNode : kNoIndex;
-  if (m_colouring == Colouring::Strain) m_strainRange.add(largest(springValues()), elapsed);
-  if (m_colouring == Colouring::Force) m_forceRange.add(largest(springValues()), elapsed);
-  dirty.frame = true;
-  updateBounds();
-  return true;
+  if (SteadyRange* range = movingRange()) {
+    if (moved) m_largest = largest(springValues());
+    range->add(m_largest, elapsed);
+  }
+  const bool rescaled = valueRange() != before; // of a net that rests the legend still draws in
+  dirty.frame = dirty.frame || moved || rescaled;
+  return moved || rescaled || m_grabbed != wasGrabbed;
 }
 
 bool SceneModel::setParameters(std::shared_ptr<const SpringNet> net)
@@ -179,8 +187,10 @@ bool SceneModel::setColouring(Colouring colouring)
   m_strainRange.reset();
   m_forceRange.reset();
   weighSprings();
-  if (m_colouring == Colouring::Strain) m_strainRange.add(largest(springValues()), 0.0);
-  if (m_colouring == Colouring::Force) m_forceRange.add(largest(springValues()), 0.0);
+  if (SteadyRange* range = movingRange()) {
+    m_largest = largest(springValues());
+    range->add(m_largest, 0.0);
+  }
   dirty.frame = true;
   return true;
 }
@@ -247,6 +257,13 @@ void SceneModel::setViewSettings(const ViewSettings& settings)
   if (m_autoFit) fit();
   setColouring(colouringFromName(settings.colouring));
   setShown(settings.showSurface, settings.showSprings);
+}
+
+/// The one that follows the motion, if the present colouring does.
+SteadyRange* SceneModel::movingRange() noexcept
+{
+  if (m_colouring == Colouring::Strain) return &m_strainRange;
+  return m_colouring == Colouring::Force ? &m_forceRange : nullptr;
 }
 
 ValueRange SceneModel::valueRange() const

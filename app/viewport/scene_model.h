@@ -93,14 +93,15 @@ public:
 private:
   void weighSprings();
   void updateBounds();
+  SteadyRange* movingRange() noexcept;
   Eigen::Matrix3Xd nodeNormals() const;
 
   std::shared_ptr<const SpringNet> m_net;
   std::uint64_t m_generation = 0;
-  std::uint64_t m_sequence = 0;
-  Eigen::Matrix3Xd m_position; ///< 3 x N [m]
-  Eigen::ArrayXd m_tension;    ///< S [N]
-  double m_time = 0.0;         ///< of the snapshot [s]
+  std::uint64_t m_sequence = 0, m_revision = 0; ///< of the snapshot
+  Eigen::Matrix3Xd m_position;                  ///< 3 x N [m]
+  Eigen::ArrayXd m_tension;                     ///< S [N]
+  double m_time = 0.0;                          ///< of the snapshot [s]
   Index m_grabbed = kNoIndex;
   std::vector<Region> m_regions;
   int m_selectedRegion = -1;
@@ -117,6 +118,7 @@ private:
   Eigen::ArrayXd m_weight;         ///< S, of the selected region, for Colouring::RegionWeight [1]
   SteadyRange m_strainRange{0.01}; ///< 1 %: below that a colour would show noise
   SteadyRange m_forceRange{1e-3};  ///< 1 mN
+  double m_largest = 0.0;          ///< that the present one of the two was given last
 };
 
 /// The names that ViewSettings::colouring uses; an unknown name means None.

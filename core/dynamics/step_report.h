@@ -25,6 +25,7 @@ struct StepReport {
   bool stepLimit = false;      ///< the work limit was reached before the end of the interval
 
   bool good() const noexcept { return !nonFinite && !notConverged && !stepLimit; }
+  bool nothingMoved() const noexcept { return steps == 0 && nodesAwake == 0; } ///< all rested throughout
   void add(const StepReport& next) noexcept;
 };
 

@@ -194,7 +194,10 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
   if (m_grip && !deviceLeads()) pull();
   const StepReport report = deviceLeads() ? advanceLed(enough) : advance(m_period, enough);
   judge(report);
-  keepPicture();
+  if (report.nothingMoved())
+    keepMoment();
+  else
+    keepPicture();
   if ((m_grip || m_tip) && m_followDevice && m_playing) publishContact();
   return report.simulatedTime;
 }
@@ -304,7 +307,8 @@ StepReport SimRunner::advanceSliced(double interval, const std::function<bool()>
 void SimRunner::judge(const StepReport& report)
 {
   m_report = report;
-  if (!report.good() || !m_simulation->state().position.allFinite()) stopWith(m_simulation->why());
+  const bool isFinite = report.nothingMoved() || m_simulation->state().position.allFinite();
+  if (!report.good() || !isFinite) stopWith(m_simulation->why());
 }
 
 void SimRunner::stopWith(std::string message)
@@ -318,14 +322,21 @@ void SimRunner::stopWith(std::string message)
 void SimRunner::keepPicture()
 {
   const NetState& state = m_simulation->state();
-  if (!std::exchange(m_brokenOff, false)) m_why = m_simulation->why();
+  keepMoment();
   if (!state.position.allFinite()) return;
-  m_position = state.position;
-  m_time = state.time;
-  m_tension.resize(m_simulation->net().springCount());
-  m_simulation->springTensions(m_tension);
-  if (!m_tension.allFinite()) m_tension = m_tension.isFinite().select(m_tension, 0.0);
+  ++m_picture.revision;
+  m_picture.position = state.position;
+  Eigen::ArrayXd& tension = m_picture.tension;
+  tension.resize(m_simulation->net().springCount());
+  m_simulation->springTensions(tension);
+  if (!tension.allFinite()) tension = tension.isFinite().select(tension, 0.0);
   if (const Energies energies = m_simulation->energies(); isFinite(energies)) m_energies = energies;
+}
+
+void SimRunner::keepMoment()
+{
+  m_time = m_simulation->state().time;
+  if (!std::exchange(m_brokenOff, false)) m_why = m_simulation->why();
 }
 
 void SimRunner::publishContact()
@@ -371,11 +382,10 @@ Stability SimRunner::stability() const
 
 void SimRunner::draw(SimSnapshot& picture)
 {
+  static_cast<NetPicture&>(picture) = m_picture;
   picture.generation = m_generation;
   picture.playing = m_playing;
   picture.time = m_time;
-  picture.position = m_position;
-  picture.tension = m_tension;
   picture.stability = stability();
   picture.quality = m_ladder.state();
   picture.report = m_report;

@@ -77,6 +77,7 @@ private:
   StepReport advanceSliced(double interval, const std::function<bool()>& enough);
   void judge(const StepReport& report);
   void keepPicture();
+  void keepMoment();
   void publishContact();
   void endContact();
 
@@ -102,8 +103,7 @@ private:
   bool m_brokenOff = false; ///< the last slice by such a limit
   std::string m_message;    ///< a refusal or a failure; empty: m_why is what there is to say
   // The last finite picture, so that a NaN cannot leave even if the dynamics let one through.
-  Eigen::Matrix3Xd m_position;
-  Eigen::ArrayXd m_tension;
+  NetPicture m_picture;
   double m_time = 0.0;
   Energies m_energies;
 };

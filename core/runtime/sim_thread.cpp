@@ -43,6 +43,15 @@ double processorTime()
 
 } // namespace
 
+NetPicture& NetPicture::operator=(const NetPicture& other)
+{
+  if (revision != 0 && revision == other.revision) return *this;
+  revision = other.revision;
+  position = other.position;
+  tension = other.tension;
+  return *this;
+}
+
 struct SimThread::Impl {
   explicit Impl(double frameRate) : runner(frameRate, tool, contact), clock(runner.framePeriod()) {}
 

@@ -22,14 +22,27 @@ enum class Stability : std::uint8_t {
   Stopped   ///< numerics failed; paused on the last good state, `message` says cause and cure
 };
 
-/// One picture of the running simulation. Plain data.
-struct SimSnapshot {
+/// Where the net is, and what its springs bear: what is dear to copy, and to draw.
+struct NetPicture {
+  std::uint64_t revision = 0; ///< another one for each other picture of a runner; 0: not known
+  Eigen::Matrix3Xd position;  ///< 3 x N [m], finite always
+  Eigen::ArrayXd tension;     ///< S [N]
+
+  NetPicture() = default;
+  NetPicture(const NetPicture&) = default;
+  NetPicture(NetPicture&&) noexcept = default;
+  NetPicture& operator=(NetPicture&&) noexcept = default;
+  ~NetPicture() = default;
+  /// Copies nothing where both are the same picture.
+  NetPicture& operator=(const NetPicture& other);
+};
+
+/// One picture of the running simulation. Plain data. While the net rests, `revision` stays.
+struct SimSnapshot : NetPicture {
   std::uint64_t sequence = 0;   ///< rises with each publish
   std::uint64_t generation = 0; ///< of the load() whose net this is: a reader skips snapshots of an older net
   bool playing = false;
   double time = 0.0;           ///< simulated [s]
-  Eigen::Matrix3Xd position;   ///< 3 x N [m], finite always
-  Eigen::ArrayXd tension;      ///< S [N]
   double realTimeFactor = 0.0; ///< simulated over wall time, smoothed; 0 while paused
   double frameCost = 0.0;      ///< processor time per frame over frame period [1]
   Stability stability = Stability::Idle;

@@ -129,6 +129,34 @@ TEST(SceneModel, OnlyNewPicturesCount)
   EXPECT_FALSE(model.setSnapshot(snapshot)) << "of an older net";
 }
 
+// Time goes on over a net that rests: nothing to draw, but for a legend that draws in after a pull.
+TEST(SceneModel, ANetAtRestIsNotDrawnAgain)
+{
+  const auto net = samples::sphere(1, 0.05);
+  SceneModel model = modelOf(net);
+  model.setColouring(Colouring::Force);
+  SimSnapshot snapshot = samples::restSnapshot(*net, 7, 1);
+  const auto later = [&](double seconds) {
+    ++snapshot.sequence;
+    snapshot.time += seconds;
+    return model.setSnapshot(snapshot);
+  };
+  snapshot.revision = 1;
+  snapshot.tension(0) = 9.0;
+  EXPECT_TRUE(later(0.1));
+  EXPECT_EQ(model.valueRange().high, 10.0);
+  snapshot.revision = 2;
+  snapshot.tension(0) = 0.5;
+  EXPECT_TRUE(later(0.1));
+  model.dirty = {false, false, false, false};
+  EXPECT_FALSE(later(0.1));
+  EXPECT_FALSE(model.dirty.frame);
+  EXPECT_TRUE(later(30.0)) << "half lives of three seconds";
+  EXPECT_TRUE(model.dirty.frame);
+  EXPECT_EQ(model.valueRange().high, 0.5);
+  EXPECT_FALSE(later(30.0));
+}
+
 TEST(SceneModel, ViewSettingsRoundTrip)
 {
   SceneModel model = modelOf(samples::sphere(1, 0.05));

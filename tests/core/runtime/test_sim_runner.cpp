@@ -113,6 +113,31 @@ TEST_F(SimRunnerTest, OtherParametersKeepTheMotion)
   EXPECT_EQ(picture().position.cols(), 6);
 }
 
+// Time goes on over a net that sleeps, and nothing is copied.
+TEST_F(SimRunnerTest, ANetAtRestKeepsItsPicture)
+{
+  runner.apply(command::Load{2, chain(6), {}, {}}); // slack: rests at once
+  runner.apply(command::Play{});
+  frames(1);
+  const std::uint64_t before = picture().revision;
+  EXPECT_GT(before, 0u);
+  drawn.position(2, 5) = 7.0; // a mark on the copy
+  frames(5);
+  EXPECT_EQ(picture().revision, before);
+  EXPECT_EQ(drawn.position(2, 5), 7.0);
+  EXPECT_EQ(drawn.tension.size(), 5);
+  EXPECT_NEAR(drawn.time, 0.1, 1e-12);
+
+  runner.apply(command::SetParameters{chain(6, 300.0)}); // its springs may bear something else now
+  const std::uint64_t changed = picture().revision;
+  EXPECT_GT(changed, before);
+  EXPECT_EQ(drawn.position, chain(6).restPosition);
+  runner.apply(command::Grab{5, {0.05, 0.0, 0.01}, 10.0});
+  frames(1);
+  EXPECT_GT(picture().revision, changed);
+  EXPECT_GT(drawn.position(2, 5), 1e-4);
+}
+
 // A net that is too large for the frame: it is broken off where it is and goes on from there.
 TEST_F(SimRunnerTest, AFrameCanBeBrokenOff)
 {
