@@ -14,18 +14,21 @@ constexpr int kMaxIterations = 25;
 /// residual.
 constexpr int kRoughIterations = 4;
 constexpr double kRoughResidual = 0.1;
-constexpr int kMostLeaps = 3;        ///< see leap()
-constexpr double kSlow = 0.5;        ///< an iteration that leaves more asks for a new factor
-constexpr double kRoughSlow = 0.8;   ///< the same where only boundedness counts
-constexpr double kOtherShare = 0.25; ///< a factor serves for s that differ by so much
-constexpr double kSmoothing = 0.1;   ///< of the running means
+constexpr int kMostLeaps = 3;            ///< see leap()
+constexpr double kSlow = 0.5;            ///< an iteration that leaves more may ask for a new factor
+constexpr double kHopeless = 0.95;       ///< the same, asks at once
+constexpr double kFreshIterations = 2.0; ///< that a new factor needs, too
+constexpr double kRoughSlow = 0.8;       ///< the same where only boundedness counts
+constexpr double kOtherShare = 0.25;     ///< a factor serves for s that differ by so much
+constexpr double kSmoothing = 0.1;       ///< of the running means
 
 } // namespace
 
 void ImplicitStage::prepare(const System& system)
 {
-  for (NodeArray* array : {&m_force, &m_change, &m_trial})
+  for (NodeArray* array : {&m_force, &m_change, &m_trial, &m_before})
     array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+  m_pairs.prepare(system.nodeCount());
   m_matrix.prepare(system, true);
   m_factoredShare = 0.0;
   m_meanIterations = 2.0;
@@ -40,10 +43,26 @@ void ImplicitStage::constraintsChanged(const System& system)
 
 double ImplicitStage::cost(const System& system) const noexcept
 {
-  const auto springs = static_cast<double>(system.forces().activeSprings());
-  const auto nodes = static_cast<double>(system.nodeCount());
-  return springs + m_meanFactors * m_matrix.factorCost() +
-         m_meanIterations * (springs + 2.0 * nodes + m_matrix.solveCost());
+  return static_cast<double>(system.forces().activeSprings()) + m_meanFactors * m_matrix.factorCost() +
+         m_meanIterations * iterationCost(system);
+}
+
+double ImplicitStage::iterationCost(const System& system) const noexcept
+{
+  return static_cast<double>(system.forces().activeSprings()) +
+         2.0 * static_cast<double>(system.nodeCount()) + m_matrix.solveCost();
+}
+
+/// Whether a new factor would cost less than to go on with the old one: each iteration leaves the share
+/// `left` of the last change `move` [m].
+bool ImplicitStage::isTooSlow(const System& system, double move, double left) const noexcept
+{
+  if (m_rough) return left > kRoughSlow;
+  if (left <= kSlow) return false;
+  if (!(left < kHopeless)) return true;
+  double still = -kFreshIterations;
+  for (move *= left; move > m_tolerance; move *= left) still += 1.0;
+  return still * iterationCost(system) > m_matrix.factorCost();
 }
 
 /// r = M (v - startV) - s F(startX + s v, v) of the free nodes into m_force, with a minus; x follows v.
@@ -69,6 +88,7 @@ bool ImplicitStage::refactor(const Problem& problem, const NodeArray& x, const N
   m_factoredShare = problem.s;
   m_factorIsFresh = true;
   m_factorIsConvex = convex;
+  m_pairs.clear();
   m_freshIterations = 0;
   m_excess = 0.0;
   ++report.factorizations;
@@ -81,17 +101,19 @@ bool ImplicitStage::refactor(const Problem& problem, const NodeArray& x, const N
 /// m_change from the residual in m_force. @return its length [m], RMS over nodes.
 double ImplicitStage::findChange(const Problem& problem)
 {
-  m_change = m_force; // same size: no allocation
+  m_change = m_before = m_force; // same size: no allocation
+  if (std::exchange(m_pairShare, problem.s) != problem.s) m_pairs.clear();
+  m_pairs.fold(m_change);
   m_matrix.solve(m_change);
   const double ratio = problem.s / m_factoredShare;
   // Of a factor for another s, modes that inertia rules want all of the change, those that stiffness rules
   // 1/ratio^2 of it: halfway between.
   const double scale = m_factoredShare == problem.s ? 1.0 : 2.0 / (1.0 + ratio * ratio);
+  if (scale != 1.0)
+    for (Lanes& change : m_change) change *= scale;
+  m_pairs.unfold(m_change);
   Lanes sum = {0, 0, 0, 0};
-  for (Lanes& change : m_change) {
-    change *= scale;
-    sum += change * change;
-  }
+  for (const Lanes& change : m_change) sum += change * change;
   m_move = problem.s * std::sqrt(sumLanes(sum) / static_cast<double>(m_matrix.freeCount()));
   return m_move;
 }
@@ -134,7 +156,7 @@ StepResult ImplicitStage::solve(System& system, double t, double s, const NodeAr
   m_factorIsFresh = false;
   int leaps = 0, factors = 0;
   bool wantConvex = false;
-  if (m_excess * m_matrix.solveCost() > m_matrix.factorCost()) m_factoredShare = 0.0;
+  if (m_excess * iterationCost(system) > m_matrix.factorCost()) m_factoredShare = 0.0;
   for (int iteration = 0; iteration < kMaxIterations; ++iteration) {
     if (!std::isfinite(norm)) return StepResult::NonFinite;
     if (system.isExhausted()) return StepResult::NotConverged;
@@ -149,7 +171,10 @@ StepResult ImplicitStage::solve(System& system, double t, double s, const NodeAr
     double fraction = 1.0;
     const double next = tryChange(problem, norm, v, x, fraction, rates);
     const bool gained = next < norm;
-    if (gained) std::swap(v, m_trial);
+    if (gained) {
+      std::swap(v, m_trial);
+      m_pairs.add(m_change, fraction, m_before, m_force);
+    }
     const double left = next / norm; // of the error, if the next iteration is like this one
     if (fraction == 1.0 && (move <= m_tolerance || (left < 0.5 && move * left <= 0.5 * m_tolerance))) {
       if (!gained) residual(problem, v, x, rates); // only rounding was left to gain
@@ -158,7 +183,7 @@ StepResult ImplicitStage::solve(System& system, double t, double s, const NodeAr
     }
     if (m_rough && next <= kRoughResidual * first && iteration + 1 >= kRoughIterations)
       return StepResult::Done;
-    const bool slow = !gained || left > (m_rough ? kRoughSlow : kSlow);
+    const bool slow = !gained || isTooSlow(system, move, left);
     if (gained) {
       norm = next;
       // A short step along the true matrix, which is indefinite: the convex one leads out of the saddle.

@@ -4,6 +4,7 @@
 
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/integrator.h"
+#include "core/dynamics/secant_pairs.h"
 
 namespace esm {
 
@@ -48,10 +49,15 @@ private:
   double tryChange(const Problem& problem, double norm, const NodeArray& v, NodeArray& x, double& fraction,
                    Rates& rates) noexcept;
   double leap(const Problem& problem, NodeArray& v, NodeArray& x, Rates& rates);
+  double iterationCost(const System& system) const noexcept;
+  bool isTooSlow(const System& system, double move, double left) const noexcept;
   void learn(double s, int iterations, int factors) noexcept;
 
   ImplicitMatrix m_matrix;
+  SecantPairs m_pairs;                  ///< since the last factor, of steps with s = m_pairShare
+  double m_pairShare = 0.0;             ///< [s]
   NodeArray m_force, m_change, m_trial; ///< residual with a minus; A^-1 of it; velocities tried
+  NodeArray m_before;                   ///< the residual that m_change answers
   double m_tolerance = 1e-9;            ///< [m]
   double m_move = 0.0;                  ///< length of m_change in position [m], RMS over nodes
   bool m_rough = false;                 ///< a few iterations that gain are enough

@@ -17,6 +17,10 @@ constexpr double kManySteps = 500.0;
 /// Implicit steps per frame to begin with; measured from then on.
 constexpr double kImplicitGuess = 4.0;
 
+constexpr double kLooseTolerance = 1e-2; ///< see explicitDiscount()
+/// After an event: what implicit steps cost in it tells little of what they cost later [s].
+constexpr double kOnsetOfImplicit = 1.9 * kFrame;
+
 std::string microseconds(double seconds)
 {
   return formatDouble(seconds * 1e6, 3) + " us";
@@ -188,6 +192,23 @@ double StepDriver::cost(Method method, const System& system)
   return candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step);
 }
 
+/// The same at the largest stable step, whatever it errs.
+double StepDriver::costAtLimit(Method method, const System& system)
+{
+  Candidate& candidate = m_candidates[method];
+  const double stable = std::min(stableStep(candidate), kFrame);
+  return candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
+}
+
+/// What explicit steps at their limit of stability count of what they cost, beside implicit ones. The net's
+/// stiff part sets that limit, so in its slow motion they err a hundred times less than implicit steps, which
+/// err as much as they may. That is worth the more the smaller the tolerance is, since nets that snap through
+/// make twenty of each error.
+double StepDriver::explicitDiscount() const noexcept
+{
+  return std::min(1.0, std::pow(m_settings.tolerance / kLooseTolerance, 0.4));
+}
+
 /// The largest step that one force pass can take [s].
 double StepDriver::explicitLimit() const noexcept
 {
@@ -237,8 +258,7 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
-    const double stable = std::min(stableStep(candidate), kFrame);
-    const double atLimit = candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
+    const double atLimit = costAtLimit(method, system), stable = std::min(stableStep(candidate), kFrame);
     if (atLimit >= least || !paysOff(kChance * (present - atLimit), checkLength() / kFrame * atLimit))
       continue;
     const double tried = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
@@ -275,8 +295,8 @@ void StepDriver::choose(System& system, const MotionState&)
     m_toleranceGivenUp = false;
     // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
     const double steps = kFrame / explicitLimit();
-    if (steps > kManySteps &&
-        (toleranceIsTooDear(system) || cost(m_method, system) > 2.0 * cost(m_implicit, system)))
+    if (steps > kManySteps && (toleranceIsTooDear(system) ||
+                               explicitDiscount() * cost(m_method, system) > 2.0 * cost(m_implicit, system)))
       m_method = m_implicit;
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
   }
@@ -294,7 +314,10 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
   const bool tooDear = toleranceIsTooDear(system);
   if (before == m_implicit) {
     const Method other = cheapestExplicit(system, kPatience);
-    if (!tooDear && cost(m_implicit, system) > 1.5 * cost(other, system)) m_method = other;
+    const bool isOnset = m_settings.tolerance >= kLooseTolerance && m_gauge.scale().calm < kOnsetOfImplicit;
+    if (!tooDear && !isOnset &&
+        cost(m_implicit, system) > 1.5 * explicitDiscount() * costAtLimit(other, system))
+      m_method = other;
   } else {
     const Method other = proven ? *proven : cheapestExplicit(system, kPatience);
     const double price =
@@ -303,7 +326,8 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
-      if (tooDear || cost(before, system) > 3.0 * cost(m_implicit, system)) m_method = m_implicit;
+      if (tooDear || explicitDiscount() * cost(before, system) > 3.0 * cost(m_implicit, system))
+        m_method = m_implicit;
     }
   }
   giveToleranceUp(system, tooDear && m_method == m_implicit);

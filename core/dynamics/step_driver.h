@@ -127,6 +127,8 @@ private:
   void choose(System& system, const MotionState& state);
   void reconsider(System& system, std::optional<Method> proven = std::nullopt);
   double cost(Method method, const System& system);
+  double costAtLimit(Method method, const System& system);
+  double explicitDiscount() const noexcept;
   void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);
