@@ -173,7 +173,7 @@ StepResult ImplicitStage::solve(System& system, double t, double s, const NodeAr
     const bool gained = next < norm;
     if (gained) {
       std::swap(v, m_trial);
-      m_pairs.add(m_change, fraction, m_before, m_force);
+      if (move > m_tolerance) m_pairs.add(m_change, fraction, m_before, m_force); // else rounding would teach
     }
     const double left = next / norm; // of the error, if the next iteration is like this one
     if (fraction == 1.0 && (move <= m_tolerance || (left < 0.5 && move * left <= 0.5 * m_tolerance))) {
