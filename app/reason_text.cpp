@@ -3,6 +3,7 @@
 #include "app/reason_text.h"
 
 #include <QCoreApplication>
+#include <QHash>
 #include <QLocale>
 #include <QRegularExpression>
 
@@ -58,13 +59,22 @@ QString localized(const QString& word)
   return isNumber && word.contains(QLatin1Char('.')) ? QLocale().toString(value, 'g', 3) : word;
 }
 
+/// Compiled once: panels that follow the simulation ask ten times a second.
+QRegularExpression compiled(const char* pattern)
+{
+  thread_local QHash<const char*, QRegularExpression> known;
+  QRegularExpression& expression = known[pattern];
+  if (expression.pattern().isEmpty())
+    expression.setPattern(QRegularExpression::anchoredPattern(QLatin1String(pattern)));
+  return expression;
+}
+
 } // namespace
 
 QString translated(const QString& sentence, std::span<const KnownSentence> known, const char* context)
 {
   for (const KnownSentence& one : known) {
-    const QRegularExpression pattern(QRegularExpression::anchoredPattern(QLatin1String(one.pattern)));
-    const QRegularExpressionMatch match = pattern.match(sentence);
+    const QRegularExpressionMatch match = compiled(one.pattern).match(sentence);
     if (!match.hasMatch()) continue;
     QString text = QCoreApplication::translate(context, one.text);
     for (int group = 1; group <= match.lastCapturedIndex(); ++group)

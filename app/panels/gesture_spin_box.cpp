@@ -6,6 +6,8 @@
 #include <QMouseEvent>
 #include <QWheelEvent>
 
+#include <cmath>
+
 namespace esm {
 
 GestureSpinBox::GestureSpinBox(QWidget* parent) : QDoubleSpinBox(parent)
@@ -19,6 +21,9 @@ GestureSpinBox::GestureSpinBox(QWidget* parent) : QDoubleSpinBox(parent)
 
 void GestureSpinBox::display(double value)
 {
+  // Qt draws the field, and with it the whole window, even for the number that it shows already.
+  const bool isShown = std::abs(value - this->value()) < 0.5 * std::pow(10.0, -decimals());
+  if (isShown && cleanText() == textFromValue(this->value())) return;
   m_showing = true;
   setValue(value);
   m_showing = false;

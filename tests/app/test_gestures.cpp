@@ -1,9 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document.h"
+#include "app/panels/gesture_spin_box.h"
 #include "tests/app/sheet.h"
 
+#include <QEvent>
+#include <QLineEdit>
 #include <QSignalSpy>
+#include <QTest>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +56,42 @@ TEST(Gestures, ADragThatEndsWhereItBeganLeavesNothing)
   document.setInputs(start, "cross", 3);
   EXPECT_EQ(document.undoStack()->count(), 1);
   EXPECT_EQ(document.inputs(), start);
+}
+
+/// Counts how often what it watches is painted.
+struct PaintCounter : QObject {
+  int paints = 0;
+  bool eventFilter(QObject*, QEvent* event) override
+  {
+    paints += event->type() == QEvent::Paint;
+    return false;
+  }
+};
+
+// Panels show their numbers several times a second; beside a 3D view each painting composes the whole window.
+TEST(Gestures, ANumberThatIsShownAlreadyIsNotPaintedAgain)
+{
+  GestureSpinBox box;
+  box.setDecimals(1);
+  box.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&box));
+  box.display(5.0);
+  QTest::qWait(50);
+  PaintCounter counter;
+  box.installEventFilter(&counter);
+  for (int i = 0; i < 5; ++i) {
+    box.display(5.02); // rounds to the same
+    QTest::qWait(10);
+  }
+  EXPECT_EQ(counter.paints, 0);
+  box.display(6.0);
+  QTest::qWait(50);
+  EXPECT_GT(counter.paints, 0);
+  EXPECT_EQ(box.value(), 6.0);
+  auto* edit = box.findChild<QLineEdit*>();
+  edit->setText(QStringLiteral("7")); // typed, not entered
+  box.display(6.0);
+  EXPECT_EQ(box.cleanText(), box.textFromValue(6.0));
 }
 
 TEST(Gestures, TheSavedRuleBaseIsThatOfTheLastOpening)
