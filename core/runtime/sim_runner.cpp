@@ -393,18 +393,19 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();
   picture.message = m_message.empty() ? m_why : m_message;
   picture.grabbedNode = m_grip ? m_grip->node() : kNoIndex;
-  const NetState* state = m_simulation ? &m_simulation->state() : nullptr;
   picture.toolPosition.setZero();
   picture.toolForce.setZero();
   picture.tipRadius = 0.0;
   picture.tipTouches = false;
   picture.tipPosition.setZero();
+  if (!m_simulation) return; // nor a tool
+  const NetState& state = m_simulation->state();
   if (m_grip) {
     picture.toolPosition = m_grip->target();
-    picture.toolForce = m_grip->forceOnHand(*state);
+    picture.toolForce = m_grip->forceOnHand(state);
   } else if (deviceTouches()) {
     picture.toolPosition = m_tip->hand();
-    picture.toolForce = m_tip->forceOnHand(*state);
+    picture.toolForce = m_tip->forceOnHand(state);
     picture.tipRadius = m_tip->radius();
     picture.tipTouches = m_tip->touches();
     picture.tipPosition = m_tip->proxy();
