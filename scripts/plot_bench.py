@@ -161,8 +161,9 @@ def real_time_sentence(rows):
         return "No net of this series kept real time.\n"
     free = 100 * (1 - shares[0][2])
     nodes, springs, _ = keeping[-1]
-    return (f"The uterus leaves {free:.0f} % of the frame time free on average. The largest net of the series that "
-            f"keeps real time on average has {nodes} nodes and {springs} springs.\n")
+    free_moving = 100 * (1 - float(rows[0]["moving_share"]))
+    return (f"The uterus leaves {free:.0f} % of the frame time free on average, {free_moving:.0f} % while it moves. "
+            f"The largest net of the series that keeps real time on average has {nodes} nodes and {springs} springs.\n")
 
 
 def document(folder, work_table, points_all, kernel, realtime, growth, stability, skip):
