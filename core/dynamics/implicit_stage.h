@@ -14,7 +14,8 @@ namespace esm {
 ///
 /// by Newton's method with an old factor. A factor is kept over stages, steps and moderate changes of s as
 /// long as it pays: what the iterations beyond those of a fresh factor have cost is added up, and when it
-/// reaches the price of a factor, a new one is made. How much of the error an iteration leaves is seen from
+/// reaches the price of a factor, a new one is made; so it is where what is still to come would cost more.
+/// SecantPairs keep the old one useful. How much of the error an iteration leaves is seen from
 /// the residual that follows it, so that no last iteration is spent on finding out that none was needed.
 class ImplicitStage {
 public:

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/secant_pairs.h"
 
+#include "core/dynamics/system.h"
 #include "core/forces/spring_pass.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
@@ -15,19 +17,6 @@ constexpr double kLeastCosine = 1e-8;
 ESM_CPU_CLONES double dotOf(std::size_t count, const Lanes* a, const Lanes* b) noexcept
 {
   const auto take = [=](std::size_t i, Lanes& to) noexcept { to += a[i] * b[i]; };
-  Lanes sum;
-  sumOver(count, take, sum);
-  return sumLanes(sum);
-}
-
-/// a += factor b. @return a.c
-ESM_CPU_CLONES double addAndDot(std::size_t count, double factor, const Lanes* b, const Lanes* c,
-                                Lanes* a) noexcept
-{
-  const auto take = [=](std::size_t i, Lanes& to) noexcept {
-    a[i] += b[i] * factor;
-    to += a[i] * c[i];
-  };
   Lanes sum;
   sumOver(count, take, sum);
   return sumLanes(sum);
@@ -58,11 +47,10 @@ void SecantPairs::add(const NodeArray& change, double fraction, const NodeArray&
 {
   Pair& oldest = m_pairs[m_next];
   const std::size_t count = change.size();
-  const Lanes *step = oldest.step.data(), *drop = oldest.drop.data();
   setPair(count, fraction, change.data(), before.data(), after.data(), oldest.step.data(),
           oldest.drop.data());
-  oldest.curvature = dotOf(count, step, drop);
-  const double lengths = std::sqrt(dotOf(count, step, step) * dotOf(count, drop, drop));
+  oldest.curvature = dotOf(count, oldest.step.data(), oldest.drop.data());
+  const double lengths = std::sqrt(sumOfSquares(oldest.step) * sumOfSquares(oldest.drop));
   if (oldest.curvature > kLeastCosine * lengths) {
     m_next = (m_next + 1) % kMost;
     m_count = std::min(m_count + 1, kMost);
@@ -80,7 +68,7 @@ void SecantPairs::fold(NodeArray& residual) noexcept
     Pair& here = pair(age);
     here.share = seen / here.curvature;
     const Pair& next = pair(std::min(age + 1, m_count - 1));
-    seen = addAndDot(count, -here.share, here.drop.data(), next.step.data(), residual.data());
+    seen = takeOff(count, here.share, here.drop.data(), residual.data(), next.step.data());
   }
 }
 
@@ -92,7 +80,7 @@ void SecantPairs::unfold(NodeArray& change) noexcept
   for (std::size_t age = m_count; age-- > 0;) {
     const Pair &here = pair(age), &next = pair(age > 0 ? age - 1 : 0);
     seen =
-      addAndDot(count, here.share - seen / here.curvature, here.step.data(), next.drop.data(), change.data());
+      takeOff(count, seen / here.curvature - here.share, here.step.data(), change.data(), next.drop.data());
   }
 }
 

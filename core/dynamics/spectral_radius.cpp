@@ -22,18 +22,6 @@ std::size_t countAbove(const std::vector<double>& diagonal, const std::vector<do
 
 } // namespace
 
-ESM_CPU_CLONES double detail::takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y,
-                                      const Lanes* z) noexcept
-{
-  const auto take = [=](std::size_t i, Lanes& to) noexcept {
-    y[i] -= x[i] * factor;
-    to += y[i] * z[i];
-  };
-  Lanes sum;
-  sumOver(count, take, sum);
-  return sumLanes(sum);
-}
-
 ESM_CPU_CLONES void detail::setScaled(std::size_t count, double factor, const Lanes* x, Lanes* y) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) y[i] = x[i] * factor;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/forces/node_array.h"
+#include "core/dynamics/system.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,8 +15,6 @@ namespace esm {
 double largestTridiagonalEigenvalue(const std::vector<double>& diagonal, const std::vector<double>& off);
 
 namespace detail {
-/// y -= factor x, over `count` nodes. @return y.z, of the new y.
-double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y, const Lanes* z) noexcept;
 void setScaled(std::size_t count, double factor, const Lanes* x, Lanes* y) noexcept; ///< y = factor x
 } // namespace detail
 
@@ -36,8 +34,8 @@ public:
     double beta = 0.0;
     for (int j = 0; j < products; ++j) {
       multiply(m_now, m_next);
-      const double alpha = detail::takeOff(count, beta, m_before.data(), m_next.data(), m_now.data());
-      const double square = detail::takeOff(count, alpha, m_now.data(), m_next.data(), m_next.data());
+      const double alpha = takeOff(count, beta, m_before.data(), m_next.data(), m_now.data());
+      const double square = takeOff(count, alpha, m_now.data(), m_next.data(), m_next.data());
       m_diagonal.push_back(alpha);
       beta = std::sqrt(square);
       if (!(beta > 1e-12 * std::abs(alpha)) || !std::isfinite(beta)) break; // an invariant subspace

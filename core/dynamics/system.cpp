@@ -105,6 +105,18 @@ ESM_CPU_CLONES double sumOfSquares(const NodeArray& a, const NodeArray& b) noexc
   return sumLanes(sum);
 }
 
+ESM_CPU_CLONES double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y,
+                              const Lanes* z) noexcept
+{
+  const auto take = [=](std::size_t i, Lanes& to) noexcept {
+    y[i] -= x[i] * factor;
+    to += y[i] * z[i];
+  };
+  Lanes sum;
+  sumOver(count, take, sum);
+  return sumLanes(sum);
+}
+
 void System::toAccelerations(NodeArray& force) const noexcept
 {
   sweepNodes([&](std::size_t first, std::size_t count) noexcept {

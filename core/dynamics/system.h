@@ -116,6 +116,9 @@ private:
 double sumOfSquares(const NodeArray& a) noexcept;
 double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept; ///< @pre of one size
 
+/// y -= factor x, over `count` nodes. @return y.z, of the new y.
+double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y, const Lanes* z) noexcept;
+
 /// to = factor from, node by node; both may be the same array.
 void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept;
 

@@ -307,8 +307,8 @@ StepReport SimRunner::advanceSliced(double interval, const std::function<bool()>
 void SimRunner::judge(const StepReport& report)
 {
   m_report = report;
-  const bool isFinite = report.nothingMoved() || m_simulation->state().position.allFinite();
-  if (!report.good() || !isFinite) stopWith(m_simulation->why());
+  const bool stayedFinite = report.nothingMoved() || m_simulation->state().position.allFinite();
+  if (!report.good() || !stayedFinite) stopWith(m_simulation->why());
 }
 
 void SimRunner::stopWith(std::string message)
