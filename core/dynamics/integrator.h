@@ -25,6 +25,8 @@ public:
   virtual void prepare(const System& system) = 0;
   /// The state, the loads' lines or the parameters have changed from outside: forget the last step.
   virtual void restart() noexcept = 0;
+  /// The tools have moved, but hold the same nodes as before: what a hand does in every frame.
+  virtual void toolsMoved() noexcept { restart(); }
   /// Nodes have become free or held.
   virtual void constraintsChanged(const System& /*system*/) { restart(); }
   /// From state.time to `end` = state.time + h, no event in between. If the result is not Done, `state` is

@@ -115,7 +115,7 @@ void StepDriver::guessStep(Candidate& candidate) const noexcept
 void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
 {
   for (Candidate& candidate : m_candidates)
-    if (candidate.prepared) candidate.integrator->restart();
+    if (candidate.prepared) sameNodes ? candidate.integrator->toolsMoved() : candidate.integrator->restart();
   if (sameNodes) return; // a moving hand: the checks go on in their rhythm
   setBound(system, state);
   m_untilCheck = 0;
