@@ -145,6 +145,7 @@ public:
     for (NodeArray* array : {&m_x, &m_v, &m_lastX, &m_lastV, &m_half, &m_force, &m_a, &m_d, &m_before})
       array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_damper.assign(system.forces().damperSize(), Lanes{0, 0, 0, 0});
+    restart();
   }
   void restart() noexcept override { m_lastStep = 0.0; }
   /// The new force comes half a step too early: less than the frame by which a hand is late anyway.
