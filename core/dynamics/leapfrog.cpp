@@ -7,7 +7,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstring>
 #include <utility>
 #include <vector>
 
@@ -115,11 +114,6 @@ ESM_CPU_CLONES void lastStage(const Sweep& sweep, const ChebyshevDamping::Stage&
            : lastSweep<false>(sweep, stage, h, d, before, v, x);
 }
 
-bool haveSameBits(const NodeArray& a, const NodeArray& b) noexcept
-{
-  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(Lanes)) == 0;
-}
-
 /// Leapfrog: positions at the steps, velocities half way between, one force pass per step. It is symplectic
 /// Euler with the velocities where they belong, and so of second order; a run opens and closes with half a
 /// kick, which brings both to the same instant.
@@ -142,7 +136,7 @@ public:
 
   void prepare(const System& system) override
   {
-    for (NodeArray* array : {&m_x, &m_v, &m_lastX, &m_lastV, &m_half, &m_force, &m_a, &m_d, &m_before})
+    for (NodeArray* array : {&m_x, &m_v, &m_half, &m_force, &m_a, &m_d, &m_before})
       array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_damper.assign(system.forces().damperSize(), Lanes{0, 0, 0, 0});
     restart();
@@ -179,16 +173,17 @@ public:
                  StepReport& report) override
   {
     const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
-    const double opening = 0.5 * (h + lastStepTo(state));
+    const double opening = 0.5 * (m_lastStep + h);
+    const ChebyshevDamping &damping = m_damping[placeFor(h)],
+                           &opener = m_damping[placeFor(std::max(opening, h))];
     m_x = state.x; // same size: no allocation
-    m_v = opening > 0.5 * h ? m_half : state.v;
+    m_v = m_lastStep > 0.0 ? m_half : state.v;
     double work = 0.0, heat = 0.0;
     for (std::int64_t i = 0; i <= steps; ++i) {
       const double t = i == steps ? end : begin + static_cast<double>(i) * h;
       if (i == steps) m_half = m_v;
       const double length = i == 0 ? opening : i == steps ? 0.5 * h : h;
-      const Rates rates =
-        kick(system, t, length, i == steps ? 0.0 : h, m_damping[placeFor(std::max(length, h))]);
+      const Rates rates = kick(system, t, length, i == steps ? 0.0 : h, i == 0 ? opener : damping);
       // Over a step the velocity is that of its middle: the forces before and after meet the same one.
       if (i > 0) {
         work += 0.5 * rates.work;
@@ -200,10 +195,7 @@ public:
     m_lastStep = 0.0;
     if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
     state.advanceTo(end, m_x, m_v, h * work, h * heat);
-    m_lastX = state.x;
-    m_lastV = state.v;
     m_lastStep = h;
-    m_lastTime = end;
     return StepResult::Done;
   }
 
@@ -229,14 +221,6 @@ private:
       if (costOf(i) / limit[i] < costOf(best) / limit[best]) best = i;
     }
     return best;
-  }
-
-  /// The last step [s] if it led to this state, so that its velocity half a step before is at hand: 0 if not.
-  double lastStepTo(const MotionState& state) const noexcept
-  {
-    const bool isSame = m_lastStep > 0.0 && state.time == m_lastTime && haveSameBits(state.x, m_lastX) &&
-                        haveSameBits(state.v, m_lastV);
-    return isSame ? m_lastStep : 0.0;
   }
 
   /// The fewest stages that are stable at h, with room for what the net's motion does to the limits until the
@@ -299,11 +283,9 @@ private:
   double m_plainCost = 1.0; ///< of a step with one stage, see ForceModel::passCost()
   double m_stageCost = 0.8; ///< of a further stage, in plain steps
   NodeArray m_x, m_v, m_force;
-  // Where the last run ended, and the velocities half a step before; its step is 0 if none goes on from
-  // there.
-  NodeArray m_lastX, m_lastV, m_half;
-  double m_lastStep = 0.0, m_lastTime = 0.0; ///< [s]
-  NodeArray m_a, m_d, m_before;              ///< see ChebyshevDamping
+  NodeArray m_half;             ///< velocities half a step before the end of the last run [m/s]
+  double m_lastStep = 0.0;      ///< of that run [s]; 0: none goes on from it
+  NodeArray m_a, m_d, m_before; ///< see ChebyshevDamping
   NodeArray m_damper;
 };
 

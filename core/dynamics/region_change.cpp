@@ -164,7 +164,7 @@ void RegionDriver::enterWhole()
   m_squareAsleep = 0.0;
   m_tensions.prepare(static_cast<std::size_t>(m_body.net.springCount()));
   if (m_driverHasWhole)
-    m_driver.toolsChanged(m_body.system, m_body.motion, true); // velocities may have been cleared
+    m_driver.restart(); // velocities may have been cleared
   else
     m_driver.partChanged(m_body.system, m_body.motion, {{}, m_origin, m_body.motion.x.size(), 0.0});
   m_driverHasWhole = true;

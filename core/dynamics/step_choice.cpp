@@ -112,11 +112,20 @@ void StepDriver::guessStep(Candidate& candidate) const noexcept
     candidate.integrator->stableStep(m_mode) * std::pow(gain, 1.0 / candidate.integrator->order());
 }
 
-void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
+void StepDriver::restart() noexcept
 {
   for (Candidate& candidate : m_candidates)
-    if (candidate.prepared) sameNodes ? candidate.integrator->toolsMoved() : candidate.integrator->restart();
-  if (sameNodes) return; // a moving hand: the checks go on in their rhythm
+    if (candidate.prepared) candidate.integrator->restart();
+}
+
+void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
+{
+  if (sameNodes) { // a moving hand: the checks go on in their rhythm
+    for (Candidate& candidate : m_candidates)
+      if (candidate.prepared) candidate.integrator->toolsMoved();
+    return;
+  }
+  restart();
   setBound(system, state);
   m_untilCheck = 0;
   m_checkGap = 1;

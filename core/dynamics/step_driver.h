@@ -53,6 +53,8 @@ public:
   void parametersChanged(System& system, const MotionState& state);
   /// Tools have come, moved or gone.
   void toolsChanged(System& system, const MotionState& state, bool sameNodes);
+  /// The state has been changed from outside.
+  void restart() noexcept;
   /// The next calls are about this part of the net, in motion as before: what was learned stays.
   void partChanged(System& system, const MotionState& state, NetPart part);
   /// Another accuracy from the next stretch on. The motion, what was learned and what was prepared stay.

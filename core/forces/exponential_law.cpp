@@ -22,8 +22,8 @@ struct ExpParts {
 };
 
 /// exp(r) - 1 - r for |r| <= ln 2 / 2 as r^2 times a polynomial, which interpolates at Chebyshev's points:
-/// within 4e-17 of exp(r) - 1, with two terms less than Taylor's series. In pairs of terms (Estrin): a chain
-/// of five operations instead of a dozen, so that the springs of several groups overlap.
+/// within 4e-17 of exp(r) - 1, relative to it, with two terms less than Taylor's series. In pairs of terms
+/// (Estrin): a chain of five operations instead of a dozen, so that the springs of several groups overlap.
 template <class Values>
 ESM_INLINE void beyondLine(const Values& r, Values& result) noexcept
 {
@@ -59,6 +59,14 @@ template <class Values>
 ESM_INLINE void minusOne(const ExpParts<Values>& parts, Values& result) noexcept
 {
   result = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0);
+}
+
+template <class Values>
+ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
+{
+  ExpParts<Values> parts;
+  expParts(s, parts);
+  minusOne(parts, result);
 }
 
 /// Whether no exponent of a group needs more than beyondLine(): springs of tissue that strains by a tenth do
@@ -97,9 +105,7 @@ struct Exponential {
       return;
     }
     keepInside(s, inside);
-    ExpParts<Values> parts;
-    expParts(inside, parts);
-    minusOne(parts, growth);
+    expMinusOne(inside, growth);
     growth += (growth + 1.0) * (s - inside);
     f = factor * growth;
   }
@@ -133,10 +139,8 @@ ESM_CPU_CLONES double exponentialEnergy(const SpringBatch& batch, const Lanes* x
 /// For one number, with the same bits as in the kernel.
 double expMinusOne(double s) noexcept
 {
-  ExpParts<Lanes> parts;
   Lanes result;
-  expParts(Lanes{s, s, s, s}, parts);
-  minusOne(parts, result);
+  expMinusOne(Lanes{s, s, s, s}, result);
   return result[0];
 }
 
