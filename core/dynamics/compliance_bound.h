@@ -9,10 +9,9 @@ namespace esm {
 
 /// Bounds from below of b.K^-1 b without a factor of K, the tangent stiffness over the free nodes.
 ///
-/// Conjugate gradients from 0 add a positive term to b.x_k in every iteration, and end at b.K^-1 b (Hestenes
-/// and Stiefel 1952); one iteration costs a product with K, less than a force pass. Preconditioned by the
-/// masses they see the squared frequencies of the net, of which a motion that has gone on for a while holds
-/// few: some ten iterations find most of it.
+/// Conjugate gradients add a positive term to b.x_k in every iteration, and end at b.K^-1 b (Hestenes and
+/// Stiefel 1952); one iteration costs a product with K, less than a force pass. Preconditioned by what holds
+/// each node itself, a few iterations find most of it, also where stiffness spreads over decades.
 class ComplianceBound {
 public:
   /// K at x while all nodes stand still, without the pressure of closed surfaces.
@@ -21,14 +20,23 @@ public:
   /// @param b       an entry per node [N]; held nodes do not count
   /// @param enough  no need to go on beyond it [J]
   /// @param most    iterations
-  /// @return the bound [J]; infinity if a direction of negative curvature was met, where K^-1 bounds nothing.
-  double below(const System& system, const NodeArray& b, double enough, int most);
+  /// @param first   N entries, or null: where much of K^-1 b is looked for before the first of them, in this
+  ///                direction
+  /// @return the bound [J], as far as it was found before a direction of negative curvature was met
+  double below(const System& system, const NodeArray& b, double enough, int most,
+               const NodeArray* first = nullptr);
+  /// Whether the last call met one: K^-1 then bounds nothing there.
+  bool metNegative() const noexcept { return m_metNegative; }
 
 private:
+  double multiply(const System& system) noexcept;
+
   std::vector<SpringTangent> m_tangents;
   SpringMatrix m_springs;
   std::vector<double> m_diagonal;                        ///< inertia, anchors, tools [N/m]
+  std::vector<double> m_inverse;                         ///< of all that holds a node; 0 if a support does
   NodeArray m_residual, m_direction, m_product, m_still; ///< N entries each
+  bool m_metNegative = false;
 };
 
 } // namespace esm

@@ -29,6 +29,8 @@ constexpr double kMostPeak = 1.4;
 /// What is over has faded faster than is counted on for what comes.
 constexpr double kFaster = 1.5;
 
+constexpr double kSlowest = 0.08; ///< motion that a difference of velocities is taken for [s]
+
 /// An error that is there, and how it fades: S = (spent + rate t) exp(-t/life).
 struct LivingError {
   double spent = 0.0; ///< [m]
@@ -186,25 +188,44 @@ double ErrorGauge::distance(const NodeArray& otherX, const MotionState& state) c
   return rms(sumOfSquares(otherX, state.x), m_count);
 }
 
-/// Where the velocities part along the displacement, which slow motion has made, the error is one of slow
-/// motion: it shows in the positions only after a part of the motion's own time (displacement over speed),
-/// while fast waves hide it now. Modes are orthogonal under the masses, so the projection leaves the waves
-/// out.
-double ErrorGauge::slowDistance(const System& system, const NodeArray& otherV,
-                                const MotionState& state) const noexcept
+void ErrorGauge::prepareSwing(const System& system, const MotionState& state)
 {
-  constexpr double kSlowest = 0.08; ///< [s]
-  if (!(m_scale.recentPath > 0.0)) return 0.0;
-  const double time = std::min(m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath), kSlowest);
-  if (otherV.size() < kFewNodes) return time * rms(sumOfSquares(otherV, state.v), m_count);
-  double along = 0.0, all = 0.0;
+  m_compliance.prepare(system, state.x, 1.0 / (kSlowest * kSlowest));
+  m_momentum.resize(state.x.size());
+  m_displacement.resize(state.x.size());
+  for (std::size_t i = 0; i < state.x.size(); ++i) m_displacement[i] = state.x[i] - m_rest[i];
+}
+
+/// What one mode errs is now in its place and now in its velocity: d^2 + (w/omega)^2 stays. Over all modes
+/// the latter is w.M K^-1 M w, weighted by mass as w.M w is; conjugate gradients bound it from below, with
+/// the displacement, which slow motion has made, as their first direction. What they do not reach in a few
+/// steps is slow motion that waves hide. So what of w lies along the displacement counts with that motion's
+/// own time (displacement over speed), in the mean over its swing. (Modes are orthogonal under the masses, so
+/// the projection leaves out other waves than the displacement holds.)
+double ErrorGauge::swing(const System& system, double distance, const NodeArray& otherV,
+                         const MotionState& state)
+{
+  constexpr int kIterations = 3;
+  double energy = 0.0, along = 0.0, all = 0.0; // the first one twice
   for (std::size_t i = 0; i < otherV.size(); ++i) {
-    const Lanes displacement = state.x[i] - m_rest[i];
-    along += system.mass()[i] * dot(otherV[i] - state.v[i], displacement);
+    const Lanes apart = otherV[i] - state.v[i], displacement = m_displacement[i];
+    m_momentum[i] = apart * system.mass()[i];
+    energy += dot(m_momentum[i], apart);
+    along += dot(m_momentum[i], displacement);
     all += system.mass()[i] * dot(displacement, displacement);
   }
-  if (!(all > 0.0)) return 0.0;
-  return time * std::abs(along) / all * rms(sumOfSquares(state.x, m_rest), m_count);
+  if (!(energy > 0.0)) return distance;
+  const double bound = m_compliance.below(system, m_momentum, std::numeric_limits<double>::infinity(),
+                                          kIterations, &m_displacement);
+  const double speed = rms(sumOfSquares(otherV, state.v), m_count);
+  const double squaredTime = bound / energy; // not a number where tangents are infinite
+  const double time = squaredTime < kSlowest * kSlowest ? std::sqrt(squaredTime) : kSlowest;
+  const double amplitude = std::hypot(distance, time * speed);
+  if (!(m_scale.recentPath > 0.0 && all > 0.0)) return amplitude;
+  const bool isSmall = otherV.size() < kFewNodes; // all its motion is slow
+  const double slow = isSmall ? speed : std::abs(along) / all * rms(sumOfSquares(m_displacement), m_count);
+  const double ofMotion = std::min(m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath), kSlowest);
+  return std::max(amplitude, slow * ofMotion / std::numbers::sqrt2);
 }
 
 /// How long an error lives [s]; infinity without damping. It fades as the motion itself does: what oscillates

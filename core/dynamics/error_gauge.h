@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/compliance_bound.h"
 #include "core/dynamics/system.h"
 
 #include <limits>
@@ -78,8 +79,11 @@ public:
   double growing(double time, double length, double early, double late, double share) const noexcept;
   /// How far apart two ends of a stretch are [m].
   double distance(const NodeArray& x, const MotionState& state) const noexcept;
-  /// How far apart their slow motion will bring them [m].
-  double slowDistance(const System& system, const NodeArray& v, const MotionState& state) const noexcept;
+  /// Readies swing() for ends near this one. Allocates when the net has changed.
+  void prepareSwing(const System& system, const MotionState& state);
+  /// How far apart two ends of a stretch are whichever way their difference swings just now [m]: by their
+  /// distance, and by what their velocities are going to make of it.
+  double swing(const System& system, double distance, const NodeArray& otherV, const MotionState& state);
   /// From the whole net's RMS to that over `nodes` nodes, outside of which nothing errs.
   double shareOfWhole(std::size_t nodes) const noexcept;
   /// The end of the motion as seen at `time` before it or at it [s]; infinity if nobody knows it.
@@ -92,6 +96,8 @@ private:
   double lifetime() const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]
+  ComplianceBound m_compliance;
+  NodeArray m_displacement, m_momentum; ///< at prepareSwing() [m]; difference of two ends [kg m/s]
   std::size_t m_count = 0;
   double m_squareElsewhere = 0.0;
   double m_extent = 1.0;

@@ -11,6 +11,7 @@
 namespace esm {
 namespace {
 
+constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kInertia = 1e-2; ///< share of the mass in the stiffness, 1/(10 s)^2 [1/s^2]
 /// Of the forces, that may be left at the goal: the net is nearly linear on its way there, or it is not near.
 constexpr double kLeft = 0.5;
@@ -33,7 +34,7 @@ constexpr double kMostSquares = 16.0; ///< see SettlingBudget
 /// @param missed, speed  sums of squares over the nodes
 double shareOf(double missed, double speed, const SettlingBudget& budget) noexcept
 {
-  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : std::numeric_limits<double>::infinity();
+  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : kUnknown;
   return missed / budget.squareAt(std::max(budget.fading, creeping));
 }
 
@@ -127,18 +128,19 @@ double Settling::glance(System& system, MotionState& motion, const SettlingBudge
   if (momentum > 0.0) {
     const double perEnergy = std::sqrt(speed) / momentum; // |v| |y| >= |v|/|M v| (M v).y
     missed = perEnergy * m_bound.below(system, m_way, enough / perEnergy, kGlances);
+    if (m_bound.metNegative()) return kUnknown;
   }
   if (missed <= enough) {
     const double force = forcesAt(system, motion.time, motion.x, report);
     if (force > 0.0)
       missed += std::pow(m_bound.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
+    if (m_bound.metNegative()) return kUnknown;
   }
   return shareOf(missed, speed, budget);
 }
 
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
-  constexpr double kUnknown = std::numeric_limits<double>::infinity();
   m_matrix.constraintsChanged(system);
   m_goal = motion.x;
   const double force = forcesAt(system, motion.time, m_goal, report);

@@ -16,6 +16,7 @@ constexpr double kMostShrinking = 1.0 / 64.0; ///< errors beyond tell of waves o
 /// The look at the two runs of a check comes after about a quarter of the steps, if there are so many, and so
 /// many nodes: the errors of a few modes add up, whatever one look may say.
 constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
+constexpr double kPrepareSwing = 3.0, kSwing = 4.0; ///< of ErrorGauge [spring evaluations per spring]
 /// Of the budget, see isKept().
 constexpr double kLeastShareKept = 0.6, kMostShareKept = 1.2;
 /// Of the budget: an error that, grown with the power of the dampers since the last check, asks for the next.
@@ -113,6 +114,12 @@ double StepDriver::budget(const MotionState& state, double length) const noexcep
   return m_gauge.budget(m_settings.tolerance, state, counted);
 }
 
+double StepDriver::swing(System& system, double distance, const NodeArray& otherV, const MotionState& state)
+{
+  system.solverWork += kSwing * static_cast<double>(system.forces().activeSprings());
+  return m_gauge.swing(system, distance, otherV, state);
+}
+
 /// After a stretch has been done in `steps` and again in `finer` steps: whether the second run may be kept;
 /// if so it is. Both ways the error is learned from.
 bool StepDriver::accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
@@ -121,11 +128,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   const double length = state.time - m_start.time, count = static_cast<double>(steps);
   const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
   const double apart = m_gauge.distance(m_coarse, state);
-  const double slow = m_gauge.slowDistance(system, m_coarseV, state);
+  m_gauge.prepareSwing(system, state);
+  system.solverWork += kPrepareSwing * static_cast<double>(system.forces().activeSprings());
   if (m_look.steps > 0) m_growing = m_gauge.growing(m_start.time, length, m_look.error, apart, m_look.share);
-  // What swings is now in the one and now in the other; the mean square of both does not.
-  const double swinging = std::sqrt((apart * apart + slow * slow) / 2.0);
-  const double coarseError = m_growing * std::max(apart, swinging) * ratio / (ratio - 1.0);
+  const double coarseError = m_growing * swing(system, apart, m_coarseV, state) * ratio / (ratio - 1.0);
   m_gauge.guessLifetime(system, m_start, state);
   const double allowed = budget(state, length);
   const double most = std::max(allowed, kOnce * m_gauge.unspent(m_settings.tolerance, state));
@@ -173,10 +179,9 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
   report.rejectedSteps += report.steps - stepsBefore;
   report.steps = stepsBefore;
   // In full: what of an unknown method's error goes on to grow nobody has measured.
-  const double share =
-    result == StepResult::Done
-      ? std::max(m_gauge.distance(m_probe.x, state), m_gauge.slowDistance(system, m_probe.v, state)) / allowed
-      : kInfinity;
+  const double share = result == StepResult::Done
+                         ? swing(system, m_gauge.distance(m_probe.x, state), m_probe.v, state) / allowed
+                         : kInfinity;
   const double gain = stepGain(share, candidate.integrator->order());
   candidate.accurateStep = length / count;
   candidate.estimate = candidate.accurateStep * gain;

@@ -153,6 +153,7 @@ private:
   bool energyAppeared(const System& system, const MotionState& state, double share);
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);
+  double swing(System& system, double distance, const NodeArray& otherV, const MotionState& state);
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   void retreat(System& system, MotionState& state, int attempt, StepReport& report);
