@@ -55,6 +55,7 @@ void ComplianceBound::prepare(const System& system, const NodeArray& x, double i
     m_diagonal[static_cast<std::size_t>(anchor.node)] += anchor.stiffness;
   for (const ToolSpring& tool : system.tools())
     m_diagonal[static_cast<std::size_t>(tool.node)] += tool.stiffness;
+  m_metNegative = false;
   m_inverse = m_diagonal;
   const auto& ends = system.forces().springEnds();
   for (std::size_t s = 0; s < ends.size(); ++s) { // the mean over directions
@@ -90,12 +91,13 @@ double ComplianceBound::below(const System& system, const NodeArray& b, double e
     }
     const double curvature = multiply(system);
     m_metNegative = curvature < 0.0;
+    if (m_metNegative) return 0.0;
     if (curvature > 0.0) step = slope / curvature;
     bound = step * slope;
   }
   double square = takeOff(nodes, step, m_product.data(), m_inverse.data(), m_residual.data());
   turn(nodes, 0.0, m_residual.data(), m_inverse.data(), m_direction.data());
-  for (int i = 0; i < most && square > 0.0 && bound <= enough && !m_metNegative; ++i) {
+  for (int i = 0; i < most && square > 0.0 && bound <= enough; ++i) {
     const double curvature = multiply(system);
     m_metNegative = !(curvature > 0.0);
     if (m_metNegative) break;

@@ -25,7 +25,7 @@ public:
   /// @return the bound [J], as far as it was found before a direction of negative curvature was met
   double below(const System& system, const NodeArray& b, double enough, int most,
                const NodeArray* first = nullptr);
-  /// Whether the last call met one: K^-1 then bounds nothing there.
+  /// Whether the last below() since prepare() met one: K^-1 then bounds nothing there.
   bool metNegative() const noexcept { return m_metNegative; }
 
 private:

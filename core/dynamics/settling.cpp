@@ -34,7 +34,7 @@ constexpr double kMostSquares = 16.0; ///< see SettlingBudget
 /// @param missed, speed  sums of squares over the nodes
 double shareOf(double missed, double speed, const SettlingBudget& budget) noexcept
 {
-  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : kUnknown;
+  const double creeping = speed > 0.0 ? std::sqrt(missed / speed) : std::numeric_limits<double>::infinity();
   return missed / budget.squareAt(std::max(budget.fading, creeping));
 }
 
@@ -128,15 +128,13 @@ double Settling::glance(System& system, MotionState& motion, const SettlingBudge
   if (momentum > 0.0) {
     const double perEnergy = std::sqrt(speed) / momentum; // |v| |y| >= |v|/|M v| (M v).y
     missed = perEnergy * m_bound.below(system, m_way, enough / perEnergy, kGlances);
-    if (m_bound.metNegative()) return kUnknown;
   }
-  if (missed <= enough) {
+  if (missed <= enough && !m_bound.metNegative()) {
     const double force = forcesAt(system, motion.time, motion.x, report);
     if (force > 0.0)
       missed += std::pow(m_bound.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
-    if (m_bound.metNegative()) return kUnknown;
   }
-  return shareOf(missed, speed, budget);
+  return m_bound.metNegative() ? kUnknown : shareOf(missed, speed, budget);
 }
 
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)

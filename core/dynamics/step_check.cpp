@@ -114,6 +114,7 @@ double StepDriver::budget(const MotionState& state, double length) const noexcep
   return m_gauge.budget(m_settings.tolerance, state, counted);
 }
 
+/// ErrorGauge::swing(), counted as work.
 double StepDriver::swing(System& system, double distance, const NodeArray& otherV, const MotionState& state)
 {
   system.solverWork += kSwing * static_cast<double>(system.forces().activeSprings());

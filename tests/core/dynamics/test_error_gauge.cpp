@@ -125,11 +125,9 @@ TEST(ErrorGauge, ErrorsOfUndampedMotionStay)
   EXPECT_EQ(motion.gauge.scaleAfter(motion.system, motion.state, end, 0.0).spent, 1e-3);
 }
 
-// An error that grows evenly counts in full; one that swings or walks at random counts less, the more
-// stretches there are for it to lose itself in, but more than sixty walks would leave of it.
-// Two oscillators of one frequency w apart by (d, v): d^2 + (v/w)^2 is the same all the time, however the
-// difference swings; of a light node at the end of a stiff spring and of a heavy one at a soft spring alike.
-// The inertia over 0.08 s makes 2e-4 of it.
+// Two runs of an oscillator of frequency w that are apart by (d, v): d^2 + (v/w)^2 is the same all the time,
+// however the difference swings; of a light node and of a heavy one. The inertia over 0.08 s makes 2e-4 of
+// it.
 TEST(ErrorGauge, SeesADifferenceWhicheverWayItSwings)
 {
   for (const double mass : {1e-3, 1.0}) {
@@ -157,6 +155,8 @@ TEST(ErrorGauge, SeesADifferenceWhicheverWayItSwings)
   }
 }
 
+// An error that grows evenly counts in full; one that swings or walks at random counts less, the more
+// stretches there are for it to lose itself in, but more than sixty walks would leave of it.
 TEST(ErrorGauge, TellsWhatGrowsFromWhatSwings)
 {
   Displaced motion(0.5);

@@ -204,6 +204,18 @@ TEST(Settling, KnowsHowFarAnOscillatorGets)
   }
 }
 
+// A pressed spring gives way sidewards, whether the node moves there or not yet: nothing tells how far. What
+// one look has met is forgotten in the next.
+TEST(Settling, KnowsNoEndWhereANetGivesWay)
+{
+  Oscillator oscillator(-0.1, 0.0);
+  oscillator.motion.v[1] = Lanes{0, 0.02, 0, 0};
+  EXPECT_TRUE(std::isinf(oscillator.glance(1e-6)));
+  oscillator.motion.x[1] = Lanes{1, 0, 0, 0};
+  oscillator.motion.v[1] = Lanes{0, 0, 0, 0};
+  EXPECT_EQ(oscillator.glance(1e-6), 0.0);
+}
+
 // What it had is heat: m v^2/2 + k x^2/2, to the same 2.5e-5.
 TEST(Settling, TurnsTheEnergyThatIsLeftIntoHeat)
 {
