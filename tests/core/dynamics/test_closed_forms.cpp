@@ -122,7 +122,9 @@ TEST_P(ClosedForms, PendulumPeriodIsAnEllipticIntegral)
   addSpring(net, 0, 1, k, 200.0); // the damper calms the rod; along the rod nothing else moves
   Loads loads;
   loads.gravity = {0, 0, -g};
-  Simulation simulation = simulate(net, loads, settings(1e-5));
+  // Where dampers work leapfrog is of first order: 1e-5 would take it ten times as many steps.
+  const bool isFirstOrder = std::string(GetParam()) == "leapfrog";
+  Simulation simulation = simulate(net, loads, settings(isFirstOrder ? 1e-4 : 1e-5));
   const double period = 4 * std::sqrt(length / g) * std::comp_ellint_1(std::sin(angle / 2));
   // At T/4 and 3T/4 the bob is below the pivot; find the first crossing of x = 0 by linear interpolation.
   double before = simulation.state().position(0, 1), timeBefore = 0.0, crossing = 0.0;

@@ -33,6 +33,7 @@ protected:
   {
     return std::string(GetParam()) == "leapfrog" || std::string(GetParam()) == "chebyshev";
   }
+  bool isFirstOrder() const { return std::string(GetParam()) == "leapfrog"; } ///< where dampers work
   bool isImplicit() const { return std::string(GetParam()) == "implicit"; }
 };
 INSTANTIATE_TEST_SUITE_P(Solvers, Conservation,
@@ -103,7 +104,8 @@ TEST_P(Conservation, WorkAndEnergyBalance)
   loads.gravity = {0, 0, -9.81};
   loads.forces.push_back({{2, 5}, curve({0.05, 0.2, 0.25}, {{0, 0, 0}, {3, 0, 1}, {0, -2, 0}})});
   loads.motions.push_back({{7, 8}, curve({0.0, 0.1, 0.2}, {{0, 0, 0}, {0, 0.1, 0}, {0.1, 0.1, 0}}), 0.3});
-  Simulation simulation = simulate(net, loads, settings(1e-5));
+  // (1e-5 would take leapfrog 60 million steps.)
+  Simulation simulation = simulate(net, loads, settings(isFirstOrder() ? 1e-3 : 1e-5));
   const double before = balance(simulation);
   double largest = 0.0;
   for (int frame = 0; frame < 30; ++frame) {
