@@ -169,4 +169,42 @@ TEST(ErrorGauge, TellsWhatGrowsFromWhatSwings)
   EXPECT_DOUBLE_EQ(motion.gauge.growing(0.5 - kStretch, kStretch, 1.0, 1.0, 0.25), 1.0); // it is the last
 }
 
+/// Of a net of which all nodes or only ten move; its whole tolerance of 1 is spent.
+ErrorGauge spentGauge(Index nodes, bool isPart)
+{
+  ErrorGauge gauge;
+  gauge.begin(startOf(chain(nodes)).x, 1.0, 0.5);
+  NodeArray part = startOf(chain(10)).x;
+  if (isPart) gauge.setPart(part, static_cast<std::size_t>(nodes), 0.0);
+  ErrorScale scale;
+  scale.displacement = scale.spent = 1.0;
+  gauge.setScale(scale);
+  return gauge;
+}
+
+// The more nodes move, the more waves errors spread over: the more of an error that swings is believed to be
+// lost, and the more may be spent where all is. Of a small moving part no more than of a small net.
+TEST(ErrorGauge, BelievesThatErrorsOfManyNodesAreLost)
+{
+  const auto growing = [](Index nodes, bool isPart = false) {
+    return spentGauge(nodes, isPart).growing(0.0, kStretch, 1.0, 1.0, 0.25);
+  };
+  EXPECT_EQ(growing(2000), growing(10));
+  EXPECT_LT(growing(5000), growing(2000));
+  EXPECT_LT(growing(10000), growing(5000));
+  EXPECT_GT(growing(100000), 1.0 / 60.0);
+  EXPECT_EQ(growing(100000, true), growing(10));
+
+  const auto budget = [](Index nodes, bool isPart = false) {
+    MotionState state = startOf(chain(isPart ? 10 : nodes));
+    state.time = 0.25;
+    return spentGauge(nodes, isPart).budget(1.0, state, kStretch);
+  };
+  EXPECT_NEAR(budget(10), 0.8 / 60.0, 1e-12); // an even share of the run
+  EXPECT_EQ(budget(2000), budget(10));
+  EXPECT_GT(budget(3000), budget(10));
+  EXPECT_NEAR(budget(100000), 2.0 * budget(10), 1e-12);
+  EXPECT_EQ(budget(100000, true), budget(10));
+}
+
 } // namespace esm::test
