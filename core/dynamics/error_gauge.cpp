@@ -186,7 +186,7 @@ double ErrorGauge::budget(double tolerance, const MotionState& state, double len
 /// A random walk has the power 1/2, and an error that fades has less. But slow modes err as well, unseen
 /// beside the fast ones: with 1/2 the error of a small net was seen up to four times above the tolerance. The
 /// more nodes move, the more waves there are for errors to spread over, and these are what fades: sheets of
-/// 3,000 to 10,000 nodes and organs of 10,000 to 100,000 kept their tolerances with the least powers below,
+/// 3,000 to 10,000 nodes and organs of 20,000 and 100,000 kept their tolerances with the least powers below,
 /// sheets of 1,000 and tubes of 200 to 400 did not.
 double ErrorGauge::growing(double time, double length, double early, double late, double share) const noexcept
 {

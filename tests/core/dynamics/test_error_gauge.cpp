@@ -173,8 +173,8 @@ TEST(ErrorGauge, TellsWhatGrowsFromWhatSwings)
 ErrorGauge spentGauge(Index nodes, bool isPart)
 {
   ErrorGauge gauge;
-  gauge.begin(startOf(chain(nodes)).x, 1.0, 0.5);
-  NodeArray part = startOf(chain(10)).x;
+  gauge.begin(NodeArray(static_cast<std::size_t>(nodes)), 1.0, 0.5);
+  NodeArray part(10);
   if (isPart) gauge.setPart(part, static_cast<std::size_t>(nodes), 0.0);
   ErrorScale scale;
   scale.displacement = scale.spent = 1.0;
@@ -196,7 +196,9 @@ TEST(ErrorGauge, BelievesThatErrorsOfManyNodesAreLost)
   EXPECT_EQ(growing(100000, true), growing(10));
 
   const auto budget = [](Index nodes, bool isPart = false) {
-    MotionState state = startOf(chain(isPart ? 10 : nodes));
+    MotionState state;
+    state.x.resize(isPart ? 10 : static_cast<std::size_t>(nodes));
+    state.v.resize(state.x.size());
     state.time = 0.25;
     return spentGauge(nodes, isPart).budget(1.0, state, kStretch);
   };
