@@ -75,7 +75,8 @@ public:
   double unspent(double tolerance, const MotionState& state) const noexcept;
   /// The part of a stretch's error that counts, as long as it lives and until the end, if it was `early` [m]
   /// after a `share` of the stretch from `time` on and is `late` [m] at its end. That shows the power of time
-  /// with which it grows: with 1 it adds up one to one, 0.85 is the least that is believed.
+  /// with which it grows: with 1 it adds up one to one, 0.85 is the least that is believed of small nets,
+  /// less of large ones.
   double growing(double time, double length, double early, double late, double share) const noexcept;
   /// How far apart two ends of a stretch are [m].
   double distance(const NodeArray& x, const MotionState& state) const noexcept;
