@@ -18,13 +18,13 @@ namespace detail {
 void setScaled(std::size_t count, double factor, const Lanes* x, Lanes* y) noexcept; ///< y = factor x
 } // namespace detail
 
-/// Lanczos' iteration for the largest eigenvalue of a symmetric matrix over nodes (1950). After two dozen
+/// Lanczos' iteration for the largest eigenvalue of a symmetric matrix over nodes (1950). After sixteen
 /// products the largest Ritz value of a net's stiffness is within a per cent below the eigenvalue, where
 /// Gershgorin's circles are 30 to 100 % above it. Starts from fixed pseudo-random numbers: equal input, equal
 /// bits.
 class Lanczos {
 public:
-  /// @param multiply  multiply(z, y): y = A z, over `count` nodes; A positive semidefinite.
+  /// @param multiply  multiply(z, y): y = A z, over `count` nodes
   template <class Multiply>
   double largestEigenvalue(std::size_t count, int products, const Multiply& multiply)
   {

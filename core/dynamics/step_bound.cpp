@@ -31,6 +31,8 @@ void StepBound::prepare(const System& system)
     array->resize(ends.size());
   m_nodes.resize(nodes);
   m_stiffnessSharpness = m_dampingSharpness = Sharpness{};
+  m_undampedShare = 1.0;
+  m_decayShare = 0.0;
   m_sinceMeasured = 0;
 }
 
@@ -157,7 +159,7 @@ void StepBound::weighDamping(const System& system, FastestMode& mode)
 /// is taken away, they count as what they are.
 double StepBound::measure(const System& system, Blend blend)
 {
-  constexpr int kProducts = 24;
+  constexpr int kProducts = 16;
   constexpr double kMargin = 1.02; // Ritz values come from below
   const std::vector<SpringBatch>& batches = system.forces().batches();
   m_springs.assign(batches, [&](std::size_t s) {
@@ -188,24 +190,45 @@ double StepBound::measure(const System& system, Blend blend)
   return kMargin * m_lanczos.largestEigenvalue(nodes, kProducts, multiply);
 }
 
-/// See the class. Nothing that oscillates is slower than sqrt(stiffness): no need to know more exactly.
+/// See the class. With f(q) the largest eigenvalue of M^-1 (D - K/q), any q >= sqrt(stiffness) with f(q) <= q
+/// is a bound, too: the mode of the fastest root r has f(q) >= q from its slower root on, which is at most
+/// sqrt(stiffness), up to r. So a guess is tried before the long way down from `damping`. Nothing that
+/// oscillates is slower than sqrt(stiffness): no need to know more exactly.
 double StepBound::measureDecay(const System& system, const FastestMode& mode)
 {
   constexpr int kMostRounds = 5;
   constexpr double kFirmness = 0.9; ///< share of the stiffness that will stay in the next moments
+  constexpr double kRoom = 1.05;    ///< for the guess
+  const double slowest = std::sqrt(mode.stiffness);
+  const auto bound = [&](double q) { return std::max(measure(system, {1.0, -kFirmness / q}), 0.0); };
   double decay = mode.damping;
-  for (int round = 0; round < kMostRounds && decay > std::sqrt(mode.stiffness); ++round) {
-    const double next = measure(system, {1.0, -kFirmness / decay});
+  if (const double guess = kRoom * std::max(slowest, m_decayShare * mode.damping); guess < decay)
+    if (const double next = bound(guess); next <= guess) decay = next;
+  for (int round = 0; round < kMostRounds && decay > slowest; ++round) {
+    const double next = bound(decay);
     if (!(next < 0.97 * decay)) break;
-    decay = std::max(next, 0.0);
+    decay = next;
   }
   return decay;
 }
 
+/// Largest eigenvalue of M^-1 (K - D/leastDamping), where it is below the row sums. These are twice as large
+/// where taut springs without dampers (or the tension across damped ones) meet; each per cent of it is a
+/// step.
+double StepBound::measureUndamped(const System& system, const FastestMode& mode)
+{
+  constexpr double kOfSpread = 0.004; ///< of all eigenvalues, that Ritz values of these may be off
+  if (!(mode.leastDamping > 0.0)) return mode.undamped;
+  const double perDamping = 1.0 / mode.leastDamping, room = kOfSpread * perDamping * mode.damping;
+  if (!(room < mode.undamped)) return mode.undamped;
+  const double measured = std::max(measure(system, {-perDamping, 1.0}), 0.0) + room;
+  return measured < mode.undamped ? measured : mode.undamped;
+}
+
 /// Measures where the sums have moved, and at every other look: how far the sums are above the eigenvalues,
-/// and how much of the stiffness holds up what the dampers brake, changes with the directions, which the sums
-/// hardly tell. Of a tube that springs back the first was seen to go from 0.88 to 1, the second likewise,
-/// while its sums moved by 2 %.
+/// and how much of the stiffness holds up what the dampers brake or goes without them, changes with the
+/// directions, which the sums hardly tell. Of a tube that springs back the first was seen to go from 0.88 to
+/// 1, the second likewise, while its sums moved by 2 %.
 void StepBound::sharpen(const System& system, FastestMode& mode)
 {
   constexpr int kPatience = 2;
@@ -223,9 +246,13 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
   follow(mode.stiffness, m_stiffnessSharpness, {0.0, 1.0});
   follow(mode.damping, m_dampingSharpness, {1.0, 0.0});
   if (isNew) m_sinceMeasured = 0;
-  if (isNew && std::isfinite(mode.damping))
-    m_decayShare = mode.damping > 0.0 ? measureDecay(system, mode) / mode.damping : 1.0;
+  if (isNew) {
+    const bool isDamped = mode.damping > 0.0 && std::isfinite(mode.damping);
+    m_decayShare = isDamped ? measureDecay(system, mode) / mode.damping : 1.0;
+    m_undampedShare = isDamped && mode.undamped > 0.0 ? measureUndamped(system, mode) / mode.undamped : 1.0;
+  }
   mode.decay = m_decayShare * mode.damping;
+  mode.undamped *= m_undampedShare;
 }
 
 FastestMode StepBound::compute(const System& system, const NodeArray& x, const NodeArray& v)

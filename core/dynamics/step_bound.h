@@ -57,6 +57,7 @@ private:
   };
   double measure(const System& system, Blend blend);
   double measureDecay(const System& system, const FastestMode& mode);
+  double measureUndamped(const System& system, const FastestMode& mode);
 
   Grouped<std::uint32_t> m_springsOf; ///< active springs by node
   std::vector<SpringTangent> m_tangents;
@@ -82,8 +83,9 @@ private:
     double ratio = 1.0, at = 0.0;
   };
   Sharpness m_stiffnessSharpness, m_dampingSharpness;
-  double m_decayShare = 1.0; ///< of the damping, measured when one of them was
-  int m_sinceMeasured = 0;   ///< calls of compute()
+  // Of the damping and of the sums of what is undamped, measured when one of those was.
+  double m_decayShare = 0.0, m_undampedShare = 1.0;
+  int m_sinceMeasured = 0; ///< calls of compute()
 };
 
 } // namespace esm

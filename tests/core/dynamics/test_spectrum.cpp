@@ -169,6 +169,29 @@ TEST(Spectrum, DecayIsMeasuredAnewWhereSpringsTurn)
   EXPECT_GE(across, c / mass);
 }
 
+// What the dampers leave over: K <= undamped + D/leastDamping in every mode, by the dense solver, in nets of
+// which every tenth spring has no damper. Not far above either, as sums over the springs at a node are: Ritz
+// values get a margin of 2 %, and 0.4 % of
+// the largest eigenvalue of D/leastDamping.
+TEST(Spectrum, WhatDampersLeaveOverIsTheLargestEigenvalueOrALittleMore)
+{
+  for (std::uint32_t seed = 1; seed <= 12; ++seed) {
+    SpringNet net = relaxed(seed);
+    const double slowest = 2.0 / std::sqrt(exactStiffness(net));
+    net.viscosity = net.stiffness * slowest;
+    for (Index s = 0; s < net.springCount(); ++s) net.viscosity[s] *= s % 10 == 0 ? 0.0 : 1.0 + s % 4;
+    const FastestMode mode = boundOf(net);
+    ASSERT_NEAR(mode.leastDamping, slowest, 1e-9 * slowest) << "seed " << seed;
+    const Eigen::MatrixXd damping = scaledMatrix(net, net.viscosity) / slowest;
+    const auto largest = [](const Eigen::MatrixXd& matrix) {
+      return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().maxCoeff();
+    };
+    const double exact = largest(scaledMatrix(net, net.stiffness) - damping);
+    EXPECT_GE(mode.undamped, 0.999 * exact) << "seed " << seed;
+    EXPECT_LE(mode.undamped, 1.03 * exact + 0.005 * largest(damping)) << "seed " << seed;
+  }
+}
+
 // Three springs from a light node, each at 60 degrees to both others as lines: in a plane, all pull against
 // one another and the largest eigenvalue is 1.5 k/m; as three edges of a tetrahedron they pull together, and
 // it is 2 k/m (1 + 2 cos 60). Sums of absolute values are 2 k/m in both.
