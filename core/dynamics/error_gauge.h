@@ -94,7 +94,9 @@ private:
   double allowance(double tolerance, const MotionState& state) const noexcept;
   double timeLeft(double time) const noexcept;
   double expectedEnd(double time) const noexcept;
+  double fading() const noexcept;
   double lifetime() const noexcept;
+  double peak(double left, double meanSpent) const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]
   ComplianceBound m_compliance;

@@ -112,6 +112,14 @@ void StepDriver::guessStep(Candidate& candidate) const noexcept
     candidate.integrator->stableStep(m_mode) * std::pow(gain, 1.0 / candidate.integrator->order());
 }
 
+/// The guess, unless more is known to do.
+void StepDriver::guessStepAtLeast(Candidate& candidate) const noexcept
+{
+  const Knowledge known = candidate;
+  guessStep(candidate);
+  if (candidate.accurateStep < known.accurateStep) static_cast<Knowledge&>(candidate) = known;
+}
+
 void StepDriver::restart() noexcept
 {
   for (Candidate& candidate : m_candidates)

@@ -126,6 +126,7 @@ private:
   void layOut(Method method, const System& system);
   void guessSteps();
   void guessStep(Candidate& candidate) const noexcept;
+  void guessStepAtLeast(Candidate& candidate) const noexcept;
   void choose(System& system, const MotionState& state);
   void reconsider(System& system, std::optional<Method> proven = std::nullopt);
   double cost(Method method, const System& system);

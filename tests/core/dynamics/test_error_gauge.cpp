@@ -75,6 +75,15 @@ TEST(ErrorGauge, SpendsTheToleranceInTheMeanAndNoMore)
     }
 }
 
+// An error that is over in a twentieth of the run may be half as large again for that time as one that lives
+// for a tenth of it and more: the mean is about the same.
+TEST(ErrorGauge, WhatIsSoonOverMayErrMore)
+{
+  const Spent soon = spend(0.1, 2.0, 1e-3), late = spend(0.3, 2.0, 1e-3);
+  EXPECT_GT(soon.peak, 1.3 * late.peak);
+  EXPECT_NEAR(soon.mean, late.mean, 0.1e-3);
+}
+
 // Where nobody knows the end, two seconds are reckoned with; but once, at the very start, all may be spent.
 TEST(ErrorGauge, ReckonsWithTwoSecondsWhereTheEndIsUnknown)
 {
