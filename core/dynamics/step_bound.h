@@ -39,7 +39,8 @@ struct FastestMode {
 ///
 /// For r = -s of a real root, r^2 M - r D + K is singular: r is at most the largest eigenvalue of
 /// M^-1 (D - K/q) for any q >= r. From q = `damping` on, that gives bounds that fall towards the fastest
-/// root.
+/// root. What dampers leave over is the largest eigenvalue of M^-1 (K - D/leastDamping), of which the row
+/// sums know only that it is no more than what the springs without dampers and the tensions make at a node.
 class StepBound {
 public:
   void prepare(const System& system); ///< after any change of springs; allocates
