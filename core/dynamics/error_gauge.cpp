@@ -178,9 +178,9 @@ double ErrorGauge::budget(double tolerance, const MotionState& state, double len
   const bool isKnown = std::isfinite(expectedEnd(state.time));
   const double left = std::max(timeLeft(state.time), length);
   const LivingError error{m_scale.spent, lifetime()};
-  const double room = all * all * (state.time + left) - m_scale.spentSquare;
-  const double ofMean = error.rateForMean(room, left);
-  const double most = isKnown ? peak(left, m_scale.spentSquare / (all * all * (state.time + left))) : 1.0;
+  const double whole = all * all * (state.time + left);
+  const double ofMean = error.rateForMean(whole - m_scale.spentSquare, left);
+  const double most = isKnown ? peak(left, m_scale.spentSquare / whole) : 1.0;
   const double rate = std::min(error.rateForPeak(most * all, left), ofMean);
   // An even share goes on when all is spent: smaller steps would cost without end and gain little. Two of
   // them where errors spread over many waves, which do not add up in line; if they did, and stayed, their

@@ -9,6 +9,8 @@
 namespace esm {
 namespace {
 
+constexpr int kPatience = 2; ///< looks between two measurements, see StepBound::sharpen()
+
 /// y = factor y + diagonal z
 ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const double* diagonal,
                                 const Lanes* z, Lanes* y) noexcept
@@ -31,9 +33,8 @@ void StepBound::prepare(const System& system)
     array->resize(ends.size());
   m_nodes.resize(nodes);
   m_stiffnessSharpness = m_dampingSharpness = Sharpness{};
-  m_undampedShare = 1.0;
-  m_decayShare = 0.0;
-  m_sinceMeasured = 0;
+  m_decayShare = 0.0; // the first guess is that nothing decays faster than it swings
+  m_sinceMeasured = kPatience;
 }
 
 /// Nothing is done without pressure.
@@ -222,7 +223,7 @@ double StepBound::measureUndamped(const System& system, const FastestMode& mode)
   const double perDamping = 1.0 / mode.leastDamping, room = kOfSpread * perDamping * mode.damping;
   if (!(room < mode.undamped)) return mode.undamped;
   const double measured = std::max(measure(system, {-perDamping, 1.0}), 0.0) + room;
-  return measured < mode.undamped ? measured : mode.undamped;
+  return std::min(mode.undamped, measured); // not a number: the sums
 }
 
 /// Measures where the sums have moved, and at every other look: how far the sums are above the eigenvalues,
@@ -231,7 +232,6 @@ double StepBound::measureUndamped(const System& system, const FastestMode& mode)
 /// 1, the second likewise, while its sums moved by 2 %.
 void StepBound::sharpen(const System& system, FastestMode& mode)
 {
-  constexpr int kPatience = 2;
   const bool isDue = ++m_sinceMeasured >= kPatience;
   bool isNew = isDue;
   const auto follow = [&](double& bound, Sharpness& sharpness, Blend blend) {
@@ -245,8 +245,8 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
   };
   follow(mode.stiffness, m_stiffnessSharpness, {0.0, 1.0});
   follow(mode.damping, m_dampingSharpness, {1.0, 0.0});
-  if (isNew) m_sinceMeasured = 0;
   if (isNew) {
+    m_sinceMeasured = 0;
     const bool isDamped = mode.damping > 0.0 && std::isfinite(mode.damping);
     m_decayShare = isDamped ? measureDecay(system, mode) / mode.damping : 1.0;
     m_undampedShare = isDamped && mode.undamped > 0.0 ? measureUndamped(system, mode) / mode.undamped : 1.0;

@@ -171,18 +171,17 @@ TEST(Spectrum, DecayIsMeasuredAnewWhereSpringsTurn)
 
 // What the dampers leave over: K <= undamped + D/leastDamping in every mode, by the dense solver, in nets of
 // which every tenth spring has no damper. Not far above either, as sums over the springs at a node are: Ritz
-// values get a margin of 2 %, and 0.4 % of
-// the largest eigenvalue of D/leastDamping.
+// values get a margin of 2 %, and 0.4 % of the largest eigenvalue of D/leastDamping.
 TEST(Spectrum, WhatDampersLeaveOverIsTheLargestEigenvalueOrALittleMore)
 {
   for (std::uint32_t seed = 1; seed <= 12; ++seed) {
     SpringNet net = relaxed(seed);
-    const double slowest = 2.0 / std::sqrt(exactStiffness(net));
-    net.viscosity = net.stiffness * slowest;
+    const double least = 2.0 / std::sqrt(exactStiffness(net));
+    net.viscosity = net.stiffness * least;
     for (Index s = 0; s < net.springCount(); ++s) net.viscosity[s] *= s % 10 == 0 ? 0.0 : 1.0 + s % 4;
     const FastestMode mode = boundOf(net);
-    ASSERT_NEAR(mode.leastDamping, slowest, 1e-9 * slowest) << "seed " << seed;
-    const Eigen::MatrixXd damping = scaledMatrix(net, net.viscosity) / slowest;
+    ASSERT_NEAR(mode.leastDamping, least, 1e-9 * least) << "seed " << seed;
+    const Eigen::MatrixXd damping = scaledMatrix(net, net.viscosity) / least;
     const auto largest = [](const Eigen::MatrixXd& matrix) {
       return Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(matrix).eigenvalues().maxCoeff();
     };
