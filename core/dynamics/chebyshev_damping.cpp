@@ -14,7 +14,6 @@ namespace {
 /// bring P near -1, where leapfrog bears no stiffness at all.
 constexpr double kPeak = 1.85;
 constexpr double kShift = 2.0 / 13.0; ///< s^2 (w0 - 1) for order 2 (Verwer et al.)
-constexpr int kSamples = 32;          ///< of the damping rates, to look at stability
 
 /// T_n(w) and its first two derivatives.
 struct ChebyshevValue {
@@ -52,6 +51,7 @@ ChebyshevDamping::ChebyshevDamping(int stages, int order) : m_stages(stages)
   if (stages == 1) { // P = 1 - z
     m_w0 = 0.0;
     m_base = 1.0;
+    sampleRoom();
     return;
   }
   m_w0 = order == 1 ? peakPlace(stages) : 1.0 + kShift / (stages * stages);
@@ -73,11 +73,25 @@ ChebyshevDamping::ChebyshevDamping(int stages, int order) : m_stages(stages)
     m_stage[static_cast<std::size_t>(j)] = {2.0 * m_w0 * ratio, -scaleAt(j) / scaleAt(j - 2),
                                             kick * (1.0 - baseAt(j - 1)), kick};
   }
+  sampleRoom();
+}
+
+void ChebyshevDamping::sampleRoom() noexcept
+{
+  for (int i = 0; i < kSamples; ++i) m_room[static_cast<std::size_t>(i)] = roomAt(m_reach * i / kSamples);
 }
 
 double ChebyshevDamping::value(double z) const noexcept
 {
   return m_base + m_swing * chebyshev(m_stages, m_w0 - m_w1 * z).value;
+}
+
+/// For h^2 M^-1 K, at the rate z.
+double ChebyshevDamping::roomAt(double z) const noexcept
+{
+  if (z < 1e-9) return 4.0; // the difference would be one of roundings
+  const double p = value(z);
+  return p < 1.0 ? 2.0 * (1.0 + p) * z / (1.0 - p) : std::numeric_limits<double>::infinity();
 }
 
 bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcept
@@ -86,19 +100,19 @@ bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcep
   const bool isOwed = mode.leastDamping > 0.0;
   const double undamped = h * h * mode.undamped, perDamping = isOwed ? h / mode.leastDamping : 0.0;
   double least = 0.0, most = isOwed ? 1.0 : 0.0; // the weights that serve
-  for (int i = 0; i <= kSamples; ++i) {
-    const double z = top * i / kSamples;
-    const double p = value(z), share = z > 1e-9 ? (1.0 - p) / z : 1.0;
-    const double room = share > 0.0 ? 2.0 * (1.0 + p) / share : std::numeric_limits<double>::infinity();
+  const auto serve = [&](double z, double room) {
     const double more = undamped + perDamping * z - all, left = room - all; // weight * more < left
     if (more > 0.0)
       most = std::min(most, left / more);
     else if (more < 0.0)
       least = std::max(least, left / more);
-    else if (!(left > 0.0))
-      return false;
-  }
-  return least <= most;
+    else
+      return left > 0.0;
+    return least <= most;
+  };
+  for (int i = 0; i < kSamples && m_reach * i < top * kSamples; ++i)
+    if (!serve(m_reach * i / kSamples, m_room[static_cast<std::size_t>(i)])) return false;
+  return !(top > 0.0) || serve(top, roomAt(top));
 }
 
 double ChebyshevDamping::stableStep(const FastestMode& mode) const noexcept

@@ -52,7 +52,11 @@ public:
   double viscousLimit(double damping) const noexcept { return m_reach / damping; }
 
 private:
+  static constexpr int kSamples = 48; ///< of the damping rates, to look at stability
+
   bool isStable(double h, const FastestMode& mode) const noexcept;
+  double roomAt(double z) const noexcept;
+  void sampleRoom() noexcept;
 
   int m_stages;
   double m_w0 = 1.0, m_w1 = 1.0;      ///< w0, w1
@@ -60,6 +64,7 @@ private:
   double m_reach = 2.0;               ///< |P| < 1 up to here
   double m_first = 1.0;
   std::array<Stage, kMostStages + 1> m_stage{};
+  std::array<double, kSamples> m_room{}; ///< roomAt() up to m_reach
 };
 
 } // namespace esm

@@ -15,6 +15,10 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kInertia = 1e-2; ///< share of the mass in the stiffness, 1/(10 s)^2 [1/s^2]
 /// Of the forces, that may be left at the goal: the net is nearly linear on its way there, or it is not near.
 constexpr double kLeft = 0.5;
+/// Further steps with the same factor, each of which must be that much shorter than the one before: forces
+/// along stiff springs hardly fall with the first one, which knows them at the start only, and vanish with
+/// the second.
+constexpr int kMostCorrections = 3;
 
 /// Of the mean square over the nodes, that a single one may miss: nobody shall see one spot stop at a blow.
 constexpr double kMostLocal = 25.0;
@@ -23,7 +27,11 @@ constexpr double kNear = 5.0; ///< speeds with which nets of usual frequencies a
 constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
 constexpr double kLongestLayout = 4.0; ///< frames
 constexpr double kPatience = 3.0;
-constexpr int kLongestWait = 32;      ///< looks
+constexpr int kLongestWait = 32; ///< looks
+constexpr int kWaitUnknown = 4;  ///< the same after an attempt that told no distance: the net bends too much
+/// Of the time in which amplitudes fade to what may be missed: no attempt before. They are not known to fade
+/// faster than that, and a swing that is slow where it turns is no nearer to its end.
+constexpr double kLeastWait = 0.4;
 constexpr int kGlances = 16;          ///< iterations of each bound
 constexpr double kGlanceCost = 40.0;  ///< force passes, with all of them
 constexpr double kFarEnough = 16.0;   ///< share of what may be missed, that a bound need not go beyond
@@ -68,7 +76,7 @@ void Settling::layOut(const System& system)
 void Settling::begin() noexcept
 {
   forget();
-  m_dueSpeed = m_work = m_workAtGlance = 0.0;
+  m_dueSpeed = m_dueTime = m_work = m_workAtGlance = 0.0;
   m_looksLeft = 0;
 }
 
@@ -96,6 +104,7 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
     m_dueSpeed = std::numeric_limits<double>::infinity();
     return false;
   }
+  if (motion.time < m_dueTime) return false;
   if (m_looksLeft > 0 && speed > m_dueSpeed) {
     --m_looksLeft;
     return false;
@@ -112,7 +121,10 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
     missed = settle(system, motion, budget, report);
     m_work = m_workAtGlance = 0.0;
   }
-  m_dueSpeed = 0.9 * speed / std::sqrt(std::max(missed, 1.0));
+  if (!std::isfinite(missed)) m_looksLeft = kWaitUnknown;
+  const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
+  m_dueSpeed = 0.9 * speed / times;
+  m_dueTime = motion.time + (std::isfinite(times) ? kLeastWait * budget.fading * std::log(times) : 0.0);
   return missed <= 1.0;
 }
 
@@ -160,7 +172,17 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
   const double share = shareOf(missed, speed, budget);
   if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
   for (std::size_t i = 0; i < m_goal.size(); ++i) m_goal[i] += m_way[i];
-  if (!(forcesAt(system, motion.time, m_goal, report) <= kLeft * force)) return kUnknown;
+  double last = sumOfSquares(m_way);
+  for (int i = 0; !(forcesAt(system, motion.time, m_goal, report) <= kLeft * force); ++i) {
+    m_matrix.solve(m_force);
+    const double next = sumOfSquares(m_force);
+    if (i == kMostCorrections || !(next <= kLeft * kLeft * last)) return kUnknown;
+    last = next;
+    for (std::size_t n = 0; n < m_goal.size(); ++n) {
+      m_goal[n] += m_force[n];
+      m_way[n] += m_force[n];
+    }
+  }
   const double loads = system.loadPower(motion.time, m_way); // over the way: their work
   motion.work += loads;
   motion.heat +=

@@ -72,6 +72,7 @@ private:
   ComplianceBound m_bound;
   bool m_isLaidOut = false;
   double m_dueSpeed = 0.0;     ///< below which the next attempt comes [m/s]
+  double m_dueTime = 0.0;      ///< and before which none comes [s]
   int m_looksLeft = 0;         ///< or after so many looks
   double m_work = 0.0;         ///< since the last attempt [spring evaluations]
   double m_workAtGlance = 0.0; ///< m_work when glance() was asked last

@@ -294,6 +294,58 @@ TEST(Settling, TakesNoFactorToSeeThatItIsTooEarly)
   EXPECT_EQ(oscillator.report.factorizations, 1);
 }
 
+// Amplitudes that are ten times too large take fading times ln 10 to come down. Until near then nobody looks
+// again, however slow the net is for the moment: a swing is so at each turn.
+TEST(Settling, WaitsForWhatHasToFade)
+{
+  Oscillator oscillator(1e-3, 0.0);
+  const auto looksAt = [&](double time) {
+    oscillator.settling.countWork(1'000'000);
+    oscillator.motion.time = time;
+    const std::int64_t before = oscillator.report.springsEvaluated;
+    oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, 0.0, {1e-8, 0.0, 1.0}, 1e6,
+                                    oscillator.report);
+    return oscillator.report.springsEvaluated > before;
+  };
+  EXPECT_TRUE(looksAt(1.0));
+  EXPECT_FALSE(looksAt(1.5));
+  EXPECT_FALSE(looksAt(1.0 + 0.39 * std::log(10.0)));
+  EXPECT_TRUE(looksAt(1.0 + 0.41 * std::log(10.0)));
+}
+
+// A weight on a spring, 0.02 rad aside: the first of Newton's steps is along the tangent of the circle and
+// stretches the spring, which then pulls harder than what is left of the weight did before. The goal is known
+// all the same: straight down, the spring longer by m g/k.
+TEST(Settling, GoesOnToTheGoalWhereTheFirstStepStretchesSprings)
+{
+  constexpr double kMass = 2.0, kGravity = 10.0, kStiffness = 3000.0, kAngle = 0.02;
+  constexpr double kLength = 1.0 + kMass * kGravity / kStiffness;
+  SpringNet net = chain(2);
+  net.fixed[0] = 1;
+  net.mass.setConstant(kMass);
+  net.stiffness[0] = kStiffness;
+  Loads loads;
+  loads.gravity = {0.0, 0.0, -kGravity};
+  System system(net, loads);
+  MotionState motion;
+  motion.x = {Lanes{0, 0, 0, 0}, Lanes{kLength * std::sin(kAngle), 0, -kLength * std::cos(kAngle), 0}};
+  motion.v.assign(2, Lanes{0, 0, 0, 0});
+  system.enter(motion, true);
+  Settling settling;
+  settling.layOut(system);
+  StepReport report;
+  const double share = settling.settle(system, motion, {1e-3, 0.0, 0.0}, report);
+  // The step along the tangent is tan(a) long; and there is the inertia over ten seconds.
+  EXPECT_NEAR(share, std::pow(kLength * kAngle, 2) / 1e-3, 5e-3 * share);
+  // The stretch by L a^2/2 is taken back along the first direction, a aside of where it pulls now.
+  const double aside = 0.5 * kStiffness * kLength * std::pow(kAngle, 3) / (kMass * kGravity / kLength);
+  EXPECT_NEAR(motion.x[1][0], 0.0, 1.1 * aside);
+  EXPECT_NEAR(motion.x[1][2], -kLength, 1.1 * aside * kAngle);
+  // m g times the height that it has lost; nothing else changes in the first order.
+  const double energy = kMass * kGravity * kLength * (1.0 - std::cos(kAngle));
+  EXPECT_NEAR(motion.heat, energy, 1e-2 * energy);
+}
+
 // What is seen at a glance is never more than what a factor finds, in whichever moment of a net's motion.
 TEST(Settling, GlancesFromBelow)
 {
