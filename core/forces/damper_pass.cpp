@@ -10,11 +10,13 @@ ESM_INLINE void dampGroups(const SpringBatch& batch, std::size_t begin, std::siz
                            const Lanes* v, Lanes* force) noexcept
 {
   for (std::size_t i = begin; i < end; i += Ends::kCount) {
+    const Lanes* const kept = damper + i / 4 * 3;
+    detail::foresee(kept, Ends::kCount / 4 * 3);
     const Ends ends(&batch.ends[i / 4], 1);
     typename Ends::Values w0, w1, w2, w3, wx, wy, wz, qx, qy, qz, f0, f1, f2, f3;
     ends.difference(v, w0, w1, w2, w3);
     transpose(w0, w1, w2, w3, wx, wy, wz);
-    Ends::load(damper + i / 4 * 3, qx, qy, qz);
+    Ends::load(kept, qx, qy, qz);
     const auto drag = wx * qx + wy * qy + wz * qz;
     detail::transposeBack(qx * drag, qy * drag, qz * drag, f0, f1, f2, f3);
     ends.pull(force, f0, f1, f2, f3);

@@ -27,13 +27,12 @@ struct SpringGroup {
     : batch(of), first(i), record(of.record.data() + i / 4 * kRows)
   {}
   ESM_INLINE Ends ends() const noexcept { return Ends(record, kRows); }
-  /// Asks for a record some sixty springs ahead: the processor foresees little of a net beyond its L2. That
-  /// may lie behind the last one, which a prefetch may.
-  ESM_INLINE void foresee() const noexcept
+  /// The same, read once more: the compiler would keep what it has read on the stack, which has enough to do.
+  ESM_INLINE Ends endsAgain() const noexcept
   {
-    constexpr std::size_t kLine = 64, kLines = (Ends::kCount / 4 * kRows * sizeof(Lanes) + kLine - 1) / kLine;
-    const auto* const ahead = reinterpret_cast<const char*>(record) + 2048;
-    for (std::size_t line = 0; line < kLines; ++line) __builtin_prefetch(ahead + line * kLine);
+    const Lanes* again = record;
+    asm("" : "+r"(again));
+    return Ends(again, kRows);
   }
   ESM_INLINE void row(std::size_t k, Values& values) const noexcept
   {
@@ -138,12 +137,13 @@ ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, s
   for (; i + groups * Ends::kCount <= end; i += groups * Ends::kCount) {
     using Springs = SpringGroup<Law, Ends, damped>;
     GroupInFlight<Values> group[groups];
-    for (std::size_t g = 0; g < groups; ++g) Springs(batch, i + g * Ends::kCount).foresee();
+    for (std::size_t g = 0; g < groups; ++g)
+      foresee(Springs(batch, i + g * Ends::kCount).record, Ends::kCount / 4 * Springs::kRows);
     for (std::size_t g = 0; g < groups; ++g) readGroup(Springs(batch, i + g * Ends::kCount), x, v, group[g]);
     for (std::size_t g = 0; g < groups; ++g)
       stretchGroup<tensionOnly, keep>(Springs(batch, i + g * Ends::kCount), group[g], damper, heat);
     for (std::size_t g = 0; g < groups; ++g)
-      Springs(batch, i + g * Ends::kCount).ends().pullAlong(force, group[g]);
+      Springs(batch, i + g * Ends::kCount).endsAgain().pullAlong(force, group[g]);
   }
   return i;
 }
