@@ -149,6 +149,18 @@ double Settling::glance(System& system, MotionState& motion, const SettlingBudge
   return m_bound.metNegative() ? kUnknown : shareOf(missed, speed, budget);
 }
 
+/// What is missed over what may be, by m_way and m_swing.
+double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& budget) const noexcept
+{
+  const double speed = sumOfSquares(motion.v);
+  double missed = sumOfSquares(m_way) + std::sqrt(speed * sumOfSquares(m_swing)), local = 0.0;
+  for (std::size_t i = 0; i < m_way.size(); ++i)
+    local = std::max(local, dot(m_way[i], m_way[i]) +
+                              std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
+  missed = std::max(missed, local / kMostLocal * static_cast<double>(m_way.size()));
+  return shareOf(missed, speed, budget);
+}
+
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
   m_matrix.constraintsChanged(system);
@@ -163,13 +175,7 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
   m_matrix.solve(m_swing);
   m_way = m_force;
   m_matrix.solve(m_way);
-  const double speed = sumOfSquares(motion.v);
-  double missed = sumOfSquares(m_way) + std::sqrt(speed * sumOfSquares(m_swing)), local = 0.0;
-  for (std::size_t i = 0; i < m_way.size(); ++i)
-    local = std::max(local, dot(m_way[i], m_way[i]) +
-                              std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
-  missed = std::max(missed, local / kMostLocal * static_cast<double>(m_way.size()));
-  const double share = shareOf(missed, speed, budget);
+  double share = shareOfWay(motion, budget);
   if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
   for (std::size_t i = 0; i < m_goal.size(); ++i) m_goal[i] += m_way[i];
   double last = sumOfSquares(m_way);
@@ -182,6 +188,8 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
       m_goal[n] += m_force[n];
       m_way[n] += m_force[n];
     }
+    share = shareOfWay(motion, budget);
+    if (!(share <= 1.0)) return share;
   }
   const double loads = system.loadPower(motion.time, m_way); // over the way: their work
   motion.work += loads;

@@ -65,6 +65,7 @@ public:
 
 private:
   double forcesAt(System& system, double time, NodeArray& x, StepReport& report);
+  double shareOfWay(const MotionState& motion, const SettlingBudget& budget) const noexcept;
   bool isAffordable(const System& system, double effort) const noexcept;
   double attemptCost() const noexcept; ///< of one settle() once laid out [spring evaluations]
 
