@@ -78,7 +78,7 @@ ChebyshevDamping::ChebyshevDamping(int stages, int order) : m_stages(stages)
 
 void ChebyshevDamping::sampleRoom() noexcept
 {
-  for (int i = 0; i < kSamples; ++i) m_room[static_cast<std::size_t>(i)] = roomAt(m_reach * i / kSamples);
+  for (std::size_t i = 0; i < kSamples; ++i) m_room[i] = roomAt(rateOf(i));
 }
 
 double ChebyshevDamping::value(double z) const noexcept
@@ -86,12 +86,12 @@ double ChebyshevDamping::value(double z) const noexcept
   return m_base + m_swing * chebyshev(m_stages, m_w0 - m_w1 * z).value;
 }
 
-/// For h^2 M^-1 K, at the rate z.
+/// For h^2 M^-1 K, at the rate z; not a number where z is none, and nothing is stable then.
 double ChebyshevDamping::roomAt(double z) const noexcept
 {
   if (z < 1e-9) return 4.0; // the difference would be one of roundings
   const double p = value(z);
-  return p < 1.0 ? 2.0 * (1.0 + p) * z / (1.0 - p) : std::numeric_limits<double>::infinity();
+  return p >= 1.0 ? std::numeric_limits<double>::infinity() : 2.0 * (1.0 + p) * z / (1.0 - p);
 }
 
 bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcept
@@ -110,9 +110,9 @@ bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcep
       return left > 0.0;
     return least <= most;
   };
-  for (int i = 0; i < kSamples && m_reach * i < top * kSamples; ++i)
-    if (!serve(m_reach * i / kSamples, m_room[static_cast<std::size_t>(i)])) return false;
-  return !(top > 0.0) || serve(top, roomAt(top));
+  for (std::size_t i = 0; i < kSamples && rateOf(i) < top; ++i)
+    if (!serve(rateOf(i), m_room[i])) return false;
+  return serve(top, roomAt(top));
 }
 
 double ChebyshevDamping::stableStep(const FastestMode& mode) const noexcept

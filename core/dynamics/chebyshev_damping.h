@@ -52,9 +52,13 @@ public:
   double viscousLimit(double damping) const noexcept { return m_reach / damping; }
 
 private:
-  static constexpr int kSamples = 48; ///< of the damping rates, to look at stability
+  static constexpr std::size_t kSamples = 48; ///< of the damping rates, to look at stability
 
   bool isStable(double h, const FastestMode& mode) const noexcept;
+  double rateOf(std::size_t sample) const noexcept
+  {
+    return m_reach * static_cast<double>(sample) / kSamples;
+  }
   double roomAt(double z) const noexcept;
   void sampleRoom() noexcept;
 
@@ -64,7 +68,7 @@ private:
   double m_reach = 2.0;               ///< |P| < 1 up to here
   double m_first = 1.0;
   std::array<Stage, kMostStages + 1> m_stage{};
-  std::array<double, kSamples> m_room{}; ///< roomAt() up to m_reach
+  std::array<double, kSamples> m_room{}; ///< roomAt(rateOf(i)), up to m_reach
 };
 
 } // namespace esm

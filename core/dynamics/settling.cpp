@@ -104,8 +104,7 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
     m_dueSpeed = std::numeric_limits<double>::infinity();
     return false;
   }
-  if (motion.time < m_dueTime) return false;
-  if (m_looksLeft > 0 && speed > m_dueSpeed) {
+  if (m_looksLeft > 0 && (motion.time < m_dueTime || speed > m_dueSpeed)) {
     --m_looksLeft;
     return false;
   }
@@ -121,10 +120,14 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
     missed = settle(system, motion, budget, report);
     m_work = m_workAtGlance = 0.0;
   }
-  if (!std::isfinite(missed)) m_looksLeft = kWaitUnknown;
+  if (!std::isfinite(missed)) { // nothing to go by
+    m_looksLeft = kWaitUnknown;
+    m_dueSpeed = 0.0;
+    return false;
+  }
   const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
   m_dueSpeed = 0.9 * speed / times;
-  m_dueTime = motion.time + (std::isfinite(times) ? kLeastWait * budget.fading * std::log(times) : 0.0);
+  m_dueTime = motion.time + kLeastWait * budget.fading * std::log(times);
   return missed <= 1.0;
 }
 
@@ -173,23 +176,21 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
   m_swing.resize(motion.x.size());
   for (std::size_t i = 0; i < m_swing.size(); ++i) m_swing[i] = motion.v[i] * system.mass()[i];
   m_matrix.solve(m_swing);
-  m_way = m_force;
-  m_matrix.solve(m_way);
-  double share = shareOfWay(motion, budget);
-  if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
-  for (std::size_t i = 0; i < m_goal.size(); ++i) m_goal[i] += m_way[i];
-  double last = sumOfSquares(m_way);
-  for (int i = 0; !(forcesAt(system, motion.time, m_goal, report) <= kLeft * force); ++i) {
+  m_way.assign(motion.x.size(), Lanes{0, 0, 0, 0});
+  double share = 0.0, last = kUnknown; // of the way so far; length of its last step
+  for (int corrections = 0;; ++corrections) {
     m_matrix.solve(m_force);
-    const double next = sumOfSquares(m_force);
-    if (i == kMostCorrections || !(next <= kLeft * kLeft * last)) return kUnknown;
-    last = next;
-    for (std::size_t n = 0; n < m_goal.size(); ++n) {
-      m_goal[n] += m_force[n];
-      m_way[n] += m_force[n];
+    const double length = std::sqrt(sumOfSquares(m_force));
+    if (!(length <= kLeft * last)) return kUnknown;
+    last = length;
+    for (std::size_t i = 0; i < m_goal.size(); ++i) {
+      m_goal[i] += m_force[i];
+      m_way[i] += m_force[i];
     }
     share = shareOfWay(motion, budget);
-    if (!(share <= 1.0)) return share;
+    if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
+    if (forcesAt(system, motion.time, m_goal, report) <= kLeft * force) break;
+    if (corrections == kMostCorrections) return kUnknown;
   }
   const double loads = system.loadPower(motion.time, m_way); // over the way: their work
   motion.work += loads;

@@ -43,8 +43,9 @@ public:
   void countWork(std::int64_t springs) noexcept { m_work += static_cast<double>(springs); }
   /// settle() where it is worth a try, which it seldom is: glance() leaves a hope, the first attempt costs no
   /// more than what has been done until then, others a third of the work since the last one, and they come
-  /// when the net is as slow as it should be by what that one found. Nobody should wait for them longer than
-  /// some frames, and nobody sees these, since nothing moves much.
+  /// when the net is as slow as it should be by what that one found, and that had time to fade; or after some
+  /// time. Nobody should wait for them longer than some frames, and nobody sees these, since nothing moves
+  /// much.
   /// @param speed  of the net now, RMS over its nodes [m/s]
   /// @param effort  see SolverSettings
   /// @return whether the net is at rest now. @pre no load moves.

@@ -313,6 +313,22 @@ TEST(Settling, WaitsForWhatHasToFade)
   EXPECT_TRUE(looksAt(1.0 + 0.41 * std::log(10.0)));
 }
 
+// What seems never to fade may be damped a moment later, by another slider: nobody waits for good.
+TEST(Settling, LooksAgainAfterSomeTimeWhateverItHasSeen)
+{
+  Oscillator oscillator(1e-3, 0.0);
+  int found = 0;
+  for (int look = 0; look < 100; ++look) {
+    oscillator.settling.countWork(1'000'000);
+    const std::int64_t before = oscillator.report.springsEvaluated;
+    oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, 0.0,
+                                    {1e-8, 0.0, std::numeric_limits<double>::infinity()}, 1e6,
+                                    oscillator.report);
+    found += oscillator.report.springsEvaluated > before ? 1 : 0;
+  }
+  EXPECT_EQ(found, 4); // once, and after each 32 looks
+}
+
 // A weight on a spring, 0.02 rad aside: the first of Newton's steps is along the tangent of the circle and
 // stretches the spring, which then pulls harder than what is left of the weight did before. The goal is known
 // all the same: straight down, the spring longer by m g/k.

@@ -13,6 +13,7 @@
 
 #include <cmath>
 #include <complex>
+#include <limits>
 #include <numbers>
 
 namespace esm::test {
@@ -248,6 +249,18 @@ TEST(Spectrum, ChebyshevPolynomialsHaveTheirOrderAndStayBelowOne)
       EXPECT_GT(reach, (order == 1 ? 1.3 : 0.6) * (stages * stages - (order == 1 ? 0 : 1)));
       for (int i = 1; i < 200; ++i) EXPECT_LT(std::abs(damping.value(reach * i / 200.0)), 1.0);
     }
+}
+
+// Rates that overflowed somewhere allow no step, rather than any.
+TEST(Spectrum, NoStepIsStableForWhatIsNoNumber)
+{
+  for (const int order : {1, 2}) {
+    const ChebyshevDamping damping(3, order);
+    FastestMode mode;
+    mode.stiffness = 1e6;
+    mode.damping = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(damping.stableStep(mode), 0.0);
+  }
 }
 
 // One damped mass: at 0.99 of the stable step it stays, at 1.1 of it it does not. (The bound is exact for one
