@@ -163,7 +163,7 @@ double ErrorGauge::allowance(double tolerance, const MotionState& state) const n
   // In the first moments the displacement is not yet what the motion will make of it.
   if (state.time < kUnfolding)
     scale = std::max(scale, std::max(m_scale.speed, speedOf(state.v)) * kUnfolding);
-  const double share = m_release < expectedEnd(state.time) ? kShareBeforeRelease : 1.0;
+  const double share = awaitsRelease(state.time) ? kShareBeforeRelease : 1.0;
   return share * kSafety * tolerance * std::max(scale, floor());
 }
 

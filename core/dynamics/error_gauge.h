@@ -62,6 +62,7 @@ public:
   void markEvent() noexcept { m_scale.calm = 0.0; }
   /// When nodes that are held now will be let go, infinity if not: until then less may be spent.
   void expectRelease(double time) noexcept { m_release = time; }
+  bool awaitsRelease(double time) const noexcept { return m_release < expectedEnd(time); }
 
   double extent() const noexcept { return m_extent; }       ///< a length that positions are small against [m]
   double floor() const noexcept { return 1e-6 * m_extent; } ///< displacements below it do not matter [m]
