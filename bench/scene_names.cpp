@@ -94,6 +94,7 @@ std::uint64_t hashOf(const Scene& scene)
     const double release = motion.release.value_or(-1.0);
     hash = hashBytes(&release, sizeof release, hash);
   }
+  if (net.initialVelocity.size() > 0) hash = hashArray(net.initialVelocity, hash);
   return hash;
 }
 

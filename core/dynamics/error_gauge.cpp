@@ -250,6 +250,28 @@ double ErrorGauge::swing(const System& system, double distance, const NodeArray&
   return std::max(amplitude, slow * ofMotion / std::numbers::sqrt2);
 }
 
+double ErrorGauge::alongMotion(const System& system, const NodeArray& otherX, const NodeArray& otherV,
+                               const MotionState& state) const noexcept
+{
+  double xx = 0.0, ww = 0.0, vv = 0.0, uu = 0.0, xv = 0.0, xu = 0.0, wu = 0.0;
+  for (std::size_t i = 0; i < otherX.size(); ++i) {
+    const Lanes x = otherX[i] - state.x[i], w = otherV[i] - state.v[i];
+    const Lanes u = m_displacement[i], v = state.v[i];
+    const Lanes mx = x * system.mass()[i], mu = u * system.mass()[i];
+    xx += dot(mx, x);
+    ww += system.mass()[i] * dot(w, w);
+    vv += system.mass()[i] * dot(v, v);
+    uu += dot(mu, u);
+    xv += dot(mx, v);
+    xu += dot(mx, u);
+    wu += dot(w, mu);
+  }
+  const auto cosine = [](double both, double one, double other) {
+    return one > 0.0 && other > 0.0 ? std::abs(both) / std::sqrt(one * other) : 0.0;
+  };
+  return std::max({cosine(xv, xx, vv), cosine(xu, xx, uu), cosine(wu, ww, uu)});
+}
+
 /// How long a motion like the present one takes to fade [s]; infinity without damping. What oscillates does
 /// so in its fadingTime(), what creeps in the time that it takes to its goal, displacement over speed.
 double ErrorGauge::fading() const noexcept

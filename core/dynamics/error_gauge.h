@@ -86,6 +86,10 @@ public:
   /// How far apart two ends of a stretch are whichever way their difference swings just now [m]: by their
   /// distance, and by what their velocities are going to make of it.
   double swing(const System& system, double distance, const NodeArray& otherV, const MotionState& state);
+  /// How much of the difference of two ends lies along the motion, 0 to 1: of their places along its velocity
+  /// or displacement, or of their velocities along the latter, whichever is most. After prepareSwing().
+  double alongMotion(const System& system, const NodeArray& otherX, const NodeArray& otherV,
+                     const MotionState& state) const noexcept;
   /// From the whole net's RMS to that over `nodes` nodes, outside of which nothing errs.
   double shareOfWhole(std::size_t nodes) const noexcept;
   /// The end of the motion as seen at `time` before it or at it [s]; infinity if nobody knows it.

@@ -71,9 +71,9 @@ struct IntegratorEntry {
   /// Error (docs/FILE_FORMAT.md) that an explicit method makes on tissue-like nets at its largest stable
   /// step, measured; the planner's guess before it has measured for itself.
   double typicalError = 0.0;
-  /// Of an error that a check has found, what adds up where dampers are stronger than springs, measured: see
-  /// StepDriver::addingUp().
-  double addingUp = 1.0;
+  /// Of an error across the motion, the share that does not add up where dampers are stronger than springs,
+  /// measured; see StepDriver::addingUp().
+  double offset = 0.0;
 };
 std::span<const IntegratorEntry> integratorTable() noexcept;
 std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for an unknown name

@@ -55,7 +55,7 @@ StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings)
     if (entry.name == "descent") m_descent = place;
     if (entry.role == MethodRole::Implicit) m_implicit = place;
     if (entry.name == m_settings.solver) m_method = place;
-    m_candidates.push_back({{}, entry.make(), entry.role, entry.typicalError, entry.addingUp});
+    m_candidates.push_back({{}, entry.make(), entry.role, entry.typicalError, entry.offset});
   }
   m_onset.known.resize(m_candidates.size());
 }

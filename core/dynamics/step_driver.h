@@ -98,7 +98,7 @@ private:
   struct Candidate : Knowledge {
     std::unique_ptr<Integrator> integrator;
     MethodRole role = MethodRole::ByName;
-    double typicalError = 0.0, addingUp = 1.0; ///< see IntegratorEntry
+    double typicalError = 0.0, offset = 0.0; ///< see IntegratorEntry
     bool prepared = false;
     int untilProbe = 0; ///< checks until it may be probed
     int probeGap = 1;
@@ -155,7 +155,8 @@ private:
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);
   double swing(System& system, double distance, const NodeArray& otherV, const MotionState& state);
-  double addingUp(const Candidate& candidate) const noexcept;
+  double addingUp(const Candidate& candidate, const System& system, const NodeArray& otherX,
+                  const NodeArray& otherV, const MotionState& state) const noexcept;
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
   void retreat(System& system, MotionState& state, int attempt, StepReport& report);

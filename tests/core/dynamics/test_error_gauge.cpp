@@ -134,6 +134,35 @@ TEST(ErrorGauge, ErrorsOfUndampedMotionStay)
   EXPECT_EQ(motion.gauge.scaleAfter(motion.system, motion.state, end, 0.0).spent, 1e-3);
 }
 
+// A motion that runs late is behind along its velocity, one with too large an amplitude ahead along its
+// displacement; what is off across both is neither.
+TEST(ErrorGauge, TellsWhatLiesAlongTheMotion)
+{
+  Displaced motion(1.0); // along y
+  for (Lanes& v : motion.state.v) v[0] = 2.0;
+  motion.gauge.prepareSwing(motion.system, motion.state);
+  const auto along = [&](double dx, double dy, double dz) {
+    NodeArray x = motion.state.x;
+    for (Lanes& place : x) place += Lanes{dx, dy, dz, 0};
+    return motion.gauge.alongMotion(motion.system, x, motion.state.v, motion.state);
+  };
+  EXPECT_DOUBLE_EQ(along(-0.01, 0, 0), 1.0);
+  EXPECT_DOUBLE_EQ(along(0, 0.01, 0), 1.0);
+  EXPECT_DOUBLE_EQ(along(0, 0, 0.01), 0.0);
+  EXPECT_DOUBLE_EQ(along(0.03, 0, 0.04), 0.6);
+  EXPECT_DOUBLE_EQ(along(0, 0, 0), 0.0); // no difference, no number that is none
+}
+
+TEST(ErrorGauge, AwaitsAReleaseBeforeTheEndOnly)
+{
+  Displaced motion(1.0);
+  EXPECT_FALSE(motion.gauge.awaitsRelease(0.5));
+  motion.gauge.expectRelease(0.8);
+  EXPECT_TRUE(motion.gauge.awaitsRelease(0.5));
+  motion.gauge.expectRelease(1.2);
+  EXPECT_FALSE(motion.gauge.awaitsRelease(0.5));
+}
+
 // Two runs of an oscillator of frequency w that are apart by (d, v): d^2 + (v/w)^2 is the same all the time,
 // however the difference swings; of a light node and of a heavy one. The inertia over 0.08 s makes 2e-4 of
 // it.
