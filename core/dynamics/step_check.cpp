@@ -125,8 +125,8 @@ double StepDriver::swing(System& system, double distance, const NodeArray& other
 /// the phase of waves is an offset at once, and fades with them before it adds up where dampers are strong:
 /// in tubes that had been let go errors of `chebyshev` added up over 0.04 to 0.16 s, where their growth
 /// foretold 0.14 to 0.44. What lies along the motion, slow modes that run late, does add up: of tubes that
-/// swing in one mode six of 48 missed their tolerance when it counted for less. Not in an event's own waves,
-/// nor while nodes wait for their release: what is off then becomes another motion's error.
+/// swing in one mode 15 of 96 runs missed their tolerance when it counted for less. Not in an event's own
+/// waves, nor while nodes wait for their release: what is off then becomes another motion's error.
 double StepDriver::addingUp(const Candidate& candidate, const System& system, const NodeArray& otherX,
                             const NodeArray& otherV, const MotionState& state) const noexcept
 {
