@@ -85,6 +85,7 @@ std::uint64_t hashOf(const Scene& scene)
                                       &net.lawParameter, &net.anchors.stiffness, &net.anchors.viscosity})
     hash = hashArray(*array, hash);
   hash = hashArray(net.restPosition, hashArray(net.anchors.point, hashArray(net.ends, hash)));
+  hash = hashArray(net.initialVelocity, hash); // of a net at rest it is empty
   hash = hashArray(net.fixed, hashArray(net.law, hashArray(net.anchors.node, hash)));
   hash = hashArray(scene.loads.gravity, hash);
   for (const NodalForce& force : scene.loads.forces)
@@ -94,7 +95,6 @@ std::uint64_t hashOf(const Scene& scene)
     const double release = motion.release.value_or(-1.0);
     hash = hashBytes(&release, sizeof release, hash);
   }
-  if (net.initialVelocity.size() > 0) hash = hashArray(net.initialVelocity, hash);
   return hash;
 }
 
