@@ -38,6 +38,7 @@ constexpr double kSureShare = 0.5, kGapsBeforeEnd = 2.0;
 constexpr double kLeastProof = kFrame / 4.0;
 constexpr double kShareToCompare = 0.5; ///< of the budget, that the end may be off with which others compare
 constexpr int kProbes = 2, kLongestProbeGap = 4; ///< checks
+constexpr double kFarTooGood = 0.2; ///< of the budget: who errs less need not settle before others are probed
 /// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
 /// and of parts, that make cutting the stretch worth while.
 constexpr double kOnsetError = 20.0, kOnsetParts = 16.0;
@@ -111,7 +112,7 @@ double StepDriver::expectedError(const MotionState& state) const noexcept
 double StepDriver::budget(const MotionState& state, double length) const noexcept
 {
   const double counted = m_onset.longest > 0.0 ? std::max(length, kOnsetShare * kFrame) : length;
-  return m_gauge.budget(m_settings.tolerance, state, counted);
+  return spendable(m_candidates[m_method]) * m_gauge.budget(m_settings.tolerance, state, counted);
 }
 
 /// ErrorGauge::swing(), counted as work.
@@ -183,7 +184,8 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
 {
   const double length = state.time - m_start.time;
   double step = 0.0;
-  if (!m_auto || m_onset.longest > 0.0 || m_settled > 1) return std::nullopt;
+  const int settled = m_checkedShare <= kFarTooGood ? kSettling : 1;
+  if (!m_auto || m_onset.longest > 0.0 || m_settled > settled) return std::nullopt;
   const std::optional<Method> method = worthAProbe(system, step);
   if (!method) return std::nullopt;
   Candidate& candidate = m_candidates[*method];
@@ -202,7 +204,8 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
     // In full: what of another method's error goes on to grow nobody has measured; unless much does not.
     const double adding = addingUp(candidate, system, m_probe.x, m_probe.v, state);
     const double counted = adding < 1.0 ? m_growing * adding : 1.0;
-    share = counted * swing(system, m_gauge.distance(m_probe.x, state), m_probe.v, state) / allowed;
+    const double most = allowed * spendable(candidate) / spendable(m_candidates[m_method]);
+    share = counted * swing(system, m_gauge.distance(m_probe.x, state), m_probe.v, state) / most;
   }
   const double gain = stepGain(share, candidate.integrator->order());
   candidate.accurateStep = length / count;

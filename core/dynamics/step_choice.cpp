@@ -17,7 +17,11 @@ constexpr double kManySteps = 500.0;
 /// Implicit steps per frame to begin with; measured from then on.
 constexpr double kImplicitGuess = 4.0;
 
-constexpr double kLooseTolerance = 1e-2; ///< see explicitDiscount()
+constexpr double kLooseTolerance = 1e-2; ///< see explicitDiscount() and spendable()
+/// Of what plain steps cost: local ones must be that cheap. They err as much as they may, plain ones at their
+/// limit of stability a hundred times less: for a twentieth saved in three frames a stiff net that snaps
+/// through ended at sixteen times a tolerance of 1e-3.
+constexpr double kLocalGain = 0.6;
 /// After an event: what implicit steps cost in it tells little of what they cost later [s].
 constexpr double kOnsetOfImplicit = 1.9 * kFrame;
 
@@ -226,10 +230,26 @@ double StepDriver::explicitDiscount() const noexcept
   return std::min(1.0, std::pow(m_settings.tolerance / kLooseTolerance, 0.4));
 }
 
+/// Of the budget, what a method may spend. Nets whose stiff part holds up explicit steps multiply errors when
+/// they snap through, and no check before sees it: at 1e-6 `verlet` spent a third of each budget and ended at
+/// eight times the tolerance. To err far less costs little there: second order at its limit is that good down
+/// to 1e-5, and higher orders below.
+double StepDriver::spendable(const Candidate& candidate) const noexcept
+{
+  if (!m_auto || !isExplicit(candidate) || !isHeldUp()) return 1.0;
+  return std::min(1.0, std::pow(m_settings.tolerance / kLooseTolerance, 0.6));
+}
+
 /// The largest step that one force pass can take [s].
 double StepDriver::explicitLimit() const noexcept
 {
   return m_candidates[m_leapfrog].integrator->stableStep(m_mode);
+}
+
+/// Whether explicit steps are so many that other ways are worth weighing.
+bool StepDriver::isHeldUp() const noexcept
+{
+  return kFrame / explicitLimit() > kManySteps;
 }
 
 /// Among those that compete.
@@ -238,15 +258,16 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
 {
   Method best = m_leapfrog;
   double least = kInfinity;
-  const bool isHeldUp = kFrame / explicitLimit() > kManySteps;
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
-    if (!isExplicit(candidate) || (candidate.role == MethodRole::Local && !isHeldUp)) continue;
-    if (candidate.role == MethodRole::Local && !candidate.prepared) {
+    const bool isLocal = candidate.role == MethodRole::Local;
+    if (!isExplicit(candidate) || (isLocal && !isHeldUp())) continue;
+    if (isLocal && !candidate.prepared) {
       layOut(method, system); // its classes tell its step
       if (!candidate.isMeasured) guessStep(candidate);
     }
-    const double needed = cost(method, system) * (method == m_method ? patience : 1.0);
+    const double needed =
+      cost(method, system) * (method == m_method ? patience : 1.0) / (isLocal ? kLocalGain : 1.0);
     if (needed >= least) continue;
     least = needed;
     best = method;
@@ -293,7 +314,7 @@ void StepDriver::weighLeastCost(const System& system)
 {
   const double steps = std::ceil(kFrame / explicitLimit());
   m_leastCost = steps * m_candidates[m_leapfrog].integrator->stepCost(system, explicitLimit());
-  if (!m_auto || !(steps > kManySteps)) return;
+  if (!m_auto || !isHeldUp()) return;
   layOut(m_implicit, system);
   m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system, kFrame));
 }
@@ -311,9 +332,8 @@ void StepDriver::choose(System& system, const MotionState&)
     m_method = cheapestExplicit(system, 1.0);
     m_toleranceGivenUp = false;
     // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
-    const double steps = kFrame / explicitLimit();
-    if (steps > kManySteps && (toleranceIsTooDear(system) ||
-                               explicitDiscount() * cost(m_method, system) > 2.0 * cost(m_implicit, system)))
+    if (isHeldUp() && (toleranceIsTooDear(system) ||
+                       explicitDiscount() * cost(m_method, system) > 2.0 * cost(m_implicit, system)))
       m_method = m_implicit;
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
   }
@@ -326,7 +346,7 @@ void StepDriver::choose(System& system, const MotionState&)
 void StepDriver::reconsider(System& system, std::optional<Method> proven)
 {
   constexpr double kPatience = 0.9;
-  if (!m_auto || --m_settled > 0) return;
+  if (!m_auto || (--m_settled > 0 && !proven)) return;
   const Method before = m_method;
   const bool tooDear = toleranceIsTooDear(system);
   if (before == m_implicit) {
@@ -341,7 +361,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
       proven ? 0.0 : (1.0 + kFiner) * checkLength() / kFrame * cost(other, system); // of its check
     if (paysOff(cost(before, system) - cost(other, system), price)) m_method = other;
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
-    if (before == m_leapfrog && kFrame / stable > kManySteps && accurate > 4.0 * stable) {
+    if (before == m_leapfrog && isHeldUp() && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
       if (tooDear || explicitDiscount() * cost(before, system) > 3.0 * cost(m_implicit, system))
         m_method = m_implicit;
@@ -350,7 +370,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
   giveToleranceUp(system, tooDear && m_method == m_implicit);
   if (m_method == before) return;
   use(m_method, system);
-  m_settled = 2;
+  m_settled = kSettling;
   if (proven == m_method) { // it need not prove itself twice
     m_candidates[m_method].isMeasured = true;
     m_untilCheck = m_checkGap = 2;

@@ -79,6 +79,7 @@ private:
   /// Energy may grow by this much in a stretch without cause: explicit steps stir up the fastest modes a
   /// little at their limit.
   static constexpr double kCoarseGrowth = 0.05;
+  static constexpr int kSettling = 2;   ///< checks before a method that has just been chosen may be left
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
   /// saves 3 % of all passes; a quarter is too short to tell: errors of uteri and organs came out up to five
@@ -132,6 +133,8 @@ private:
   double cost(Method method, const System& system);
   double costAtLimit(Method method, const System& system);
   double explicitDiscount() const noexcept;
+  double spendable(const Candidate& candidate) const noexcept;
+  bool isHeldUp() const noexcept;
   void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);
