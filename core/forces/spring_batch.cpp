@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: MIT
 #include "core/forces/spring_law.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <cstring>
+#include <functional>
 
 namespace esm {
 
@@ -42,10 +44,11 @@ void SpringBatch::finish(std::size_t nodeCount)
   for (std::vector<Index>* values : {&a, &b, &spring}) putInto(order, *values);
   for (std::vector<double>* values : {&restLength, &stiffness, &viscosity, &parameter})
     putInto(order, *values);
+  findAlike();
   while (a.size() % 4 != 0) {
     a.push_back(a.front());
     b.push_back(a.front());
-    restLength.push_back(1.0);
+    restLength.push_back(alike ? 0.0 : 1.0); // no energy although it has the others' stiffness
     stiffness.push_back(0.0);
     viscosity.push_back(0.0);
     parameter.push_back(law == SpringLaw::Table ? 0.0 : 1.0);
@@ -53,6 +56,18 @@ void SpringBatch::finish(std::size_t nodeCount)
   rootViscosity.resize(a.size());
   for (std::size_t i = 0; i < a.size(); ++i) rootViscosity[i] = std::sqrt(viscosity[i]);
   fillRecord();
+}
+
+void SpringBatch::findAlike()
+{
+  const auto areEqual = [](const std::vector<double>& values) {
+    return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+  };
+  alike = canBeAlike(law) && areEqual(stiffness) && areEqual(viscosity);
+  shared.clear();
+  if (!alike || count == 0) return;
+  for (const double value : {stiffness.front(), viscosity.front(), std::sqrt(viscosity.front())})
+    shared.push_back(Lanes{value, value, value, value});
 }
 
 void SpringBatch::fillRecord()
@@ -71,22 +86,20 @@ void SpringBatch::fillRecord()
     group[1][lane] = restLength[i];
     const double perStrain =
       parameter[i] / restLength[i]; // unused, and infinite, in a linear spring of length 0
+    if (canBeAlike(law) && !alike) group[2][lane] = stiffness[i];
     switch (law) {
     case SpringLaw::Linear:
-      group[2][lane] = stiffness[i];
+    case SpringLaw::Table:
       break;
     case SpringLaw::Cubic:
-      group[2][lane] = stiffness[i];
-      group[3][lane] = perStrain / restLength[i];
+      group[alike ? 2 : 3][lane] = i < count ? perStrain / restLength[i] : 0.0;
       break;
     case SpringLaw::Exponential:
       group[2][lane] = stiffness[i] / perStrain;
       group[3][lane] = perStrain;
       break;
-    case SpringLaw::Table:
-      break;
     }
-    if (damped) group[rows - 1][lane] = viscosity[i];
+    if (damped && !alike) group[rows - 1][lane] = viscosity[i];
   }
   ends.clear();
   for (std::size_t group = 0; damped && group < a.size() / 4; ++group) ends.push_back(record[group * rows]);

@@ -15,16 +15,17 @@ template <class Ends>
 inline constexpr std::size_t kGroupsAtOnce = Ends::kCount == FourEnds::kCount ? 3 : 1;
 
 /// The springs first .. first + Ends::kCount - 1 of a batch in a pass, by their records.
-template <class Law, class Ends, bool damped>
+template <class Law, class Ends, bool damped, bool alike>
 struct SpringGroup {
   using Values = typename Ends::Values;
-  static constexpr std::size_t kRows = 2 + lawRows(Law::kLaw) + (damped ? 1 : 0); ///< of one record
+  static constexpr std::size_t kRows = recordRows(Law::kLaw, damped, alike); ///< of one record
   const SpringBatch& batch;
   std::size_t first;
   const Lanes* record;
+  const Lanes* shared; ///< SpringBatch::shared
 
   ESM_INLINE SpringGroup(const SpringBatch& of, std::size_t i) noexcept
-    : batch(of), first(i), record(of.record.data() + i / 4 * kRows)
+    : batch(of), first(i), record(of.record.data() + i / 4 * kRows), shared(of.shared.data())
   {}
   ESM_INLINE Ends ends() const noexcept { return Ends(record, kRows); }
   /// The same, read once more: the compiler would keep what it has read on the stack, which has enough to do.
@@ -41,9 +42,37 @@ struct SpringGroup {
     else
       joinHalves(record[k], record[kRows + k], values);
   }
+  ESM_INLINE void sharedRow(std::size_t k, Values& values) const noexcept
+  {
+    if constexpr (Ends::kCount == 4)
+      values = shared[k];
+    else
+      joinHalves(shared[k], shared[k], values);
+  }
   ESM_INLINE void restLength(Values& values) const noexcept { row(1, values); }
-  ESM_INLINE void lawRow(std::size_t k, Values& values) const noexcept { row(2 + k, values); }
-  ESM_INLINE void viscosity(Values& values) const noexcept { row(kRows - 1, values); }
+  ESM_INLINE void lawRow(std::size_t k, Values& values) const noexcept
+  {
+    if constexpr (!alike)
+      row(2 + k, values);
+    else if (k == 0)
+      sharedRow(0, values);
+    else
+      row(1 + k, values);
+  }
+  ESM_INLINE void viscosity(Values& values) const noexcept
+  {
+    if constexpr (alike)
+      sharedRow(1, values);
+    else
+      row(kRows - 1, values);
+  }
+  ESM_INLINE void rootViscosity(Values& values) const noexcept
+  {
+    if constexpr (alike)
+      sharedRow(2, values);
+    else
+      loadLanes(&batch.rootViscosity[first], values);
+  }
 };
 
 /// What the three parts of a pass over a group of springs hand on.
@@ -66,9 +95,9 @@ ESM_INLINE void readPlaces(const Ends& ends, const Lanes* x, GroupInFlight<Value
 }
 
 /// First part: what the nodes say.
-template <class Law, class Ends, bool damped, class Values>
-ESM_INLINE void readGroup(const SpringGroup<Law, Ends, damped>& springs, const Lanes* x, const Lanes* v,
-                          GroupInFlight<Values>& group) noexcept
+template <class Law, class Ends, bool damped, bool alike, class Values>
+ESM_INLINE void readGroup(const SpringGroup<Law, Ends, damped, alike>& springs, const Lanes* x,
+                          const Lanes* v, GroupInFlight<Values>& group) noexcept
 {
   const Ends ends = springs.ends();
   readPlaces(ends, x, group);
@@ -85,9 +114,9 @@ ESM_INLINE void readGroup(const SpringGroup<Law, Ends, damped>& springs, const L
 /// A spring without direction gets the reciprocal length 0: then its force, its damping and its heat vanish
 /// without further tests. A NaN is not too short, and spreads. The reciprocal of the square is found beside
 /// the length, not after it: the damping needs that one anyway, and no division waits for a root.
-template <bool tensionOnly, bool keep, class Law, class Ends, bool damped, class Values>
-ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped>& springs, GroupInFlight<Values>& group,
-                             Lanes* damper, Lanes& heat) noexcept
+template <bool tensionOnly, bool keep, class Law, class Ends, bool damped, bool alike, class Values>
+ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped, alike>& springs,
+                             GroupInFlight<Values>& group, Lanes* damper, Lanes& heat) noexcept
 {
   const Values zero = {};
   const Values one = zero + 1.0;
@@ -111,7 +140,7 @@ ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped>& springs, Grou
     group.scale += drag;
     if constexpr (keep) {
       Values root;
-      loadLanes(&springs.batch.rootViscosity[springs.first], root);
+      springs.rootViscosity(root);
       root *= inverse;
       if constexpr (tensionOnly) root = e <= zero ? zero : root;
       Ends::store(damper + springs.first / 4 * 3, group.dx * root, group.dy * root, group.dz * root);
@@ -127,7 +156,7 @@ ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped>& springs, Grou
 /// From reading the nodes to pulling at them a spring takes a hundred cycles, most of them waiting for the
 /// root and the quotient, and a processor looks only some 250 instructions ahead: not three groups. So the
 /// groups of a step go through each part together, and wait together: a quarter of the time.
-template <class Law, class Ends, std::size_t groups, bool damped, bool tensionOnly, bool keep>
+template <class Law, class Ends, std::size_t groups, bool damped, bool alike, bool tensionOnly, bool keep>
 ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, std::size_t end,
                                   const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
                                   Lanes& heat) noexcept
@@ -135,7 +164,7 @@ ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, s
   using Values = typename Ends::Values;
   std::size_t i = begin;
   for (; i + groups * Ends::kCount <= end; i += groups * Ends::kCount) {
-    using Springs = SpringGroup<Law, Ends, damped>;
+    using Springs = SpringGroup<Law, Ends, damped, alike>;
     GroupInFlight<Values> group[groups];
     for (std::size_t g = 0; g < groups; ++g)
       foresee(Springs(batch, i + g * Ends::kCount).record, Ends::kCount / 4 * Springs::kRows);
@@ -149,43 +178,56 @@ ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, s
 }
 
 /// In the widest groups that the version of a function has, and what is left by fours.
-template <class Law, class Widest, bool damped, bool tensionOnly, bool keep>
+template <class Law, class Widest, bool damped, bool alike, bool tensionOnly, bool keep>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                              Lanes* damper) noexcept
 {
   const std::size_t count = batch.paddedCount();
   Lanes heat = {0, 0, 0, 0};
-  const std::size_t done = passGroups<Law, Widest, kGroupsAtOnce<Widest>, damped, tensionOnly, keep>(
+  const std::size_t done = passGroups<Law, Widest, kGroupsAtOnce<Widest>, damped, alike, tensionOnly, keep>(
     batch, 0, count, x, v, force, damper, heat);
-  passGroups<Law, FourEnds, 1, damped, tensionOnly, keep>(batch, done, count, x, v, force, damper, heat);
+  passGroups<Law, FourEnds, 1, damped, alike, tensionOnly, keep>(batch, done, count, x, v, force, damper,
+                                                                 heat);
   return sumLanes(heat);
 }
 
 /// Chooses among the kinds of batch, once per batch.
+template <class Law, class Widest, bool damped, bool alike>
+ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                             Lanes* damper) noexcept
+{
+  if constexpr (damped)
+    if (damper != nullptr)
+      return batch.tensionOnly
+               ? springPass<Law, Widest, true, alike, true, true>(batch, x, v, force, damper)
+               : springPass<Law, Widest, true, alike, false, true>(batch, x, v, force, damper);
+  return batch.tensionOnly
+           ? springPass<Law, Widest, damped, alike, true, false>(batch, x, v, force, nullptr)
+           : springPass<Law, Widest, damped, alike, false, false>(batch, x, v, force, nullptr);
+}
+
 template <class Law, class Widest>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                              Lanes* damper) noexcept
 {
-  if (!batch.damped)
-    return batch.tensionOnly ? springPass<Law, Widest, false, true, false>(batch, x, v, force, nullptr)
-                             : springPass<Law, Widest, false, false, false>(batch, x, v, force, nullptr);
-  if (damper != nullptr)
-    return batch.tensionOnly ? springPass<Law, Widest, true, true, true>(batch, x, v, force, damper)
-                             : springPass<Law, Widest, true, false, true>(batch, x, v, force, damper);
-  return batch.tensionOnly ? springPass<Law, Widest, true, true, false>(batch, x, v, force, nullptr)
-                           : springPass<Law, Widest, true, false, false>(batch, x, v, force, nullptr);
+  if constexpr (canBeAlike(Law::kLaw))
+    if (batch.alike)
+      return batch.damped ? springPass<Law, Widest, true, true>(batch, x, v, force, damper)
+                          : springPass<Law, Widest, false, true>(batch, x, v, force, damper);
+  return batch.damped ? springPass<Law, Widest, true, false>(batch, x, v, force, damper)
+                      : springPass<Law, Widest, false, false>(batch, x, v, force, damper);
 }
 
 /// The energy of a batch [J], four springs at a time on every CPU: sums in another order have other bits.
 /// `Law::energy(group, e, result)` gives that of a SpringGroup at extensions e; what only fills up has no
-/// stiffness, and none.
-template <class Law, bool damped>
+/// stiffness or no extension, and none.
+template <class Law, bool damped, bool alike>
 ESM_INLINE double energyPass(const SpringBatch& batch, const Lanes* x) noexcept
 {
   const Lanes zero = {0, 0, 0, 0};
   Lanes sum = zero;
   for (std::size_t i = 0; i < batch.paddedCount(); i += FourEnds::kCount) {
-    const SpringGroup<Law, FourEnds, damped> springs(batch, i);
+    const SpringGroup<Law, FourEnds, damped, alike> springs(batch, i);
     GroupInFlight<Lanes> group;
     readPlaces(springs.ends(), x, group);
     Lanes length = group.square, restLength, energy;
@@ -202,17 +244,20 @@ ESM_INLINE double energyPass(const SpringBatch& batch, const Lanes* x) noexcept
 template <class Law>
 ESM_INLINE double energyPass(const SpringBatch& batch, const Lanes* x) noexcept
 {
-  return batch.damped ? energyPass<Law, true>(batch, x) : energyPass<Law, false>(batch, x);
+  if constexpr (canBeAlike(Law::kLaw))
+    if (batch.alike)
+      return batch.damped ? energyPass<Law, true, true>(batch, x) : energyPass<Law, false, true>(batch, x);
+  return batch.damped ? energyPass<Law, true, false>(batch, x) : energyPass<Law, false, false>(batch, x);
 }
 
 /// SpringLawKernel::tensions(), four springs at a time; what only fills up has none.
-template <class Law, bool damped>
+template <class Law, bool damped, bool alike>
 ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, double* each) noexcept
 {
   const Lanes zero = {0, 0, 0, 0};
   Lanes largest = zero;
   for (std::size_t i = 0; i < batch.paddedCount(); i += FourEnds::kCount) {
-    const SpringGroup<Law, FourEnds, damped> springs(batch, i);
+    const SpringGroup<Law, FourEnds, damped, alike> springs(batch, i);
     GroupInFlight<Lanes> group;
     readGroup(springs, x, v, group);
     Lanes length = group.square, restLength, tension;
@@ -239,8 +284,12 @@ ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const La
 template <class Law>
 ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, double* each) noexcept
 {
-  return batch.damped ? tensionPass<Law, true>(batch, x, v, each)
-                      : tensionPass<Law, false>(batch, x, v, each);
+  if constexpr (canBeAlike(Law::kLaw))
+    if (batch.alike)
+      return batch.damped ? tensionPass<Law, true, true>(batch, x, v, each)
+                          : tensionPass<Law, false, true>(batch, x, v, each);
+  return batch.damped ? tensionPass<Law, true, false>(batch, x, v, each)
+                      : tensionPass<Law, false, false>(batch, x, v, each);
 }
 
 } // namespace esm::detail
