@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 
-// The part of StepDriver that chooses the method and says why.
-#include "core/base/text_number.h"
+// The part of StepDriver that chooses the method.
 #include "core/dynamics/step_driver.h"
 
 #include <algorithm>
@@ -20,15 +19,10 @@ constexpr double kImplicitGuess = 4.0;
 constexpr double kLooseTolerance = 1e-2; ///< see explicitDiscount() and spendable()
 /// Of what plain steps cost: local ones must be that cheap. They err as much as they may, plain ones at their
 /// limit of stability a hundred times less: for a twentieth saved in three frames a stiff net that snaps
-/// through ended at sixteen times a tolerance of 1e-3.
+/// through ended at fourteen times a tolerance of 1e-3.
 constexpr double kLocalGain = 0.6;
 /// After an event: what implicit steps cost in it tells little of what they cost later [s].
 constexpr double kOnsetOfImplicit = 1.9 * kFrame;
-
-std::string microseconds(double seconds)
-{
-  return formatDouble(seconds * 1e6, 3) + " us";
-}
 
 /// A length that positions are small or large against [m]: the net's diagonal, or how far its anchors pull.
 double extentOf(const System& system, const NodeArray& x)
@@ -178,11 +172,6 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
   giveToleranceUp(system, false); // the floor is of the former effort
   giveToleranceUp(system, toleranceIsTooDear(system));
   explain(system);
-}
-
-Index StepDriver::nameOf(Index node) const noexcept
-{
-  return m_names.empty() ? node : m_names[static_cast<std::size_t>(node)];
 }
 
 /// Unless that is done.
@@ -393,66 +382,6 @@ double StepDriver::floorStep() const noexcept
   if (!m_auto) return 0.0;
   if (m_method == m_implicit) return m_toleranceGivenUp ? m_floorStep : 0.0;
   return m_explicitFloorStep;
-}
-
-void StepDriver::sayToleranceGivenUp(const System& system)
-{
-  explain(system);
-  m_why += "; the tolerance would cost too many steps and may not hold";
-}
-
-void StepDriver::sayDescent(const System& system)
-{
-  explain(system);
-  m_name = integratorTable()[m_descent].name;
-  m_why += "; as no step was both good and affordable, it takes damped steps that gain no energy: lower the "
-           "stiffness or the loads, raise the masses, or allow more effort";
-}
-
-void StepDriver::explain(const System& system)
-{
-  m_name = integratorTable()[m_method].name;
-  const double step = explicitLimit();
-  const bool bounded = std::isfinite(step) && m_mode.node != kNoIndex;
-  const std::string need = bounded ? "springs at node " + std::to_string(nameOf(m_mode.node)) + " (" +
-                                       formatDouble(m_mode.springStiffness, 3) + " N/m on " +
-                                       formatDouble(system.mass()[static_cast<std::size_t>(m_mode.node)], 3) +
-                                       " kg) need explicit steps of " + microseconds(step)
-                                   : "no spring limits the step";
-  if (!m_auto)
-    m_why = m_name + " as asked; " + need;
-  else if (m_toleranceGivenUp)
-    m_why = need + "; the engine went implicit and stays bounded, but the tolerance may not hold";
-  else if (m_method == m_implicit)
-    m_why = need + "; the engine went implicit";
-  else if (m_candidates[m_method].role == MethodRole::Local)
-    m_why = need + "; they take them alone, and the rest its own";
-  else if (m_method != m_leapfrog)
-    m_why = need + "; the tolerance asks for order " + std::to_string(current().order());
-  else
-    m_why = need + "; explicit steps are cheapest";
-}
-
-void StepDriver::giveUp(Run failure, StepReport& report)
-{
-  const std::string place =
-    m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(nameOf(m_mode.node)) + ")";
-  if (failure == Run::Limit) {
-    report.stepLimit = true;
-    m_limitText =
-      "the work limit of " + std::to_string(m_maxSteps) +
-      " steps was reached before the end of the interval; allow more steps or a larger tolerance" + place;
-  } else if (failure == Run::NonFinite) {
-    report.nonFinite = true;
-    m_why = std::string("numbers became infinite") + place + "; the last good state is kept: " +
-            (m_settings.fixedStep > 0.0 ? "take a smaller fixed step, at most " +
-                                            microseconds(explicitStep(m_mode)) + ", or automatic steps"
-                                        : "lower the stiffness or the loads, or raise the masses");
-  } else {
-    report.notConverged = true;
-    m_why = "the " + m_name + " solver found no step small enough" + place +
-            "; the last good state is kept: lower the stiffness or the loads, or take a larger tolerance";
-  }
 }
 
 } // namespace esm

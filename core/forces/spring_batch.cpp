@@ -83,23 +83,27 @@ void SpringBatch::fillRecord()
     };
     putEnd(a[i], lane);
     putEnd(b[i], 4 + lane);
-    group[1][lane] = restLength[i];
+    std::size_t row = 1;
+    const auto put = [&](double value) { group[row++][lane] = value; };
+    put(restLength[i]);
     const double perStrain =
       parameter[i] / restLength[i]; // unused, and infinite, in a linear spring of length 0
-    if (canBeAlike(law) && !alike) group[2][lane] = stiffness[i];
     switch (law) {
     case SpringLaw::Linear:
-    case SpringLaw::Table:
+      if (!alike) put(stiffness[i]);
       break;
     case SpringLaw::Cubic:
-      group[alike ? 2 : 3][lane] = i < count ? perStrain / restLength[i] : 0.0;
+      if (!alike) put(stiffness[i]);
+      put(i < count ? perStrain / restLength[i] : 0.0);
       break;
     case SpringLaw::Exponential:
-      group[2][lane] = stiffness[i] / perStrain;
-      group[3][lane] = perStrain;
+      put(stiffness[i] / perStrain);
+      put(perStrain);
+      break;
+    case SpringLaw::Table:
       break;
     }
-    if (damped && !alike) group[rows - 1][lane] = viscosity[i];
+    if (damped && !alike) put(viscosity[i]);
   }
   ends.clear();
   for (std::size_t group = 0; damped && group < a.size() / 4; ++group) ends.push_back(record[group * rows]);

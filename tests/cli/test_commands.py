@@ -197,6 +197,8 @@ class Simulate(ProgramTest):
         self.assertGreater(made["integration_seconds"], 0)
         turn = 10 * 2 / made["steps"]  # radians per step: velocity Verlet's energy swings by a quarter of its square
         self.assertAlmostEqual(made["energy"], 0.5, delta=1e-4 + 0.5 * turn**2 / 4)  # k/2 x^2
+        exact = self.json_of("simulate", "osc.json", "--duration", "2", "--frames", "25", "--tolerance", "1e-5")
+        self.assertAlmostEqual(exact["energy"], 0.5, delta=1e-4)
         lines = (self.folder / "m.csv").read_text().splitlines()
         self.assertEqual(lines[:3], ["t,id,x,y,z", "0,0,0,0,0", "0,1,1.1,0,0"])
         self.assertEqual(len(lines), 1 + 51 * 2)
