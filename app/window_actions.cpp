@@ -38,6 +38,8 @@ QString solverHelp(const SolverInfo& info)
     {"leapfrog", QT_TRANSLATE_NOOP("esm::Solver", "explicit, one force pass per step, second order")},
     {"chebyshev", QT_TRANSLATE_NOOP("esm::Solver", "explicit, with more viscous stages per step")},
     {"verlet", QT_TRANSLATE_NOOP("esm::Solver", "explicit, second order in viscosity too")},
+    {"stoermer",
+     QT_TRANSLATE_NOOP("esm::Solver", "explicit multistep, one force pass per step, fourth order")},
     {"rk4", QT_TRANSLATE_NOOP("esm::Solver", "explicit, fourth order")},
     {"dopri5", QT_TRANSLATE_NOOP("esm::Solver", "explicit, fifth order, for small errors")},
     {"implicit", QT_TRANSLATE_NOOP("esm::Solver", "implicit, second order, stable at any step: stiff nets")},

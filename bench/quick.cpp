@@ -62,7 +62,7 @@ int runQuick(const std::string& goldenFile)
   int wrong = 0;
   std::printf("scene,solver,step_s,seconds,springs_evaluated,hash\n");
   for (const Scene& scene : {tube(), uterus(), smallSheet()})
-    for (const char* solver : {"verlet", "rk4", "implicit"}) {
+    for (const char* solver : {"verlet", "stoermer", "rk4", "implicit"}) {
       const bool implicit = std::string(solver) == "implicit";
       const std::string hash = hex(hashAfter(scene, solver, implicit ? 1.0 / 120 : 4e-5, implicit ? 3 : 6));
       const std::string line = scene.name + "," + solver + "," + hash + "\n";

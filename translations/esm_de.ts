@@ -2732,6 +2732,10 @@
         <translation>explizit, auch in der Zähigkeit zweite Ordnung</translation>
     </message>
     <message>
+        <source>explicit multistep, one force pass per step, fourth order</source>
+        <translation>explizites Mehrschrittverfahren, ein Kraftdurchgang je Schritt, vierte Ordnung</translation>
+    </message>
+    <message>
         <source>explicit, fourth order</source>
         <translation>explizit, vierte Ordnung</translation>
     </message>

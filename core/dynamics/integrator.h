@@ -81,6 +81,7 @@ std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for
 std::unique_ptr<Integrator> makeLeapfrog();
 std::unique_ptr<Integrator> makeChebyshev();
 std::unique_ptr<Integrator> makeVerlet();
+std::unique_ptr<Integrator> makeStoermer();
 std::unique_ptr<Integrator> makeRungeKutta4();
 std::unique_ptr<Integrator> makeDormandPrince();
 std::unique_ptr<Integrator> makeImplicit();

@@ -21,6 +21,11 @@ std::span<const IntegratorEntry> integratorTable() noexcept
     IntegratorEntry{"verlet",
                     "velocity Verlet: second order in viscosity too, explicit, one force pass per step",
                     &makeVerlet, Explicit, 1e-3},
+    IntegratorEntry{
+      "stoermer",
+      "Stoermer's multistep method: fourth order, explicit, one force pass per step, and viscous "
+      "forces once more where they would limit it",
+      &makeStoermer, Explicit, 2e-5},
     IntegratorEntry{"rk4", "classical Runge-Kutta: fourth order, explicit, four force passes per step",
                     &makeRungeKutta4, Explicit, 1e-4},
     IntegratorEntry{"dopri5",

@@ -1,37 +1,23 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "core/dynamics/integrator.h"
+#include "core/dynamics/runge_kutta.h"
 #include "core/forces/spring_pass.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 namespace esm {
-namespace {
 
-constexpr int kMostStages = 7;
+const RungeKuttaTableau kClassicalRungeKutta = {
+  4,
+  4,
+  false,
+  6.5,
+  {0.0, 0.5, 0.5, 1.0},
+  {{{0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}}}};
 
-/// An explicit Runge-Kutta method. Row i holds the weights of the slopes 0..i in stage i + 1, the last row
-/// those in the result.
-struct Tableau {
-  int stages, order;
-  bool firstIsLast; ///< the result is the last stage, whose slope opens the next step
-  double cost;      ///< of the sweeps over nodes, in springs per node, measured
-  std::array<double, kMostStages> node;
-  std::array<std::array<double, kMostStages>, kMostStages> weight;
-};
-
-constexpr Tableau kClassical = {4,
-                                4,
-                                false,
-                                6.5,
-                                {0.0, 0.5, 0.5, 1.0},
-                                {{{0.5}, {0.0, 0.5}, {0.0, 0.0, 1.0}, {1.0 / 6, 1.0 / 3, 1.0 / 3, 1.0 / 6}}}};
-
-/// Dormand and Prince (J. Comput. Appl. Math. 6, 1980), RK5(4)7M.
-constexpr Tableau kDormandPrince = {
+const RungeKuttaTableau kDormandPrince = {
   7,
   5,
   true,
@@ -45,17 +31,19 @@ constexpr Tableau kDormandPrince = {
     {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84},
     {35.0 / 384, 0.0, 500.0 / 1113, 125.0 / 192, -2187.0 / 6784, 11.0 / 84, 0.0}}}};
 
+namespace {
+
 /// One row of sums: to = start + h (w_0 k_0 + ...). As x' = v, a stage's position needs no velocities of the
 /// stages before (Nystroem's form): x_i = x + c_i h v + h^2 sum_k (A^2)_ik a_k.
-struct Row {
+struct Sums {
   double drift, h; ///< [s]
-  std::array<double, kMostStages> velocity, position;
-  std::array<const Lanes*, kMostStages> force; ///< of the stages
+  RungeKuttaTableau::Row velocity, position;
+  std::array<const Lanes*, RungeKuttaTableau::kMostStages> force; ///< of the stages
   const double* inverseMass;
 };
 
 template <int terms>
-ESM_INLINE void combineTerms(std::size_t first, std::size_t count, const Row& row, const Lanes* x,
+ESM_INLINE void combineTerms(std::size_t first, std::size_t count, const Sums& row, const Lanes* x,
                              const Lanes* v, Lanes* toX, Lanes* toV) noexcept
 {
   const double h = row.h, square = h * h;
@@ -70,7 +58,7 @@ ESM_INLINE void combineTerms(std::size_t first, std::size_t count, const Row& ro
   }
 }
 
-ESM_CPU_CLONES void combine(int terms, std::size_t first, std::size_t count, const Row& row, const Lanes* x,
+ESM_CPU_CLONES void combine(int terms, std::size_t first, std::size_t count, const Sums& row, const Lanes* x,
                             const Lanes* v, Lanes* toX, Lanes* toV) noexcept
 {
   switch (terms) {
@@ -89,111 +77,93 @@ ESM_CPU_CLONES void combine(int terms, std::size_t first, std::size_t count, con
   }
 }
 
-/// Work and heat go through the same quadrature as the motion.
-class RungeKutta final : public Integrator {
-public:
-  explicit RungeKutta(const Tableau& tableau) : m_tableau(tableau)
-  {
-    for (std::size_t i = 0; i < stages(); ++i)
-      for (std::size_t j = 1; j <= i; ++j)
-        for (std::size_t k = 0; k < j; ++k)
-          m_squared[i][k] += tableau.weight[i][j] * tableau.weight[j - 1][k];
-  }
+/// The stable region holds the half disc |h s| < 2.7 left of the imaginary axis.
+double stableStepOfFourthOrder(const FastestMode& mode) noexcept
+{
+  return 2.7 / std::max(std::sqrt(mode.stiffness), mode.decay);
+}
 
-  void prepare(const System& system) override
-  {
-    m_force.resize(stages());
-    for (NodeArray& array : m_force) array.assign(system.nodeCount(), Lanes{0, 0, 0, 0});
-    m_x = m_v = m_force[0];
-    m_started = false;
-  }
-  void restart() noexcept override { m_started = false; }
-  int order() const noexcept override { return m_tableau.order; }
-  double stepCost(const System& system, double /*h*/) override
-  {
-    return static_cast<double>(rows()) * system.forces().passCost() +
-           m_tableau.cost * static_cast<double>(system.nodeCount());
-  }
-  double stableStep(const FastestMode& mode) const noexcept override
-  {
-    return m_tableau.firstIsLast ? stableStepOfFifthOrder(mode) : stableStepOfFourthOrder(mode);
-  }
-
-  StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
-  {
-    if (!m_started) m_rates = system.evaluate(state.time, state.x, state.v, m_force[0]);
-    const auto& last = m_tableau.weight[stages() - 1];
-    Rates sum{last[0] * m_rates.work, last[0] * m_rates.heat}, rates;
-    for (std::size_t i = 0; i < rows(); ++i) {
-      sumRow(i, h, system, state);
-      if (i + 1 == stages()) break;
-      const double node = m_tableau.node[i + 1], t = node < 1.0 ? state.time + node * h : end;
-      rates = system.evaluate(t, m_x, m_v, m_force[i + 1]);
-      sum.work += last[i + 1] * rates.work;
-      sum.heat += last[i + 1] * rates.heat;
-    }
-    if (!m_tableau.firstIsLast) system.place(end, m_x, m_v);
-    ++report.steps;
-    if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
-    m_started = m_tableau.firstIsLast;
-    if (m_started) {
-      std::swap(m_force.front(), m_force.back());
-      m_rates = rates;
-    }
-    state.advanceTo(end, m_x, m_v, h * sum.work, h * sum.heat);
-    return StepResult::Done;
-  }
-
-private:
-  std::size_t stages() const noexcept { return static_cast<std::size_t>(m_tableau.stages); }
-  /// Sums, and with that new evaluations, per step.
-  std::size_t rows() const noexcept { return m_tableau.firstIsLast ? stages() - 1 : stages(); }
-
-  void sumRow(std::size_t i, double h, const System& system, const MotionState& state) noexcept
-  {
-    Row row{i + 1 < stages() ? m_tableau.node[i + 1] * h : h,
-            h,
-            m_tableau.weight[i],
-            m_squared[i],
-            {},
-            system.inverseMass().data()};
-    for (std::size_t j = 0; j <= i; ++j) row.force[j] = m_force[j].data();
-    system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
-      combine(static_cast<int>(i) + 1, first, count, row, state.x.data(), state.v.data(), m_x.data(),
-              m_v.data());
-    });
-  }
-
-  /// The stable region holds the half disc |h s| < 2.7 left of the imaginary axis.
-  static double stableStepOfFourthOrder(const FastestMode& mode) noexcept
-  {
-    return 2.7 / std::max(std::sqrt(mode.stiffness), mode.decay);
-  }
-
-  /// The stable region reaches to -3.3 on the real axis. It leaves the imaginary one at 1.0 but holds lightly
-  /// damped modes up to 2.4 well enough: so only what has no damper must keep to 1.
-  static double stableStepOfFifthOrder(const FastestMode& mode) noexcept
-  {
-    const double undamped = mode.leastDamping > 0.0 ? mode.undamped : mode.stiffness;
-    const double rate =
-      std::max(std::sqrt(mode.stiffness) / 2.4, std::sqrt(std::min(undamped, mode.stiffness)));
-    return 1.0 / std::max({rate, mode.decay / 3.2, 1e-300});
-  }
-
-  const Tableau& m_tableau;
-  std::array<std::array<double, kMostStages>, kMostStages>
-    m_squared{};                  ///< weights of the forces in positions
-  std::vector<NodeArray> m_force; ///< at the stages [N]
-  NodeArray m_x, m_v;
-  Rates m_rates; ///< at the first stage
-  bool m_started = false;
-};
+/// The stable region reaches to -3.3 on the real axis. It leaves the imaginary one at 1.0 but holds lightly
+/// damped modes up to 2.4 well enough: so only what has no damper must keep to 1.
+double stableStepOfFifthOrder(const FastestMode& mode) noexcept
+{
+  const double undamped = mode.leastDamping > 0.0 ? mode.undamped : mode.stiffness;
+  const double rate =
+    std::max(std::sqrt(mode.stiffness) / 2.4, std::sqrt(std::min(undamped, mode.stiffness)));
+  return 1.0 / std::max({rate, mode.decay / 3.2, 1e-300});
+}
 
 } // namespace
 
+RungeKutta::RungeKutta(const RungeKuttaTableau& tableau) : m_tableau(tableau)
+{
+  for (std::size_t i = 0; i < stages(); ++i)
+    for (std::size_t j = 1; j <= i; ++j)
+      for (std::size_t k = 0; k < j; ++k) m_squared[i][k] += tableau.weight[i][j] * tableau.weight[j - 1][k];
+}
+
+void RungeKutta::prepare(const System& system)
+{
+  m_force.resize(stages());
+  for (NodeArray& array : m_force) array.assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+  m_x = m_v = m_force[0];
+  m_started = false;
+}
+
+double RungeKutta::stepCost(const System& system, double /*h*/)
+{
+  return static_cast<double>(rows()) * system.forces().passCost() +
+         m_tableau.cost * static_cast<double>(system.nodeCount());
+}
+
+double RungeKutta::stableStep(const FastestMode& mode) const noexcept
+{
+  return m_tableau.firstIsLast ? stableStepOfFifthOrder(mode) : stableStepOfFourthOrder(mode);
+}
+
+StepResult RungeKutta::step(System& system, MotionState& state, double h, double end, StepReport& report)
+{
+  if (!m_started) m_rates = system.evaluate(state.time, state.x, state.v, m_force[0]);
+  const auto& last = m_tableau.weight[stages() - 1];
+  Rates sum{last[0] * m_rates.work, last[0] * m_rates.heat}, rates;
+  for (std::size_t i = 0; i < rows(); ++i) {
+    sumRow(i, h, system, state);
+    if (i + 1 == stages()) break;
+    const double node = m_tableau.node[i + 1], t = node < 1.0 ? state.time + node * h : end;
+    rates = system.evaluate(t, m_x, m_v, m_force[i + 1]);
+    sum.work += last[i + 1] * rates.work;
+    sum.heat += last[i + 1] * rates.heat;
+  }
+  if (!m_tableau.firstIsLast) system.place(end, m_x, m_v);
+  ++report.steps;
+  if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
+  m_started = m_tableau.firstIsLast;
+  if (m_started) {
+    std::swap(m_force.front(), m_force.back());
+    m_rates = rates;
+  }
+  state.advanceTo(end, m_x, m_v, h * sum.work, h * sum.heat);
+  return StepResult::Done;
+}
+
+void RungeKutta::sumRow(std::size_t i, double h, const System& system, const MotionState& state) noexcept
+{
+  Sums row{i + 1 < stages() ? m_tableau.node[i + 1] * h : h,
+           h,
+           m_tableau.weight[i],
+           m_squared[i],
+           {},
+           system.inverseMass().data()};
+  for (std::size_t j = 0; j <= i; ++j) row.force[j] = m_force[j].data();
+  system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+    combine(static_cast<int>(i) + 1, first, count, row, state.x.data(), state.v.data(), m_x.data(),
+            m_v.data());
+  });
+}
+
 std::unique_ptr<Integrator> makeRungeKutta4()
 {
-  return std::make_unique<RungeKutta>(kClassical);
+  return std::make_unique<RungeKutta>(kClassicalRungeKutta);
 }
 
 std::unique_ptr<Integrator> makeDormandPrince()

@@ -37,7 +37,8 @@ protected:
   bool isImplicit() const { return std::string(GetParam()) == "implicit"; }
 };
 INSTANTIATE_TEST_SUITE_P(Solvers, Conservation,
-                         ::testing::Values("leapfrog", "chebyshev", "verlet", "rk4", "dopri5", "implicit"),
+                         ::testing::Values("leapfrog", "chebyshev", "verlet", "stoermer", "rk4", "dopri5",
+                                           "implicit"),
                          [](const auto& solver) { return std::string(solver.param); });
 
 /// A net at rest length everywhere.

@@ -253,7 +253,8 @@ double leastVolume(double bulk, const std::string& solver)
 TEST(Pressure, KeepsTheVolumeUnderGravityAndAPoke)
 {
   EXPECT_LT(leastVolume(0.0, "verlet"), 0.97);
-  for (const char* solver : {"auto", "leapfrog", "verlet", "rk4", "implicit", "multirate", "lie", "descent"})
+  for (const char* solver :
+       {"auto", "leapfrog", "verlet", "stoermer", "rk4", "implicit", "multirate", "lie", "descent"})
     EXPECT_GT(leastVolume(2e5, solver), 0.99) << solver;
   EXPECT_GT(leastVolume(2e5, "wavefront"), 0.98);
 }

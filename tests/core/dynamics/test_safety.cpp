@@ -56,7 +56,7 @@ TEST(Safety, CreateRefusesWhatCannotBe)
   EXPECT_TRUE(contains(errorOf(net, twice), "motions 0 and 1"));
   SolverSettings settings;
   settings.solver = "magic";
-  EXPECT_TRUE(contains(errorOf(net, {}, settings), "auto, leapfrog, chebyshev, verlet, rk4"));
+  EXPECT_TRUE(contains(errorOf(net, {}, settings), "auto, leapfrog, chebyshev, verlet, stoermer, rk4"));
   settings = {};
   settings.tolerance = 0.0;
   EXPECT_TRUE(contains(errorOf(net, {}, settings), "tolerance"));
@@ -157,7 +157,7 @@ TEST(Safety, RunawayIsCaughtAndTheLastGoodStateKept)
 // state of before.
 TEST(Safety, AbsurdForceIsRefusedWithAFiniteState)
 {
-  for (const char* solver : {"auto", "verlet", "rk4", "implicit"}) {
+  for (const char* solver : {"auto", "verlet", "stoermer", "rk4", "implicit"}) {
     Loads loads;
     loads.forces.push_back({{1}, constant({1e305, 0, 0})});
     SolverSettings settings;
