@@ -5,67 +5,73 @@
 #include "core/dynamics/stoermer_limits.h"
 #include "core/forces/spring_pass.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
 namespace esm {
 namespace {
 
-/// StoermerWeights of the accelerations at the last instants, the latest first.
-using StoermerWeights = std::array<double, StoermerLimits::kDepth>;
-
-/// x'' by the differences of a up to the third: (1 + nabla^2/12 + nabla^3/12) a_n
-constexpr StoermerWeights kKick = {14.0 / 12, -5.0 / 12, 4.0 / 12, -1.0 / 12};
-/// The integral of s a(t_n + s h) over a step for v = (x - x_before)/h + h sum w_i a_i at the step's end:
-/// through a_n and the two before, through a_n and the one before, and with the end's own acceleration first.
-constexpr StoermerWeights kAhead = {27.0 / 24, -22.0 / 24, 7.0 / 24, 0.0};
-constexpr StoermerWeights kRoughlyAhead = {20.0 / 24, -8.0 / 24, 0.0, 0.0};
-constexpr StoermerWeights kHere = {7.0 / 24, 6.0 / 24, -1.0 / 24, 0.0};
-constexpr StoermerWeights kAtEnd = {97.0 / 360, 114.0 / 360, -39.0 / 360, 8.0 / 360};
-
 /// Where the sweeps find things.
 struct StoermerSweep {
   double h;
   const double* inverseMass;
   std::array<const Lanes*, StoermerLimits::kDepth> force; ///< the latest first [N]
+};
 
-  ESM_INLINE Lanes sum(const StoermerWeights& weight, std::size_t terms, std::size_t i) const noexcept
+/// Forces at a node and their backward differences.
+struct StoermerForces {
+  Lanes now, first, second, third;
+
+  ESM_INLINE StoermerForces(const StoermerSweep& sweep, std::size_t i) noexcept
   {
-    Lanes total = force[0][i] * weight[0];
-    for (std::size_t j = 1; j < terms; ++j) total += force[j][i] * weight[j];
-    return total * (h * inverseMass[i]);
+    now = sweep.force[0][i];
+    const Lanes one = sweep.force[1][i], two = sweep.force[2][i], three = sweep.force[3][i];
+    first = now - one;
+    second = first - (one - two);
+    third = second - (one - two) + (two - three);
   }
 };
 
-/// u += h x''; x += h u; p' = u + h ahead + carry (p - v)
-ESM_CPU_CLONES void advanceAlone(const StoermerSweep& sweep, std::size_t count, Lanes* x, Lanes* u,
-                                 Lanes* p) noexcept
+/// u += h (1 + nabla^2/12 + nabla^3/12) a, x += h u
+ESM_INLINE void move(const StoermerForces& force, double s, double h, Lanes& x, Lanes& u) noexcept
+{
+  u += (force.now + (force.second + force.third) * (1.0 / 12)) * s;
+  x += u * h;
+}
+
+/// And p' = u + h (1/2 + nabla/3 + 7/24 nabla^2) a + c (p - v)
+ESM_CPU_CLONES void advanceAlone(const StoermerSweep& sweep, std::size_t count, Lanes* x, Lanes* u, Lanes* p,
+                                 Lanes* missed) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) {
-    const Lanes v = u[i] + sweep.sum(kHere, 3, i), missed = p[i] - v;
-    u[i] += sweep.sum(kKick, 4, i);
-    x[i] += u[i] * sweep.h;
-    p[i] = u[i] + sweep.sum(kAhead, 3, i) + missed * StoermerLimits::kCarry;
+    const StoermerForces force(sweep, i);
+    const double s = sweep.h * sweep.inverseMass[i];
+    move(force, s, sweep.h, x[i], u[i]);
+    missed[i] = missed[i] * StoermerLimits::kCarry - force.third * (7.0 / 24 * s);
+    p[i] = u[i] + (force.now * 0.5 + force.first * (1.0 / 3) + force.second * (7.0 / 24)) * s +
+           missed[i] * StoermerLimits::kCarry;
   }
 }
 
-/// u += h x''; x += h u; p' = u + h ahead
+/// And p' = u + h (1/2 + nabla/3) a
 ESM_CPU_CLONES void advanceCorrected(const StoermerSweep& sweep, std::size_t count, Lanes* x, Lanes* u,
                                      Lanes* p) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) {
-    u[i] += sweep.sum(kKick, 4, i);
-    x[i] += u[i] * sweep.h;
-    p[i] = u[i] + sweep.sum(kRoughlyAhead, 2, i);
+    const StoermerForces force(sweep, i);
+    const double s = sweep.h * sweep.inverseMass[i];
+    move(force, s, sweep.h, x[i], u[i]);
+    p[i] = u[i] + (force.now * 0.5 + force.first * (1.0 / 3)) * s;
   }
 }
 
-/// missed = v - p of what is free
-ESM_CPU_CLONES void correctVelocity(const StoermerSweep& sweep, std::size_t count, const Lanes* u,
-                                    const Lanes* p, Lanes* missed) noexcept
+/// missed = v - p = 7/24 h nabla^2 a, with the forces at the step's end
+ESM_CPU_CLONES void missedVelocity(const StoermerSweep& sweep, std::size_t count, Lanes* missed) noexcept
 {
+  const auto& f = sweep.force;
   for (std::size_t i = 0; i < count; ++i)
-    missed[i] = (u[i] + sweep.sum(kHere, 3, i) - p[i]) * (sweep.inverseMass[i] > 0.0 ? 1.0 : 0.0);
+    missed[i] = (f[0][i] - f[1][i] * 2.0 + f[2][i]) * (7.0 / 24 * sweep.h * sweep.inverseMass[i]);
 }
 
 /// force -= c missed
@@ -75,34 +81,33 @@ ESM_CPU_CLONES void dragMissed(std::size_t count, const double* viscosity, const
   for (std::size_t i = 0; i < count; ++i) force[i] -= missed[i] * viscosity[i];
 }
 
-/// v = u + h sum
-ESM_CPU_CLONES void closeVelocity(const StoermerSweep& sweep, std::size_t count, const Lanes* u,
-                                  Lanes* v) noexcept
+/// From the mean velocity of a step to that at its end, with the forces there, or back:
+/// to = from + sign h (1/2 - nabla/6 - nabla^2/24 - nabla^3/45) a
+ESM_CPU_CLONES void addHalfStep(const StoermerSweep& sweep, double sign, std::size_t count, const Lanes* from,
+                                Lanes* to) noexcept
 {
-  for (std::size_t i = 0; i < count; ++i) v[i] = u[i] + sweep.sum(kAtEnd, 4, i);
-}
-
-/// u = v - h sum, the other way round
-ESM_CPU_CLONES void meanVelocity(const StoermerSweep& sweep, std::size_t count, const Lanes* v,
-                                 Lanes* u) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) u[i] = v[i] - sweep.sum(kAtEnd, 4, i);
+  for (std::size_t i = 0; i < count; ++i) {
+    const StoermerForces force(sweep, i);
+    to[i] = from[i] + (force.now * 0.5 - force.first * (1.0 / 6) - force.second * (1.0 / 24) -
+                       force.third * (1.0 / 45)) *
+                        (sign * sweep.h * sweep.inverseMass[i]);
+  }
 }
 
 /// Stoermer's explicit multistep method of fourth order (Stoermer 1907; Hairer, Noersett, Wanner, Solving
 /// Ordinary Differential Equations I, III.10), with u the mean velocity of a step:
 ///
-///     u' = u + h (14 a_n - 5 a_{n-1} + 4 a_{n-2} - a_{n-3})/12,     x' = x + h u'
+///     u' = u + h (1 + nabla^2/12 + nabla^3/12) a,     x' = x + h u',     nabla a = a_n - a_{n-1}
 ///
 /// One force pass per step, and stable up to h w = 1.4: per pass twice as far as the classical Runge-Kutta
 /// method, whose error at equal work is fifty times larger (h^4 w^4/25 of a mode's phase against 2 h^4 w^4).
 ///
 /// It is made for x'' = f(x). Viscous forces need the velocity at the step's end: it is foretold from what
-/// came before, p = u' + h (27 a_n - 22 a_{n-1} + 7 a_{n-2})/24 + c (p - v), where the last term carries over
-/// a share of what was foretold wrongly, as in Verlet. That bears h g < 0.4. Where dampers ask for more, the
-/// velocity is foretold roughly and corrected once the forces are known, v = u' + h (7 a_{n+1} + 6 a_n -
-/// a_{n-1})/24, and the viscous forces are repeated for the difference, with the springs' directions held:
-/// for half a force pass more it bears h g < 2.6. See StoermerLimits.
+/// came before, p = u' + h (1/2 + nabla/3 + 7/24 nabla^2) a + c (p - v), where the last term carries over a
+/// share of what was foretold wrongly, as in Verlet. That bears h g < 0.4. Where dampers ask for more, the
+/// velocity is foretold without the second difference and corrected once the forces are known: the
+/// difference, 7/24 h nabla^2 a with these, goes through the dampers once more, with the springs' directions
+/// held. For half a force pass more that bears h g < 2.6. See StoermerLimits.
 ///
 /// Three steps by Runge-Kutta make the past that it needs, after each change of the step's length too.
 class Stoermer final : public Integrator {
@@ -127,7 +132,7 @@ public:
     const auto nodes = static_cast<double>(system.nodeCount());
     const auto springs = static_cast<double>(system.forces().activeSprings());
     m_aloneCost = system.forces().passCost() + 1.4 * nodes; // measured
-    m_correctedCost = m_aloneCost + 0.6 * springs + 1.2 * nodes;
+    m_correctedCost = m_aloneCost + 0.6 * springs + 0.8 * nodes;
     m_limits = StoermerLimits(mode);
     // Steps must be that much longer to be worth a correction.
     m_corrects = m_limits.corrected * m_aloneCost > m_limits.alone * m_correctedCost;
@@ -168,10 +173,8 @@ public:
     if (done == steps) return StepResult::Done;
     if (!m_isOpen) {
       m_rates.front() = system.evaluate(state.time, state.x, state.v, m_force.front());
-      m_p = state.v; // same size: no allocation
-      system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-        meanVelocity(sweepFrom(system, f), n, state.v.data() + f, m_u.data() + f);
-      });
+      std::fill(m_missed.begin(), m_missed.end(), Lanes{0, 0, 0, 0});
+      halfStep(system, -1.0, state.v, m_u);
     }
     m_isOpen = false; // until it is known to have gone well
     m_x = state.x;
@@ -236,8 +239,10 @@ private:
   {
     system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
       const auto sweep = sweepFrom(system, f);
-      const auto move = withCorrection ? advanceCorrected : advanceAlone;
-      move(sweep, n, m_x.data() + f, m_u.data() + f, m_p.data() + f);
+      if (withCorrection)
+        advanceCorrected(sweep, n, m_x.data() + f, m_u.data() + f, m_p.data() + f);
+      else
+        advanceAlone(sweep, n, m_x.data() + f, m_u.data() + f, m_p.data() + f, m_missed.data() + f);
     });
     turn();
   }
@@ -249,7 +254,7 @@ private:
     if (!withCorrection) return system.evaluate(t, m_x, m_p, force);
     const Rates rates = system.evaluate(t, m_x, m_p, force, m_damper.data());
     system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      correctVelocity(sweepFrom(system, f), n, m_u.data() + f, m_p.data() + f, m_missed.data() + f);
+      missedVelocity(sweepFrom(system, f), n, m_missed.data() + f);
     });
     system.addDamping(m_damper.data(), m_missed, force);
     if (const auto& viscosity = system.forces().nodeViscosity(); !viscosity.empty())
@@ -259,12 +264,17 @@ private:
     return rates;
   }
 
+  void halfStep(const System& system, double sign, const NodeArray& from, NodeArray& to) const noexcept
+  {
+    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
+      addHalfStep(sweepFrom(system, f), sign, n, from.data() + f, to.data() + f);
+    });
+  }
+
   StepResult finish(System& system, MotionState& state, double end, double work, double heat) noexcept
   {
-    NodeArray& v = m_missed;
-    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      closeVelocity(sweepFrom(system, f), n, m_u.data() + f, v.data() + f);
-    });
+    NodeArray& v = m_p;
+    halfStep(system, 1.0, m_u, v);
     system.place(end, m_x, v);
     if (!allFinite(m_x, v)) return StepResult::NonFinite;
     state.advanceTo(end, m_x, v, work, heat);
