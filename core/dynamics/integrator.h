@@ -59,6 +59,7 @@ public:
 enum class MethodRole {
   Explicit,
   Local, ///< explicit with local steps: laid out and weighed only where few springs hold up many
+  ExplicitByName,
   Implicit,
   ByName
 };

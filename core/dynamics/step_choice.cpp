@@ -250,7 +250,7 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     const bool isLocal = candidate.role == MethodRole::Local;
-    if (!isExplicit(candidate) || (isLocal && !isHeldUp())) continue;
+    if (!competes(candidate) || (isLocal && !isHeldUp())) continue;
     if (isLocal && !candidate.prepared) {
       layOut(method, system); // its classes tell its step
       if (!candidate.isMeasured) guessStep(candidate);

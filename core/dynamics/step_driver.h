@@ -112,9 +112,13 @@ private:
     std::vector<Knowledge> known; ///< of each candidate before it: what is learned in it holds in it
   };
 
-  static bool isExplicit(const Candidate& candidate) noexcept
+  static bool competes(const Candidate& candidate) noexcept
   {
     return candidate.role == MethodRole::Explicit || candidate.role == MethodRole::Local;
+  }
+  static bool isExplicit(const Candidate& candidate) noexcept
+  {
+    return competes(candidate) || candidate.role == MethodRole::ExplicitByName;
   }
   /// The largest stable step [s]. The bound is exact only for a frozen net; stiffening springs get a margin
   /// until the next look.
