@@ -42,8 +42,6 @@ constexpr double kFarTooGood = 0.2; ///< of the budget: who errs less need not s
 /// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
 /// and of parts, that make cutting the stretch worth while.
 constexpr double kOnsetError = 20.0, kOnsetParts = 16.0;
-/// After the event, in which an onset may begin [s]: in any stretch of the first frame.
-constexpr double kLatestOnset = 0.9 * kFrame;
 constexpr double kOnsetShare = 1.0 / 16.0; ///< of a frame: what each part may err as much as
 
 /// To the step that would just spend the budget, of which the present one spends this share. Errors of high

@@ -79,6 +79,8 @@ private:
   /// Energy may grow by this much in a stretch without cause: explicit steps stir up the fastest modes a
   /// little at their limit.
   static constexpr double kCoarseGrowth = 0.05;
+  /// After an event, in which an onset may begin [s]: in any stretch of the first frame.
+  static constexpr double kLatestOnset = 0.9 * kFrame;
   static constexpr int kSettling = 2;   ///< checks before a method that has just been chosen may be left
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
