@@ -275,7 +275,10 @@ private:
     NodeArray& v = m_p;
     halfStep(system, 1.0, m_u, v);
     system.place(end, m_x, v);
-    if (!allFinite(m_x, v)) return StepResult::NonFinite;
+    if (!allFinite(m_x, v)) {
+      forget();
+      return StepResult::NonFinite;
+    }
     state.advanceTo(end, m_x, v, work, heat);
     m_isOpen = true;
     return StepResult::Done;
