@@ -132,9 +132,8 @@ double StepDriver::addingUp(const Candidate& candidate, const System& system, co
                             const NodeArray& otherV, const MotionState& state) const noexcept
 {
   constexpr double kAlong = 0.4; // and more: nothing is an offset
-  const bool isDamped = m_mode.damping * m_mode.damping > m_mode.stiffness;
   const bool isSteady = m_gauge.scale().calm > kLatestOnset && !m_gauge.awaitsRelease(m_start.time);
-  if (!(candidate.offset > 0.0) || !isDamped || !isSteady || m_look.steps == 0) return 1.0;
+  if (!(candidate.offset > 0.0) || !isDamped() || !isSteady || m_look.steps == 0) return 1.0;
   const double along = m_gauge.alongMotion(system, otherX, otherV, state);
   return 1.0 - candidate.offset * (1.0 - std::min(along / kAlong, 1.0));
 }

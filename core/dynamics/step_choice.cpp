@@ -241,6 +241,12 @@ bool StepDriver::isHeldUp() const noexcept
   return kFrame / explicitLimit() > kManySteps;
 }
 
+/// Whether dampers brake the fastest waves more than springs throw them.
+bool StepDriver::isDamped() const noexcept
+{
+  return m_mode.damping * m_mode.damping > m_mode.stiffness;
+}
+
 /// Among those that compete.
 /// @param patience  the present one's cost counts as this share of it: a change must pay
 StepDriver::Method StepDriver::cheapestExplicit(const System& system, double patience)
@@ -335,10 +341,10 @@ void StepDriver::choose(System& system, const MotionState&)
 void StepDriver::reconsider(System& system, std::optional<Method> proven)
 {
   if (!m_auto || (--m_settled > 0 && !proven)) return;
-  // What a jerk asks for is soon over: at coarse tolerances nobody changes for a little because of it.
+  // What a jerk asks for is soon over in a damped net: at coarse tolerances nobody changes for a little then.
   const bool isJerk =
     m_settings.tolerance >= kLooseTolerance && m_gauge.scale().calm <= kLatestOnset && m_onset.longest <= 0.0;
-  const double patience = isJerk ? 0.7 : 0.9;
+  const double patience = isJerk && isDamped() ? 0.7 : 0.9;
   const Method before = m_method;
   const bool tooDear = toleranceIsTooDear(system);
   if (before == m_implicit) {

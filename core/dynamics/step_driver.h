@@ -141,6 +141,7 @@ private:
   double explicitDiscount() const noexcept;
   double spendable(const Candidate& candidate) const noexcept;
   bool isHeldUp() const noexcept;
+  bool isDamped() const noexcept;
   void setBound(const System& system, const MotionState& state);
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);
