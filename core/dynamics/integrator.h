@@ -31,11 +31,15 @@ public:
   virtual void constraintsChanged(const System& /*system*/) { restart(); }
   /// From state.time to `end` = state.time + h, no event in between. If the result is not Done, `state` is
   /// untouched. After tune().
-  virtual StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) = 0;
+  /// The default is a run of one step, for methods that take all their steps in run().
+  virtual StepResult step(System& system, MotionState& state, double /*h*/, double end, StepReport& report)
+  {
+    return run(system, state, end, 1, report);
+  }
 
   /// `steps` equal steps to `end`, no event in between, for methods that do better than one by one; the
   /// default takes them one by one, and where an implicit solver finds no solution, in up to 256 parts each.
-  /// If the result is not Done, `state` is at the last good step.
+  /// If the result is not Done, `state` is at the last good step. A method has its own of step() or of run().
   virtual StepResult run(System& system, MotionState& state, double end, std::int64_t steps,
                          StepReport& report);
   /// The bounds of the motion have changed.

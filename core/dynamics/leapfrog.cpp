@@ -162,12 +162,6 @@ public:
   }
   double stepCost(const System&, double h) override { return costOf(placeFor(h)) * m_plainCost; }
 
-  StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
-  {
-    static_cast<void>(h);
-    return run(system, state, end, 1, report);
-  }
-
   StepResult run(System& system, MotionState& state, double end, std::int64_t steps,
                  StepReport& report) override
   {
@@ -226,9 +220,8 @@ private:
   /// next look.
   std::size_t placeFor(double h) const noexcept
   {
-    constexpr double kRoom = 0.88; // 0.95 was seen to fail
     for (std::size_t i = 0; i < m_best; ++i)
-      if (h <= kRoom * m_limit[i]) return i;
+      if (h <= kRoomForMotion * m_limit[i]) return i;
     return m_best;
   }
 

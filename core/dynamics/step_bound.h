@@ -25,6 +25,10 @@ struct FastestMode {
   double springStiffness = 0.0; ///< sum over that node's springs, anchors and tools [N/m]
 };
 
+/// Of a step that is stable now, how much is taken when stages and predictions are chosen: room for what the
+/// net's motion does to the limits until the next look; 0.95 was seen to fail.
+inline constexpr double kRoomForMotion = 0.88;
+
 /// Finds FastestMode from the springs' tangents at the present positions.
 ///
 /// With B the matrix of spring directions, the axial part of M^-1 K has the eigenvalues of the S x S matrix

@@ -146,12 +146,6 @@ public:
   }
   double stepCost(const System&, double h) override { return corrects(h) ? m_correctedCost : m_aloneCost; }
 
-  StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
-  {
-    static_cast<void>(h);
-    return run(system, state, end, 1, report);
-  }
-
   StepResult run(System& system, MotionState& state, double end, std::int64_t steps,
                  StepReport& report) override
   {
@@ -203,11 +197,7 @@ private:
 
   static constexpr std::size_t kPast = StoermerLimits::kDepth - 1; ///< forces before the present one
 
-  bool corrects(double h) const noexcept
-  {
-    constexpr double kRoom = 0.88; // as in leapfrog.cpp
-    return m_corrects && h > kRoom * m_limits.alone;
-  }
+  bool corrects(double h) const noexcept { return m_corrects && h > kRoomForMotion * m_limits.alone; }
   StoermerSweep sweepFrom(const System& system, std::size_t first) const noexcept
   {
     StoermerSweep sweep{m_h, system.inverseMass().data() + first, {}};

@@ -85,12 +85,6 @@ public:
     return 2.0 / (linear + std::sqrt(linear * linear + mode.stiffness));
   }
 
-  StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
-  {
-    static_cast<void>(h);
-    return run(system, state, end, 1, report);
-  }
-
   StepResult run(System& system, MotionState& state, double end, std::int64_t steps,
                  StepReport& report) override
   {
@@ -133,8 +127,7 @@ private:
   /// look.
   double carryFor(double h) const noexcept
   {
-    constexpr double kRoom = 0.88; // as in leapfrog.cpp
-    const double longer = h / kRoom, left = 1.0 - 0.25 * m_mode.stiffness * longer * longer;
+    const double longer = h / kRoomForMotion, left = 1.0 - 0.25 * m_mode.stiffness * longer * longer;
     const double needed = m_mode.damping * longer / left - 1.0;
     return left > 0.0 && needed < kMostCarry ? std::max(needed, 0.0) : kMostCarry;
   }

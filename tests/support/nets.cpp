@@ -113,4 +113,12 @@ SpringNet randomNet(std::uint32_t seed, Index nodes, SpringLaw law)
   return net;
 }
 
+SpringNet relaxed(std::uint32_t seed, Index nodes)
+{
+  SpringNet net = randomNet(seed, nodes);
+  for (Index s = 0; s < net.springCount(); ++s)
+    net.restLength[s] = (net.restPosition.col(net.ends(0, s)) - net.restPosition.col(net.ends(1, s))).norm();
+  return net;
+}
+
 } // namespace esm::test

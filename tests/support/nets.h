@@ -18,6 +18,9 @@ SpringNet chain(Index nodes, double spacing = 1.0, double k = 1.0);
 /// rest length, mass and law parameter random within a decade. The seed fixes everything.
 SpringNet randomNet(std::uint32_t seed, Index nodes, SpringLaw law = SpringLaw::Linear);
 
+/// The same, each spring as long as it rests.
+SpringNet relaxed(std::uint32_t seed, Index nodes = 40);
+
 /// A square sheet of n x n nodes in the plane z = 0, with edges along x, y and one diagonal.
 SpringNet sheet(Index n, double spacing, double k);
 

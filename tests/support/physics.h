@@ -60,6 +60,16 @@ inline Eigen::MatrixXd axialMatrix(const SpringNet& net, const Eigen::ArrayXd& s
   return k;
 }
 
+/// M^-1/2 K M^-1/2 of springs at rest length (only the axial part), dense.
+inline Eigen::MatrixXd scaledMatrix(const SpringNet& net, const Eigen::ArrayXd& stiffness)
+{
+  Eigen::MatrixXd k = axialMatrix(net, stiffness);
+  const Eigen::Index n = k.rows();
+  for (Eigen::Index i = 0; i < n; ++i)
+    for (Eigen::Index j = 0; j < n; ++j) k(i, j) /= std::sqrt(net.mass[i / 3] * net.mass[j / 3]);
+  return k;
+}
+
 /// kinetic + elastic + gravity + heat - work: constant in time, whatever happens.
 inline double balance(const Simulation& simulation)
 {

@@ -41,21 +41,12 @@ INSTANTIATE_TEST_SUITE_P(Solvers, Conservation,
                                            "implicit"),
                          [](const auto& solver) { return std::string(solver.param); });
 
-/// A net at rest length everywhere.
-SpringNet relaxedNet()
-{
-  SpringNet net = randomNet(4, 12);
-  for (Index s = 0; s < net.springCount(); ++s)
-    net.restLength[s] = (net.restPosition.col(net.ends(0, s)) - net.restPosition.col(net.ends(1, s))).norm();
-  return net;
-}
-
 } // namespace
 
 // A net that flies straight on stays as it is: no spring is stretched, no damper works.
 TEST_P(Conservation, TranslationCostsNoEnergy)
 {
-  SpringNet net = relaxedNet();
+  SpringNet net = relaxed(4, 12);
   net.initialVelocity = Eigen::Vector3d(1.0, -2.0, 0.5).replicate(1, net.nodeCount());
   Simulation simulation = simulate(net, {}, settings(1e-3));
   const double kinetic = simulation.energies().kinetic;

@@ -7,6 +7,7 @@
 #include "core/dynamics/spectral_radius.h"
 #include "core/dynamics/step_bound.h"
 #include "tests/support/nets.h"
+#include "tests/support/one_mass.h"
 #include "tests/support/physics.h"
 
 #include <Eigen/Eigenvalues>
@@ -29,16 +30,6 @@ FastestMode boundOf(const SpringNet& net)
   return bound.compute(system, state.x, state.v);
 }
 
-/// M^-1/2 K M^-1/2 of springs at rest length (only the axial part), dense.
-Eigen::MatrixXd scaledMatrix(const SpringNet& net, const Eigen::ArrayXd& stiffness)
-{
-  Eigen::MatrixXd k = axialMatrix(net, stiffness);
-  const Eigen::Index n = k.rows();
-  for (Eigen::Index i = 0; i < n; ++i)
-    for (Eigen::Index j = 0; j < n; ++j) k(i, j) /= std::sqrt(net.mass[i / 3] * net.mass[j / 3]);
-  return k;
-}
-
 double exactStiffness(const SpringNet& net)
 {
   const Eigen::MatrixXd k = scaledMatrix(net, net.stiffness);
@@ -57,14 +48,6 @@ double exactDecay(const SpringNet& net)
   for (const std::complex<double>& root : companion.eigenvalues())
     if (std::abs(root.imag()) < 1e-6 * std::abs(root)) fastest = std::max(fastest, -root.real());
   return fastest;
-}
-
-SpringNet relaxed(std::uint32_t seed, Index nodes = 40)
-{
-  SpringNet net = randomNet(seed, nodes);
-  for (Index s = 0; s < net.springCount(); ++s)
-    net.restLength[s] = (net.restPosition.col(net.ends(0, s)) - net.restPosition.col(net.ends(1, s))).norm();
-  return net;
 }
 
 /// The spectral radius of one leapfrog step with this damping, by the eigenvectors of the damping matrix.
@@ -96,20 +79,8 @@ FastestMode verletMode(double damping)
 /// What is left of its displacement of 1 m along the spring after so many steps of velocity Verlet, or NaN.
 double verletEnd(double damping, double h, int steps)
 {
-  SpringNet net = chain(2, 1e4, 1e6);
-  net.fixed[0] = 1;
-  net.viscosity[0] = damping;
-  System system(net, {});
-  MotionState motion;
-  motion.x = {Lanes{0, 0, 0, 0}, Lanes{1e4 + 1.0, 0, 0, 0}};
-  motion.v.assign(2, Lanes{0, 0, 0, 0});
-  system.enter(motion, true);
-  const auto verlet = makeIntegrator("verlet");
-  verlet->prepare(system);
-  verlet->tune(system, verletMode(damping));
-  StepReport report;
-  const StepResult result = verlet->run(system, motion, h * steps, steps, report);
-  return result == StepResult::Done ? motion.x[1][0] - 1e4 : std::nan("");
+  OneMass mass("verlet", 1000.0, damping, verletMode(damping));
+  return mass.run(h * steps, steps) == StepResult::Done ? mass.displacement() : std::nan("");
 }
 
 } // namespace

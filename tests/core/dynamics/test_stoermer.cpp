@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 // Stoermer's multistep method: how far it is stable, and what it keeps from one run to the next.
-#include "core/dynamics/integrator.h"
 #include "core/dynamics/stoermer_limits.h"
 #include "tests/support/nets.h"
+#include "tests/support/one_mass.h"
 #include "tests/support/physics.h"
 
 #include <Eigen/Eigenvalues>
@@ -42,15 +42,6 @@ double growthOfMode(double w, double g, double h, bool corrected)
 {
   const MatrixXd one = MatrixXd::Identity(1, 1);
   return growthPerStep(h * h * w * w * one, h * g * one, corrected);
-}
-
-/// A mass of 1 kg at w [1/s] on a spring of 10 km, so that nothing turns.
-SpringNet oscillator(double w, double damping)
-{
-  SpringNet net = chain(2, 1e4, w * w);
-  net.fixed[0] = 1;
-  net.viscosity[0] = damping;
-  return net;
 }
 
 } // namespace
@@ -102,23 +93,13 @@ TEST(Stoermer, NoStepUpToTheLimitLetsANetGrow)
 {
   for (std::uint32_t seed = 1; seed <= 5; ++seed)
     for (const double damped : {0.05, 0.2, 0.5, 1.0, 3.0}) {
-      SpringNet net = randomNet(seed, 8);
-      for (Index s = 0; s < net.springCount(); ++s)
-        net.restLength[s] =
-          (net.restPosition.col(net.ends(0, s)) - net.restPosition.col(net.ends(1, s))).norm();
-      const auto scaled = [&](const Eigen::ArrayXd& stiffness) {
-        MatrixXd matrix = axialMatrix(net, stiffness);
-        for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-          for (Eigen::Index j = 0; j < matrix.cols(); ++j)
-            matrix(i, j) /= std::sqrt(net.mass[i / 3] * net.mass[j / 3]);
-        return matrix;
-      };
-      const MatrixXd k = scaled(net.stiffness);
+      SpringNet net = relaxed(seed, 8);
+      const MatrixXd k = scaledMatrix(net, net.stiffness);
       const double fastest = std::sqrt(Eigen::SelfAdjointEigenSolver<MatrixXd>(k).eigenvalues().maxCoeff());
       net.viscosity = net.stiffness * (2.0 * damped / fastest);
       for (Index s = 0; s < net.springCount(); ++s)
         net.viscosity[s] *= 0.4 + 0.2 * static_cast<double>(s % 4);
-      const MatrixXd d = scaled(net.viscosity);
+      const MatrixXd d = scaledMatrix(net, net.viscosity);
       FastestMode mode;
       mode.stiffness = fastest * fastest;
       mode.damping = Eigen::SelfAdjointEigenSolver<MatrixXd>(d).eigenvalues().maxCoeff();
@@ -139,27 +120,17 @@ TEST(Stoermer, NoStepUpToTheLimitLetsANetGrow)
 TEST(Stoermer, RunsGoOnWhereTheLastOneEnded)
 {
   for (const double damping : {20.0, 2500.0}) {
-    const SpringNet net = oscillator(1000.0, damping);
     const auto endAfter = [&](int runs, std::int64_t& evaluated) {
-      System system(net, {});
-      MotionState motion;
-      motion.x = {Lanes{0, 0, 0, 0}, Lanes{1e4 + 1.0, 0, 0, 0}};
-      motion.v.assign(2, Lanes{0, 0, 0, 0});
-      system.enter(motion, true);
-      const auto stoermer = makeIntegrator("stoermer");
-      stoermer->prepare(system);
       FastestMode mode;
       mode.stiffness = 1e6;
       mode.damping = mode.decay = damping;
       mode.leastDamping = 1e-6 * damping;
-      stoermer->tune(system, mode);
-      const double h = 0.9 * stoermer->stableStep(mode);
-      StepReport report;
-      system.springsEvaluated = 0;
-      for (int i = 1; i <= runs; ++i)
-        EXPECT_EQ(stoermer->run(system, motion, 80.0 * h * i / runs, 80 / runs, report), StepResult::Done);
-      evaluated = system.springsEvaluated;
-      return motion.x[1][0] - 1e4;
+      OneMass mass("stoermer", 1000.0, damping, mode);
+      const double h = 0.9 * mass.method->stableStep(mode);
+      mass.system.springsEvaluated = 0;
+      for (int i = 1; i <= runs; ++i) EXPECT_EQ(mass.run(80.0 * h * i / runs, 80 / runs), StepResult::Done);
+      evaluated = mass.system.springsEvaluated;
+      return mass.displacement();
     };
     std::int64_t atOnce = 0, inParts = 0;
     const double end = endAfter(1, atOnce);
@@ -176,24 +147,15 @@ TEST(Stoermer, BothWaysAreOfFourthOrder)
   constexpr double kW = 100.0, kEnd = 0.05;
   for (const bool corrected : {false, true}) {
     const double g = corrected ? 150.0 : 30.0;
-    const SpringNet net = oscillator(kW, g);
     const auto errorWith = [&](std::int64_t steps) {
-      System system(net, {});
-      MotionState motion;
-      motion.x = {Lanes{0, 0, 0, 0}, Lanes{1e4 + 1.0, 0, 0, 0}};
-      motion.v.assign(2, Lanes{0, 0, 0, 0});
-      system.enter(motion, true);
-      const auto stoermer = makeIntegrator("stoermer");
-      stoermer->prepare(system);
       FastestMode mode; // of other parts of a net, which are damped well or hardly
       mode.stiffness = kW * kW;
       mode.damping = corrected ? 1e4 : g;
-      stoermer->tune(system, mode);
-      StepReport report;
-      EXPECT_EQ(stoermer->run(system, motion, kEnd, steps, report), StepResult::Done);
+      OneMass mass("stoermer", kW, g, mode);
+      EXPECT_EQ(mass.run(kEnd, steps), StepResult::Done);
       const double d = 0.5 * g, w = std::sqrt(kW * kW - d * d);
       const double exact = std::exp(-d * kEnd) * (std::cos(w * kEnd) + d / w * std::sin(w * kEnd));
-      return std::abs(motion.x[1][0] - 1e4 - exact);
+      return std::abs(mass.displacement() - exact);
     };
     // The first steps are Runge-Kutta's, and the rest rises with the fourth power and the fifth.
     EXPECT_NEAR(std::log2(errorWith(160) / errorWith(320)), 4.0, 0.4) << (corrected ? "corrected" : "alone");
