@@ -148,9 +148,10 @@ public:
 
   void tune(const System& system, const FastestMode& mode) noexcept override
   {
-    const auto springs = static_cast<double>(system.forces().activeSprings());
-    m_plainCost = std::max(system.forces().passCost() + system.sweepCost(0.6, 0.6), 1.0);
-    m_stageCost = (0.6 * springs + system.sweepCost(1.7, 2.4)) / m_plainCost; // measured
+    const auto springs = static_cast<double>(system.forces().activeSprings()),
+               nodes = static_cast<double>(system.nodeCount());
+    m_plainCost = std::max(system.forces().passCost() + 0.6 * nodes, 1.0);
+    m_stageCost = (0.6 * springs + 1.7 * nodes) / m_plainCost; // measured
     m_best = limitsAt(mode, m_limit);
     m_tuned = mode;
   }
@@ -247,23 +248,20 @@ private:
                    m_force.data() + f,
                    m_a.data() + f};
     };
-    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
+    const int last = damping.stages();
+    system.addDamping(m_damper.data(), m_d, m_force, [&](std::size_t f, std::size_t n) noexcept {
       firstStage(part(f, n), damping.first(), m_d.data() + f);
     });
-    for (int j = 2; j <= damping.stages(); ++j) {
-      system.addDamping(m_damper.data(), m_d, m_force);
-      if (j == damping.stages()) {
-        system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-          lastStage(part(f, n), damping.stage(j), j == 2, drift, m_d.data() + f, m_before.data() + f,
-                    m_v.data() + f, m_x.data() + f);
-        });
-      } else {
-        system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-          middleStage(part(f, n), damping.stage(j), j == 2, m_d.data() + f, m_before.data() + f);
-        });
-        std::swap(m_d, m_before);
-      }
+    for (int j = 2; j < last; ++j) {
+      system.addDamping(m_damper.data(), m_before, m_force, [&](std::size_t f, std::size_t n) noexcept {
+        middleStage(part(f, n), damping.stage(j), j == 2, m_d.data() + f, m_before.data() + f);
+      });
+      std::swap(m_d, m_before);
     }
+    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
+      lastStage(part(f, n), damping.stage(last), last == 2, drift, m_d.data() + f, m_before.data() + f,
+                m_v.data() + f, m_x.data() + f);
+    });
     return rates;
   }
 

@@ -19,6 +19,20 @@ constexpr double kMostDescentSteps = 16.0;     ///< of one stretch
 constexpr int kLongestDescent = 64;            ///< stretches before something else is tried again
 constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
 
+/// Of what limits steps.
+double relativeChange(const FastestMode& before, const FastestMode& after)
+{
+  const auto change = [](double from, double to, double whole) {
+    return whole > 0.0 ? std::abs(to - from) / whole : 0.0;
+  };
+  const double stiffness = std::max(before.stiffness, after.stiffness),
+               damping = std::max(before.damping, after.damping);
+  return std::max(
+    {change(before.stiffness, after.stiffness, stiffness), change(before.undamped, after.undamped, stiffness),
+     change(before.damping, after.damping, damping), change(before.decay, after.decay, damping),
+     change(before.leastDamping, after.leastDamping, std::max(before.leastDamping, after.leastDamping))});
+}
+
 } // namespace
 
 StepReport StepDriver::advance(System& system, MotionState& state, double interval, std::int64_t maxSteps)
@@ -317,6 +331,7 @@ void StepDriver::setBound(const System& system, const MotionState& state)
 {
   m_mode = m_bound.compute(system, state.x, state.v);
   m_sinceBound = 0.0;
+  m_boundPatience = 1.0;
   for (Candidate& candidate : m_candidates) candidate.integrator->tune(system, m_mode);
   weighLeastCost(system);
 }
@@ -329,12 +344,17 @@ double StepDriver::passesOf(const System& system, double step)
            : current().stepCost(system, step) / std::max(system.forces().passCost(), 1.0);
 }
 
-/// The bound costs about twenty passes. It follows what stiffens within some frames, and what turns and
-/// bends.
+/// A look at the bound costs up to seventy passes. It follows what stiffens within some frames, and what
+/// turns and bends; where it finds nothing new it comes less often.
 void StepDriver::refreshBound(const System& system, const MotionState& state)
 {
+  constexpr double kNew = 0.01, kLongest = 4.0;
   const double patience = m_method == m_implicit ? 32.0 : system.forces().isNonlinear() ? 384.0 : 768.0;
-  if (m_sinceBound >= patience) setBound(system, state);
+  if (m_sinceBound < m_boundPatience * patience) return;
+  const FastestMode before = m_mode;
+  const double longer = std::min(2.0 * m_boundPatience, kLongest);
+  setBound(system, state);
+  if (relativeChange(before, m_mode) <= kNew) m_boundPatience = longer;
 }
 
 FastestMode StepDriver::fastestMode(const System& system, const MotionState& state)

@@ -198,7 +198,8 @@ private:
   std::vector<Candidate> m_candidates; ///< in the table's order
   StepBound m_bound;
   FastestMode m_mode;
-  double m_sinceBound = 0.0; ///< work since m_mode was found, see refreshBound() [force passes]
+  double m_sinceBound = 0.0;    ///< work since m_mode was found, see refreshBound() [force passes]
+  double m_boundPatience = 1.0; ///< how much longer than usual it may be
   bool m_toleranceGivenUp = false;
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
   double m_leastCost = 0.0;             ///< of a frame, whatever the tolerance [spring evaluations]

@@ -66,19 +66,27 @@ ESM_CPU_CLONES void advanceCorrected(const StoermerSweep& sweep, std::size_t cou
   }
 }
 
-/// missed = v - p = 7/24 h nabla^2 a, with the forces at the step's end
-ESM_CPU_CLONES void missedVelocity(const StoermerSweep& sweep, std::size_t count, Lanes* missed) noexcept
+template <bool bedded>
+ESM_INLINE void missedVelocityAs(const StoermerSweep& sweep, std::size_t count, const double* viscosity,
+                                 Lanes* missed, Lanes* force) noexcept
 {
-  const auto& f = sweep.force;
-  for (std::size_t i = 0; i < count; ++i)
-    missed[i] = (f[0][i] - f[1][i] * 2.0 + f[2][i]) * (7.0 / 24 * sweep.h * sweep.inverseMass[i]);
+  for (std::size_t i = 0; i < count; ++i) {
+    const Lanes now = force[i];
+    const Lanes here =
+      (now - sweep.force[1][i] * 2.0 + sweep.force[2][i]) * (7.0 / 24 * sweep.h * sweep.inverseMass[i]);
+    missed[i] = here;
+    if constexpr (bedded) force[i] = now - here * viscosity[i];
+  }
 }
 
-/// force -= c missed
-ESM_CPU_CLONES void dragMissed(std::size_t count, const double* viscosity, const Lanes* missed,
-                               Lanes* force) noexcept
+/// missed = v - p = 7/24 h nabla^2 a, with the forces at the step's end; then those of the nodes' own dampers
+/// follow it.
+/// @param viscosity  of single nodes, or null
+ESM_CPU_CLONES void missedVelocity(const StoermerSweep& sweep, std::size_t count, const double* viscosity,
+                                   Lanes* missed, Lanes* force) noexcept
 {
-  for (std::size_t i = 0; i < count; ++i) force[i] -= missed[i] * viscosity[i];
+  viscosity ? missedVelocityAs<true>(sweep, count, viscosity, missed, force)
+            : missedVelocityAs<false>(sweep, count, nullptr, missed, force);
 }
 
 /// From the mean velocity of a step to that at its end, with the forces there, or back:
@@ -129,9 +137,10 @@ public:
   int order() const noexcept override { return 4; }
   void tune(const System& system, const FastestMode& mode) noexcept override
   {
-    const auto springs = static_cast<double>(system.forces().activeSprings());
-    m_aloneCost = system.forces().passCost() + system.sweepCost(1.4, 3.3);
-    m_correctedCost = m_aloneCost + 0.6 * springs + system.sweepCost(0.8, 0.8);
+    const auto springs = static_cast<double>(system.forces().activeSprings()),
+               nodes = static_cast<double>(system.nodeCount());
+    m_aloneCost = system.forces().passCost() + 1.4 * nodes; // measured, like the next
+    m_correctedCost = m_aloneCost + 0.6 * springs + 0.8 * nodes;
     m_limits = StoermerLimits(mode);
     // Steps must be that much longer to be worth a correction.
     m_corrects = m_limits.corrected * m_aloneCost > m_limits.alone * m_correctedCost;
@@ -174,8 +183,8 @@ public:
     double work = 0.0, heat = 0.0;
     report.steps += steps - done;
     while (done < steps) {
-      advance(system, withCorrection);
-      const Rates rates = evaluate(system, timeOf(++done), withCorrection);
+      turn();
+      const Rates rates = advance(system, timeOf(++done), withCorrection);
       const auto mean = [&](double Rates::*rate) { // Adams and Moulton's quadrature
         return (9.0 * rates.*rate + 19.0 * m_rates[1].*rate - 5.0 * m_rates[2].*rate + m_rates[3].*rate) /
                24.0;
@@ -198,10 +207,12 @@ private:
   static constexpr std::size_t kPast = StoermerLimits::kDepth - 1; ///< forces before the present one
 
   bool corrects(double h) const noexcept { return m_corrects && h > kRoomForMotion * m_limits.alone; }
-  StoermerSweep sweepFrom(const System& system, std::size_t first) const noexcept
+  /// @param latest  which forces count as the latest, those before it follow; the oldest may be at the front.
+  StoermerSweep sweepFrom(const System& system, std::size_t first, std::size_t latest = 0) const noexcept
   {
     StoermerSweep sweep{m_h, system.inverseMass().data() + first, {}};
-    for (std::size_t j = 0; j < m_force.size(); ++j) sweep.force[j] = m_force[j].data() + first;
+    for (std::size_t j = 0; j < m_force.size(); ++j)
+      sweep.force[j] = m_force[(latest + j) % m_force.size()].data() + first;
     return sweep;
   }
   /// Room at the front.
@@ -224,32 +235,25 @@ private:
     return StepResult::Done;
   }
 
-  void advance(const System& system, bool withCorrection) noexcept
+  /// A step to t after turn(), and the forces there into the front of the ring: where the oldest ones are
+  /// until the pass over the springs comes to their nodes.
+  Rates advance(System& system, double t, bool withCorrection) noexcept
   {
-    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      const auto sweep = sweepFrom(system, f);
+    NodeArray& force = m_force.front();
+    const auto move = [&](std::size_t f, std::size_t n) noexcept {
+      const auto sweep = sweepFrom(system, f, 1);
       if (withCorrection)
         advanceCorrected(sweep, n, m_x.data() + f, m_u.data() + f, m_p.data() + f);
       else
         advanceAlone(sweep, n, m_x.data() + f, m_u.data() + f, m_p.data() + f, m_missed.data() + f);
+    };
+    const Rates rates = system.evaluate(t, m_x, m_p, force, withCorrection ? m_damper.data() : nullptr, move);
+    if (!withCorrection) return rates;
+    const auto& viscosity = system.forces().nodeViscosity();
+    system.addDamping(m_damper.data(), m_missed, force, [&](std::size_t f, std::size_t n) noexcept {
+      missedVelocity(sweepFrom(system, f), n, viscosity.empty() ? nullptr : viscosity.data() + f,
+                     m_missed.data() + f, force.data() + f);
     });
-    turn();
-  }
-
-  /// Forces at t into the front of the ring.
-  Rates evaluate(System& system, double t, bool withCorrection) noexcept
-  {
-    NodeArray& force = m_force.front();
-    if (!withCorrection) return system.evaluate(t, m_x, m_p, force);
-    const Rates rates = system.evaluate(t, m_x, m_p, force, m_damper.data());
-    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      missedVelocity(sweepFrom(system, f), n, m_missed.data() + f);
-    });
-    system.addDamping(m_damper.data(), m_missed, force);
-    if (const auto& viscosity = system.forces().nodeViscosity(); !viscosity.empty())
-      system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-        dragMissed(n, viscosity.data() + f, m_missed.data() + f, force.data() + f);
-      });
     return rates;
   }
 

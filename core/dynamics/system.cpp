@@ -57,11 +57,15 @@ bool System::enter(MotionState& state, bool silent)
   return changed;
 }
 
-Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper) noexcept
+Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper,
+                       const NodeSweep& before) noexcept
 {
+  const bool anyPrescribed = !m_schedule.prescribedNodes().empty(); // then the springs wait for their places
+  if (anyPrescribed && before) sweepNodes(before);
   place(t, x, v);
   Rates rates;
-  rates.heat = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers);
+  rates.heat = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers,
+                                      anyPrescribed ? NodeSweep{} : before);
   springsEvaluated += m_forces.activeSprings();
   rates.work = m_schedule.addForces(t, v.data(), force.data());
   for (std::size_t i = 0; i < m_tools.size(); ++i) {
@@ -134,9 +138,10 @@ double System::loadPower(double t, const NodeArray& v) const noexcept
   return power;
 }
 
-void System::addDamping(const Lanes* damper, const NodeArray& v, NodeArray& force) noexcept
+void System::addDamping(const Lanes* damper, const NodeArray& v, NodeArray& force,
+                        const NodeSweep& before) noexcept
 {
-  m_forces.addDamping(damper, v.data(), force.data(), m_workers);
+  m_forces.addDamping(damper, v.data(), force.data(), m_workers, before);
   springsEvaluated += (m_forces.activeSprings() + 1) / 2; // half the cost of evaluate()
   for (const ToolSpring& tool : m_tools) {
     const auto node = static_cast<std::size_t>(tool.node);

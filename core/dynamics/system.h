@@ -60,13 +60,6 @@ public:
   double setTools(std::span<const ToolSpring> tools, const NodeArray& x);
 
   std::size_t nodeCount() const noexcept { return m_mass.size(); }
-  /// What a method's sweeps over the nodes cost, from that of one node [spring evaluations] where its arrays
-  /// are in the caches and where they are not; measured.
-  double sweepCost(double near, double far) const noexcept
-  {
-    constexpr std::size_t kMostNear = 20'000; // eight arrays of 32 bytes each: 5 MB
-    return (nodeCount() > kMostNear ? far : near) * static_cast<double>(nodeCount());
-  }
   const ForceModel& forces() const noexcept { return m_forces; }
   const std::vector<ToolSpring>& tools() const noexcept { return m_tools; }
   const std::vector<double>& mass() const noexcept { return m_mass; }
@@ -84,14 +77,18 @@ public:
   /// Forces at t into `force` (N entries). Prescribed nodes are first put to their place in x and v.
   /// Does not allocate.
   /// @param damper  forces().damperSize() entries that receive the springs' damping at x, or null.
-  Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper = nullptr) noexcept;
+  /// @param before  writes x and v of a range of nodes.
+  Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper = nullptr,
+                 const NodeSweep& before = {}) noexcept;
   /// Forces to accelerations; 0 where a support holds.
   void toAccelerations(NodeArray& force) const noexcept;
   /// The power of nodal forces and tools at other velocities [W].
   double loadPower(double t, const NodeArray& v) const noexcept;
   /// Adds the viscous forces at velocities v to `force`, but for - c v of forces().nodeViscosity(); the
   /// springs' with the damping that evaluate() kept. Half the cost of evaluate().
-  void addDamping(const Lanes* damper, const NodeArray& v, NodeArray& force) noexcept;
+  /// @param before  writes v and `force` of a range of nodes.
+  void addDamping(const Lanes* damper, const NodeArray& v, NodeArray& force,
+                  const NodeSweep& before = {}) noexcept;
   /// Prescribed nodes to their place.
   void place(double t, NodeArray& x, NodeArray& v) const noexcept { m_schedule.place(t, x.data(), v.data()); }
 

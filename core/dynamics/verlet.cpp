@@ -94,21 +94,20 @@ public:
     if (!m_started) start(system, state);
     m_x = state.x; // same size: no allocation
     m_v = state.v;
-    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      predict(how, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
-    });
     double work = 0.0, heat = 0.0;
     for (std::int64_t i = 1; i <= steps; ++i) {
       const double t = i == steps ? end : begin + static_cast<double>(i) * h;
-      const Rates rates = system.evaluate(t, m_x, m_p, m_force);
+      const auto sweep = [&, isFirst = i == 1](std::size_t f, std::size_t n) noexcept {
+        if (isFirst)
+          predict(how, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
+        else
+          correctAndPredict(how, n, inverseMass + f, m_force.data() + f, m_x.data() + f, m_v.data() + f,
+                            m_p.data() + f);
+      };
+      const Rates rates = system.evaluate(t, m_x, m_p, m_force, nullptr, sweep);
       work += 0.5 * (m_rates.work + rates.work);
       heat += 0.5 * (m_rates.heat + rates.heat);
       m_rates = rates;
-      if (i == steps) break;
-      system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-        correctAndPredict(how, n, inverseMass + f, m_force.data() + f, m_x.data() + f, m_v.data() + f,
-                          m_p.data() + f);
-      });
     }
     system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
       correct(h, n, inverseMass + f, m_force.data() + f, m_a.data() + f, m_v.data() + f);

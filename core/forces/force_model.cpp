@@ -123,13 +123,20 @@ void ForceModel::forEachSpringPart(WorkerPool* workers, const Work& work) const 
   }
 }
 
+/// Before the springs of a part: it may be a range's own.
+void ForceModel::sweepOwn(const NodeSweep& sweep, std::size_t part) const noexcept
+{
+  if (sweep && part < nodeRanges().count()) sweep(nodeRanges().first(part), nodeRanges().size(part));
+}
+
 double ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
-                                 WorkerPool* workers) const noexcept
+                                 WorkerPool* workers, const NodeSweep& before) const noexcept
 {
   double heat[NetDivision::kMostParts];
   forEachSpringPart(workers, [&](std::size_t p) noexcept {
     const Part& part = m_parts[p];
     Lanes* kept = damper != nullptr ? damper + part.damper : nullptr;
+    sweepOwn(before, p);
     heat[p] = p < nodeRanges().count() ? m_nodeForces.set(p, x, v, force) : 0.0;
     for (std::size_t b = part.firstBatch; b < part.endBatch; ++b) {
       const SpringBatch& batch = m_batches[b];
@@ -141,10 +148,11 @@ double ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force, L
   return std::accumulate(heat, heat + m_parts.size(), 0.0);
 }
 
-void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force,
-                            WorkerPool* workers) const noexcept
+void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force, WorkerPool* workers,
+                            const NodeSweep& before) const noexcept
 {
   forEachSpringPart(workers, [&](std::size_t p) noexcept {
+    sweepOwn(before, p);
     const Lanes* kept = damper + m_parts[p].damper;
     for (std::size_t b = m_parts[p].firstBatch; b < m_parts[p].endBatch; ++b) {
       esm::addDamping(m_batches[b], kept, v, force);

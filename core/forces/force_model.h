@@ -4,6 +4,7 @@
 
 #include "core/base/worker_pool.h"
 #include "core/forces/node_forces.h"
+#include "core/forces/node_sweep.h"
 #include "core/forces/pressure.h"
 #include "core/forces/spring_law.h"
 
@@ -50,14 +51,16 @@ public:
   /// Sets `force` (N entries) to the weight plus all other forces of the net. Does not allocate.
   /// @param damper   damperSize() entries that receive the springs' damping at x, or null.
   /// @param workers  null: this thread alone.
+  /// @param before   may still write x and v.
   /// @return the power that the dampers turn into heat [W].
   double computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper = nullptr,
-                       WorkerPool* workers = nullptr) const noexcept;
+                       WorkerPool* workers = nullptr, const NodeSweep& before = {}) const noexcept;
   /// Adds viscous forces at velocities v to `force`: the springs' as computeForces() kept them, and those of
   /// single anchors. Where nodeViscosity() has entries, - c v of it is the caller's, who sweeps over the
   /// nodes anyway; together they are - D v.
-  void addDamping(const Lanes* damper, const Lanes* v, Lanes* force,
-                  WorkerPool* workers = nullptr) const noexcept;
+  /// @param before  may still write v and `force`.
+  void addDamping(const Lanes* damper, const Lanes* v, Lanes* force, WorkerPool* workers = nullptr,
+                  const NodeSweep& before = {}) const noexcept;
   /// Whether workers find more than one part to do.
   bool isDivided() const noexcept { return nodeRanges().count() > 1; }
   /// For sweeps over the nodes that are divided as the passes are.
@@ -99,6 +102,7 @@ private:
   void addBatches(const SpringNet& net, std::span<const Index> springs);
   template <class Work>
   void forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept;
+  void sweepOwn(const NodeSweep& sweep, std::size_t part) const noexcept;
 
   std::vector<SpringBatch> m_batches;          ///< part by part
   std::vector<Part> m_parts;                   ///< the first ones belong to the ranges of nodes

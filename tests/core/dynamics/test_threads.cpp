@@ -233,6 +233,54 @@ TEST(Threads, ForcePassesHaveTheSameBits)
     }
 }
 
+// What a method does with the nodes on the way through a pass is what it does before it: same bits, on any
+// number of threads, also where nodes are put to prescribed places in between.
+TEST(Threads, SweepsOnTheWayAreSweepsBefore)
+{
+  const SpringNet net = shuffled(mixedSheet(2));
+  for (const bool isPrescribed : {false, true}) {
+    Loads loads;
+    if (isPrescribed) loads.motions.push_back({{7, 4'000}, {{0.0, 1.0}, Eigen::Matrix3Xd::Ones(3, 2)}, {}});
+    System system(net, loads);
+    const std::size_t count = system.nodeCount();
+    const NodeArray from = nearRest(net), slow = randomNodes(count, 1.0), missed = randomNodes(count, 0.1);
+    NodeArray x = from, v = slow;
+    const auto move = [&](std::size_t first, std::size_t nodes) noexcept {
+      for (std::size_t i = first; i < first + nodes; ++i) {
+        x[i] += slow[i] * 1e-3;
+        v[i] += slow[i];
+      }
+    };
+    NodeArray force(count), w(count), damper(system.forces().damperSize(), Lanes{0, 0, 0, 0});
+    const auto correct = [&](std::size_t first, std::size_t nodes) noexcept {
+      for (std::size_t i = first; i < first + nodes; ++i) {
+        w[i] = missed[i] + force[i] * 1e-3;
+        force[i] = force[i] * 0.5;
+      }
+    };
+    MotionState start{x, v};
+    system.enter(start, true);
+    move(0, count);
+    const double heat = system.evaluate(0.5, x, v, force, damper.data()).heat;
+    const NodeArray movedTo = x, atFirst = force;
+    correct(0, count);
+    system.addDamping(damper.data(), w, force);
+    const NodeArray expected = force;
+    for (const int threads : kThreads) {
+      WorkerPool pool(threads);
+      system.setWorkers(&pool);
+      x = from;
+      v = slow;
+      EXPECT_EQ(system.evaluate(0.5, x, v, force, damper.data(), move).heat, heat) << threads;
+      EXPECT_TRUE(areSameBits(x, movedTo)) << threads;
+      EXPECT_TRUE(areSameBits(force, atFirst)) << threads;
+      system.addDamping(damper.data(), w, force, correct);
+      EXPECT_TRUE(areSameBits(force, expected)) << threads;
+    }
+    system.setWorkers(nullptr);
+  }
+}
+
 // A division changes the order of sums and nothing else: forces agree with those of the same springs one by
 // one to rounding, 1e-12 of the largest force here.
 TEST(Threads, DividedForcesAreTheForces)
