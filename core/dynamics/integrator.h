@@ -51,6 +51,9 @@ public:
   virtual bool isUncontrolled() const noexcept { return false; }
   /// Largest stable step for such motions [s]; infinity for an implicit method.
   virtual double stableStep(const FastestMode& mode) const noexcept = 0;
+  /// Whether stableStep() looks at FastestMode::decay, of which to know more than `damping` takes half of
+  /// what a look at the bounds costs.
+  virtual bool asksForDecay() const noexcept { return false; }
   /// How exactly an implicit method must solve for positions [m]; `rough`: a few iterations that gain are
   /// enough, the state only has to stay bounded.
   virtual void setSolveTolerance(double /*tolerance*/, bool /*rough*/) noexcept {}

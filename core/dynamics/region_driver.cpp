@@ -195,7 +195,7 @@ bool RegionDriver::settles(StepReport& report)
 FastestMode RegionDriver::fastestMode()
 {
   if (m_mode == Mode::Whole) return m_driver.fastestMode(m_body.system, m_body.motion);
-  m_wholeBound.prepare(m_body.system);
+  m_wholeBound.prepare(m_body.system, m_driver.asksForDecay());
   return m_wholeBound.compute(m_body.system, m_body.motion.x, m_body.motion.v);
 }
 

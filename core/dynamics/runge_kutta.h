@@ -35,6 +35,7 @@ public:
   int order() const noexcept override { return m_tableau.order; }
   double stepCost(const System& system, double h) override;
   double stableStep(const FastestMode& mode) const noexcept override;
+  bool asksForDecay() const noexcept override { return true; }
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override;
 
   /// Of the last step of a method whose first slope is not the last one of the step before: forces [N] and

@@ -20,8 +20,9 @@ ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const d
 
 } // namespace
 
-void StepBound::prepare(const System& system)
+void StepBound::prepare(const System& system, bool findsDecay)
 {
+  m_findsDecay = findsDecay;
   const auto& ends = system.forces().springEnds();
   const std::size_t nodes = system.nodeCount();
   m_springsOf.build(nodes, [&](const auto& add) {
@@ -248,7 +249,7 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
   if (isNew) {
     m_sinceMeasured = 0;
     const bool isDamped = mode.damping > 0.0 && std::isfinite(mode.damping);
-    m_decayShare = isDamped ? measureDecay(system, mode) / mode.damping : 1.0;
+    m_decayShare = isDamped && m_findsDecay ? measureDecay(system, mode) / mode.damping : 1.0;
     m_undampedShare = isDamped && mode.undamped > 0.0 ? measureUndamped(system, mode) / mode.undamped : 1.0;
   }
   mode.decay = m_decayShare * mode.damping;

@@ -47,7 +47,9 @@ inline constexpr double kRoomForMotion = 0.88;
 /// sums know only that it is no more than what the springs without dampers and the tensions make at a node.
 class StepBound {
 public:
-  void prepare(const System& system); ///< after any change of springs; allocates
+  /// After any change of springs; allocates.
+  /// @param findsDecay  else FastestMode::decay stays at what it cannot exceed, `damping`.
+  void prepare(const System& system, bool findsDecay = true);
   FastestMode compute(const System& system, const NodeArray& x, const NodeArray& v);
 
 private:
@@ -90,6 +92,7 @@ private:
   Sharpness m_stiffnessSharpness, m_dampingSharpness;
   // Of the damping and of the sums of what is undamped, measured when one of those was.
   double m_decayShare = 0.0, m_undampedShare = 1.0;
+  bool m_findsDecay = true;
   int m_sinceMeasured = 0; ///< calls of compute()
 };
 

@@ -83,7 +83,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
-  m_bound.prepare(system);
+  m_bound.prepare(system, asksForDecay());
   setBound(system, state);
   guessSteps();
   choose(system, state);
@@ -144,7 +144,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_onset.longest = 0.0;
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
-  m_bound.prepare(system);
+  m_bound.prepare(system, asksForDecay());
   setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
   layOut(m_method, system); // nothing is, after another cut
@@ -239,6 +239,15 @@ double StepDriver::explicitLimit() const noexcept
 bool StepDriver::isHeldUp() const noexcept
 {
   return kFrame / explicitLimit() > kManySteps;
+}
+
+/// Whether any method that may run does, see there.
+bool StepDriver::asksForDecay() const noexcept
+{
+  if (!m_auto) return m_candidates[m_method].integrator->asksForDecay();
+  return std::any_of(m_candidates.begin(), m_candidates.end(), [](const Candidate& candidate) {
+    return competes(candidate) && candidate.integrator->asksForDecay();
+  });
 }
 
 /// Whether dampers brake the fastest waves more than springs throw them.

@@ -69,6 +69,7 @@ public:
   /// Where the net is stiffest now, and the largest explicit step there.
   FastestMode fastestMode(const System& system, const MotionState& state);
   double explicitStep(const FastestMode& mode) const noexcept;
+  bool asksForDecay() const noexcept;
 
   const std::string& solverName() const noexcept { return m_name; }
   const std::string& why() const noexcept { return m_limitText.empty() ? m_why : m_limitText; }
