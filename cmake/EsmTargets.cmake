@@ -96,7 +96,7 @@ function(esm_fuzzer name)
   endif()
   set(found ${CMAKE_CURRENT_BINARY_DIR}/${name}.corpus)
   file(MAKE_DIRECTORY ${found})
-  add_test(NAME ${name} COMMAND ${name} -max_total_time=60 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
+  add_test(NAME ${name} COMMAND ${name} -max_total_time=30 -timeout=10 -rss_limit_mb=2048 -print_final_stats=1
     ${found} ${seeds})
   set_tests_properties(${name} PROPERTIES LABELS "slow;fuzz" TIMEOUT 180)
 endfunction()
