@@ -344,7 +344,7 @@ double StepDriver::passesOf(const System& system, double step)
            : current().stepCost(system, step) / std::max(system.forces().passCost(), 1.0);
 }
 
-/// A look at the bound costs up to seventy passes. It follows what stiffens within some frames, and what
+/// A look at the bound costs up to thirty passes. It follows what stiffens within some frames, and what
 /// turns and bends; where it finds nothing new it comes less often.
 void StepDriver::refreshBound(const System& system, const MotionState& state)
 {
