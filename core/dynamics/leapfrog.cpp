@@ -148,10 +148,9 @@ public:
 
   void tune(const System& system, const FastestMode& mode) noexcept override
   {
-    const auto springs = static_cast<double>(system.forces().activeSprings()),
-               nodes = static_cast<double>(system.nodeCount());
-    m_plainCost = std::max(system.forces().passCost() + 0.6 * nodes, 1.0);
-    m_stageCost = (0.6 * springs + 1.7 * nodes) / m_plainCost; // measured
+    const auto springs = static_cast<double>(system.forces().activeSprings());
+    m_plainCost = std::max(system.forces().passCost() + system.sweepCost(0.6, 0.6), 1.0);
+    m_stageCost = (0.6 * springs + system.sweepCost(1.7, 2.4)) / m_plainCost; // measured
     m_best = limitsAt(mode, m_limit);
     m_tuned = mode;
   }

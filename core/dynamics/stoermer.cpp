@@ -137,10 +137,9 @@ public:
   int order() const noexcept override { return 4; }
   void tune(const System& system, const FastestMode& mode) noexcept override
   {
-    const auto springs = static_cast<double>(system.forces().activeSprings()),
-               nodes = static_cast<double>(system.nodeCount());
-    m_aloneCost = system.forces().passCost() + 1.4 * nodes; // measured, like the next
-    m_correctedCost = m_aloneCost + 0.6 * springs + 0.8 * nodes;
+    const auto springs = static_cast<double>(system.forces().activeSprings());
+    m_aloneCost = system.forces().passCost() + system.sweepCost(1.4, 3.3);
+    m_correctedCost = m_aloneCost + 0.6 * springs + system.sweepCost(0.8, 0.8);
     m_limits = StoermerLimits(mode);
     // Steps must be that much longer to be worth a correction.
     m_corrects = m_limits.corrected * m_aloneCost > m_limits.alone * m_correctedCost;

@@ -60,6 +60,14 @@ public:
   double setTools(std::span<const ToolSpring> tools, const NodeArray& x);
 
   std::size_t nodeCount() const noexcept { return m_mass.size(); }
+  /// What a method's sweeps over the nodes cost, from that of one node [spring evaluations] where its arrays
+  /// are in the caches and where they are not. Measured before sweeps went on the way through a pass; with
+  /// what they take now (the near ones) an organ of 100,000 nodes takes a quarter more passes at 1e-6.
+  double sweepCost(double near, double far) const noexcept
+  {
+    constexpr std::size_t kMostNear = 20'000; // eight arrays of 32 bytes each: 5 MB
+    return (nodeCount() > kMostNear ? far : near) * static_cast<double>(nodeCount());
+  }
   const ForceModel& forces() const noexcept { return m_forces; }
   const std::vector<ToolSpring>& tools() const noexcept { return m_tools; }
   const std::vector<double>& mass() const noexcept { return m_mass; }
