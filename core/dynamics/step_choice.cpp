@@ -241,7 +241,7 @@ bool StepDriver::isHeldUp() const noexcept
   return kFrame / explicitLimit() > kManySteps;
 }
 
-/// Whether any method that may run does, see there.
+/// Whether Integrator::asksForDecay() holds for any method that may run.
 bool StepDriver::asksForDecay() const noexcept
 {
   if (!m_auto) return m_candidates[m_method].integrator->asksForDecay();

@@ -19,7 +19,7 @@ constexpr double kMostDescentSteps = 16.0;     ///< of one stretch
 constexpr int kLongestDescent = 64;            ///< stretches before something else is tried again
 constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
 
-/// Of what limits steps.
+/// The largest of what limits steps.
 double relativeChange(const FastestMode& before, const FastestMode& after)
 {
   const auto change = [](double from, double to, double whole) {
@@ -348,7 +348,8 @@ double StepDriver::passesOf(const System& system, double step)
 /// turns and bends; where it finds nothing new it comes less often.
 void StepDriver::refreshBound(const System& system, const MotionState& state)
 {
-  constexpr double kNew = 0.01, kLongest = 4.0;
+  constexpr double kNew = 0.01;    // a larger change of the limits
+  constexpr double kLongest = 4.0; // of the usual patience
   const double patience = m_method == m_implicit ? 32.0 : system.forces().isNonlinear() ? 384.0 : 768.0;
   if (m_sinceBound < m_boundPatience * patience) return;
   const FastestMode before = m_mode;

@@ -85,7 +85,7 @@ public:
   /// Forces at t into `force` (N entries). Prescribed nodes are first put to their place in x and v.
   /// Does not allocate.
   /// @param damper  forces().damperSize() entries that receive the springs' damping at x, or null.
-  /// @param before  writes x and v of a range of nodes.
+  /// @param before  writes x and v of a range of nodes; may read what `force` held before.
   Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper = nullptr,
                  const NodeSweep& before = {}) noexcept;
   /// Forces to accelerations; 0 where a support holds.

@@ -51,7 +51,7 @@ public:
   /// Sets `force` (N entries) to the weight plus all other forces of the net. Does not allocate.
   /// @param damper   damperSize() entries that receive the springs' damping at x, or null.
   /// @param workers  null: this thread alone.
-  /// @param before   may still write x and v.
+  /// @param before   may still write x and v, and read what `force` held before.
   /// @return the power that the dampers turn into heat [W].
   double computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper = nullptr,
                        WorkerPool* workers = nullptr, const NodeSweep& before = {}) const noexcept;
