@@ -206,11 +206,13 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
     const double most = allowed * spendable(candidate) / spendable(m_candidates[m_method]);
     share = counted * swing(system, m_gauge.distance(m_probe.x, state), m_probe.v, state) / most;
   }
-  const double gain = stepGain(share, candidate.integrator->order());
-  candidate.accurateStep = length / count;
-  candidate.estimate = candidate.accurateStep * gain;
-  if (!isKept(share)) candidate.accurateStep *= std::clamp(gain, kMostShrinking, kMostGrowth);
-  candidate.isMeasured = true;
+  if (result == StepResult::Done) { // else it was unstable, which tells nothing of its accuracy
+    const double gain = stepGain(share, candidate.integrator->order());
+    candidate.accurateStep = length / count;
+    candidate.estimate = candidate.accurateStep * gain;
+    if (!isKept(share)) candidate.accurateStep *= std::clamp(gain, kMostShrinking, kMostGrowth);
+    candidate.isMeasured = true;
+  }
   if (share <= 1.0) {
     candidate.untilProbe = 0;
     candidate.probeGap = 1;
