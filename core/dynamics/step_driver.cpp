@@ -54,8 +54,8 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     const bool isFixed = m_settings.fixedStep > 0.0;
     continueOnset(system);
     const double longest = m_onset.longest > 0.0 ? m_onset.longest
-                           : m_untilCheck <= 0 && controlledStep(kFrame) < checkLength() / 8.0 ? checkLength()
-                                                                                               : kFrame;
+                           : m_untilCheck <= 0   ? longestCheck()
+                                                 : kFrame;
     const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / longest * (1.0 - 1e-9));
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
     const double workBefore = system.workDone();
@@ -114,6 +114,12 @@ double StepDriver::controlledStep(double length) noexcept
   const Candidate& candidate = m_candidates[m_method];
   const double wanted = std::min(candidate.accurateStep, candidate.cheapStep);
   return std::min({stableStep(candidate), std::max(wanted, floorStep()), length});
+}
+
+/// Of a stretch that is checked [s].
+double StepDriver::longestCheck() noexcept
+{
+  return controlledStep(kFrame) < checkLength() / 8.0 ? checkLength() : kFrame;
 }
 
 bool StepDriver::stretchControlled(System& system, MotionState& state, double end, StepReport& report)
@@ -206,10 +212,11 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (accept(system, state, steps, finer, report)) return true;
     report.rejectedSteps += steps + finer;
     length = beginOnset(length, count);
-    end = m_start.time + length;
     state = m_start;
     m_settled = 0;
     reconsider(system);
+    length = std::min(length, longestCheck()); // another method may take far more steps
+    end = m_start.time + length;
     current().restart();
   }
   if (!m_auto) {

@@ -175,6 +175,7 @@ private:
   void learn(const MotionState& state, double error, double budget, double step);
   void learnCost(double step) noexcept;
   double controlledStep(double length) noexcept;
+  double longestCheck() noexcept;
   void giveToleranceUp(const System& system, bool yes);
   void rememberBeforeOnset();
   double beginOnset(double length, double count) noexcept;
