@@ -46,14 +46,19 @@ namespace esm {
 /// Four doubles that the compiler keeps in one AVX register, or in two SSE2 ones.
 using Lanes = double __attribute__((vector_size(32)));
 using LaneBits = std::int64_t __attribute__((vector_size(32)));
-/// The same where memory is aligned to single doubles only.
-using LooseLanes = double __attribute__((vector_size(32), aligned(8), may_alias));
-
 /// Eight of them in one AVX-512 register; for the last version of ESM_WIDE_CLONES only.
 using WideLanes = double __attribute__((vector_size(64)));
 /// What comparing two of them gives: all bits of a lane, or none.
 template <class Values>
 using BitsOf = decltype(std::declval<Values>() < std::declval<Values>());
+
+/// From memory that is aligned to single doubles only. (Attributes that say so of a type mean it to g++ or to
+/// clang, not to both.)
+template <class Values>
+ESM_INLINE void loadLanes(const double* from, Values& to) noexcept
+{
+  __builtin_memcpy(&to, from, sizeof(to));
+}
 
 /// In a file without math errno: else it is a call for each.
 template <class Values>

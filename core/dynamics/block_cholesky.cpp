@@ -54,12 +54,12 @@ ESM_INLINE void subtractProducts(const double* c, Index leadC, const double* a, 
                                  Index depth, Lanes (&sum)[R][3]) noexcept
 {
   for (int r = 0; r < R; ++r)
-    for (int column = 0; column < 3; ++column) detail::loadLanes(c + column * leadC + 4 * r, sum[r][column]);
+    for (int column = 0; column < 3; ++column) loadLanes(c + column * leadC + 4 * r, sum[r][column]);
   for (Index k = 0; k < depth; ++k, a += lead, b += lead) {
     const Lanes b0 = Lanes{0, 0, 0, 0} + b[0], b1 = Lanes{0, 0, 0, 0} + b[1], b2 = Lanes{0, 0, 0, 0} + b[2];
     for (int r = 0; r < R; ++r) {
       Lanes row;
-      detail::loadLanes(a + 4 * r, row);
+      loadLanes(a + 4 * r, row);
       sum[r][0] -= row * b0;
       sum[r][1] -= row * b1;
       sum[r][2] -= row * b2;
@@ -210,8 +210,8 @@ ESM_INLINE void addNumbers(const double* from, double* to, Index count) noexcept
   Index i = 0;
   for (; i + 4 <= count; i += 4) {
     Lanes a, b;
-    detail::loadLanes(from + i, a);
-    detail::loadLanes(to + i, b);
+    loadLanes(from + i, a);
+    loadLanes(to + i, b);
     storeLanes(a + b, to + i);
   }
   for (; i < count; ++i) to[i] += from[i];
@@ -229,10 +229,10 @@ ESM_CPU_CLONES void solveForward(const double* panel, Index width, Index lead, d
     const double y2 = ((t[column + 2] - triangle[2] * y0) - triangle[lead + 2] * y1) * triangle[2 * lead + 2];
     for (Index row = column / 4 * 4; row < lead; row += 4) {
       Lanes l0, l1, l2, value;
-      detail::loadLanes(l + row, l0);
-      detail::loadLanes(l + lead + row, l1);
-      detail::loadLanes(l + 2 * lead + row, l2);
-      detail::loadLanes(t + row, value);
+      loadLanes(l + row, l0);
+      loadLanes(l + lead + row, l1);
+      loadLanes(l + 2 * lead + row, l2);
+      loadLanes(t + row, value);
       storeLanes(((value - l0 * y0) - l1 * y1) - l2 * y2, t + row);
     }
     t[column] = y0;
@@ -250,10 +250,10 @@ ESM_CPU_CLONES void solveBackward(const double* panel, Index width, Index lead, 
     Lanes sum0 = {0, 0, 0, 0}, sum1 = sum0, sum2 = sum0;
     for (Index row = column / 4 * 4; row < lead; row += 4) {
       Lanes l0, l1, l2, value;
-      detail::loadLanes(l + row, l0);
-      detail::loadLanes(l + lead + row, l1);
-      detail::loadLanes(l + 2 * lead + row, l2);
-      detail::loadLanes(t + row, value);
+      loadLanes(l + row, l0);
+      loadLanes(l + lead + row, l1);
+      loadLanes(l + 2 * lead + row, l2);
+      loadLanes(t + row, value);
       sum0 += l0 * value;
       sum1 += l1 * value;
       sum2 += l2 * value;

@@ -42,12 +42,6 @@ ESM_INLINE void transposeBack(const WideLanes& x, const WideLanes& y, const Wide
   r57 = __builtin_shufflevector(xyOdd, zOdd, 4, 5, 12, 13, 6, 7, 14, 15);
 }
 
-template <class Values>
-ESM_INLINE void loadLanes(const double* from, Values& to) noexcept
-{
-  __builtin_memcpy(&to, from, sizeof(to));
-}
-
 /// Asks for what a pass will read of an array about sixty springs on, as much as `rows` from `here`: of nets
 /// beyond the L2 cache the processor asks too late. That may lie behind the end, which asking may.
 ESM_INLINE void foresee(const Lanes* here, std::size_t rows) noexcept

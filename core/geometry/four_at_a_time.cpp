@@ -20,11 +20,13 @@ namespace {
 ESM_INLINE void fourDifferences(const double* position, const Index* from, const Index* to,
                                 std::ptrdiff_t stride, Lanes& x, Lanes& y, Lanes& z) noexcept
 {
-  const auto place = [position](Index vertex) {
-    return reinterpret_cast<const LooseLanes*>(position + 3 * std::ptrdiff_t{vertex});
-  };
   Lanes between[4];
-  for (std::ptrdiff_t k = 0; k < 4; ++k) between[k] = *place(to[stride * k]) - *place(from[stride * k]);
+  for (std::ptrdiff_t k = 0; k < 4; ++k) {
+    Lanes begin, end;
+    loadLanes(position + 3 * std::ptrdiff_t{from[stride * k]}, begin);
+    loadLanes(position + 3 * std::ptrdiff_t{to[stride * k]}, end);
+    between[k] = end - begin;
+  }
   transpose(between[0], between[1], between[2], between[3], x, y, z);
 }
 

@@ -95,12 +95,15 @@ ESM_CPU_CLONES Moments momentsOf(const double* x, const double* y, std::size_t c
   Lanes area0{}, area1{}, moment0{}, moment1{};
   std::size_t i = 0;
   for (; i + 8 <= count; i += 8) {
-    const auto* xs = reinterpret_cast<const LooseLanes*>(x + i);
-    const auto* ys = reinterpret_cast<const LooseLanes*>(y + i);
-    area0 += ys[0];
-    area1 += ys[1];
-    moment0 += xs[0] * ys[0];
-    moment1 += xs[1] * ys[1];
+    Lanes x0, x1, y0, y1;
+    loadLanes(x + i, x0);
+    loadLanes(x + i + 4, x1);
+    loadLanes(y + i, y0);
+    loadLanes(y + i + 4, y1);
+    area0 += y0;
+    area1 += y1;
+    moment0 += x0 * y0;
+    moment1 += x1 * y1;
   }
   const Lanes area = area0 + area1, moment = moment0 + moment1;
   Moments sum{(area[0] + area[2]) + (area[1] + area[3]), (moment[0] + moment[2]) + (moment[1] + moment[3])};
