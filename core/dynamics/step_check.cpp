@@ -171,6 +171,8 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   for (Candidate& candidate : m_candidates) --candidate.untilProbe;
   if (coarseError / ratio <= kShareToCompare * allowed)
     for (int i = 0; i < kProbes && !proven; ++i) proven = probe(system, state, allowed, report);
+  if (!proven && coarseError / ratio <= kShareToCompare * allowed)
+    proven = probeNext(system, state, allowed, report);
   keep(system, state, coarseError / ratio);
   reconsider(system, proven);
   return true;
@@ -181,16 +183,36 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
 std::optional<StepDriver::Method> StepDriver::probe(System& system, const MotionState& state, double allowed,
                                                     StepReport& report)
 {
-  const double length = state.time - m_start.time;
   double step = 0.0;
   const int settled = m_checkedShare <= kFarTooGood ? kSettling : 1;
   if (!m_auto || m_onset.longest > 0.0 || m_settled > settled) return std::nullopt;
   const std::optional<Method> method = worthAProbe(system, step);
-  if (!method) return std::nullopt;
-  Candidate& candidate = m_candidates[*method];
+  return method && tryOut(*method, step, system, state, allowed, report) ? method : std::nullopt;
+}
+
+/// The method that would be chosen now, if on a guess only, at the step that the guess allows: for that a
+/// look costs less than its own check would, and far less than one that fails.
+std::optional<StepDriver::Method> StepDriver::probeNext(System& system, const MotionState& state,
+                                                        double allowed, StepReport& report)
+{
+  if (!m_auto || m_onset.longest > 0.0 || m_settled > 1 || m_method == m_implicit) return std::nullopt;
+  const Method next = cheapestExplicit(system, patience());
+  const Candidate& candidate = m_candidates[next];
+  if (next == m_method || candidate.role != MethodRole::Explicit) return std::nullopt;
+  const double step = std::min({stableStep(candidate), candidate.accurateStep, state.time - m_start.time});
+  return tryOut(next, step, system, state, allowed, report) ? std::optional(next) : std::nullopt;
+}
+
+/// The stretch once more by another method, with steps of about this size [s]. @return whether it errs little
+/// enough.
+bool StepDriver::tryOut(Method method, double step, System& system, const MotionState& state, double allowed,
+                        StepReport& report)
+{
+  const double length = state.time - m_start.time;
+  Candidate& candidate = m_candidates[method];
   const double count = std::ceil(length / step * (1.0 - 1e-9));
-  if (isTooDear(system, count * candidate.integrator->stepCost(system, step))) return std::nullopt;
-  layOut(*method, system);
+  if (isTooDear(system, count * candidate.integrator->stepCost(system, step))) return false;
+  layOut(method, system);
   candidate.integrator->restart();
   m_probe = m_start; // same size: no allocation
   const std::int64_t stepsBefore = report.steps;
@@ -216,11 +238,11 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
   if (share <= 1.0) {
     candidate.untilProbe = 0;
     candidate.probeGap = 1;
-    return method;
+    return true;
   }
   candidate.untilProbe = candidate.probeGap;
   candidate.probeGap = std::min(2 * candidate.probeGap, kLongestProbeGap);
-  return std::nullopt;
+  return false;
 }
 
 /// What is known before the first stretches after an event.

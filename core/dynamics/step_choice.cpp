@@ -345,25 +345,30 @@ void StepDriver::choose(System& system, const MotionState&)
   explain(system);
 }
 
+/// Of what the present method costs, below which another one must be. What a jerk asks for is soon over in a
+/// damped net: at coarse tolerances nobody changes for a little then.
+double StepDriver::patience() const noexcept
+{
+  const bool isJerk =
+    m_settings.tolerance >= kLooseTolerance && m_gauge.scale().calm <= kLatestOnset && m_onset.longest <= 0.0;
+  return isJerk && isDamped() ? 0.7 : 0.9;
+}
+
 /// After a check: would another method have done it for less?
 /// @param proven  one that has been probed and found good
 void StepDriver::reconsider(System& system, std::optional<Method> proven)
 {
   if (!m_auto || (--m_settled > 0 && !proven)) return;
-  // What a jerk asks for is soon over in a damped net: at coarse tolerances nobody changes for a little then.
-  const bool isJerk =
-    m_settings.tolerance >= kLooseTolerance && m_gauge.scale().calm <= kLatestOnset && m_onset.longest <= 0.0;
-  const double patience = isJerk && isDamped() ? 0.7 : 0.9;
   const Method before = m_method;
   const bool tooDear = toleranceIsTooDear(system);
   if (before == m_implicit) {
-    const Method other = cheapestExplicit(system, patience);
+    const Method other = cheapestExplicit(system, patience());
     const bool isOnset = m_settings.tolerance >= kLooseTolerance && m_gauge.scale().calm < kOnsetOfImplicit;
     if (!tooDear && !isOnset &&
         cost(m_implicit, system) > 1.5 * explicitDiscount() * costAtLimit(other, system))
       m_method = other;
   } else {
-    const Method other = proven ? *proven : cheapestExplicit(system, patience);
+    const Method other = proven ? *proven : cheapestExplicit(system, patience());
     const double price =
       proven ? 0.0 : (1.0 + kFiner) * checkLength() / kFrame * cost(other, system); // of its check
     if (paysOff(cost(before, system) - cost(other, system), price)) m_method = other;

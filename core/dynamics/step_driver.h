@@ -149,8 +149,13 @@ private:
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system, double patience);
+  double patience() const noexcept;
   std::optional<Method> worthAProbe(System& system, double& step);
   std::optional<Method> probe(System& system, const MotionState& state, double allowed, StepReport& report);
+  std::optional<Method> probeNext(System& system, const MotionState& state, double allowed,
+                                  StepReport& report);
+  bool tryOut(Method method, double step, System& system, const MotionState& state, double allowed,
+              StepReport& report);
   bool paysOff(double saving, double price) const noexcept;
   bool toleranceIsTooDear(const System& system) const noexcept;
 
