@@ -169,10 +169,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   if (m_roughAtCheck) sayToleranceGivenUp(system);
   std::optional<Method> proven;
   for (Candidate& candidate : m_candidates) --candidate.untilProbe;
-  if (coarseError / ratio <= kShareToCompare * allowed)
+  if (coarseError / ratio <= kShareToCompare * allowed) {
     for (int i = 0; i < kProbes && !proven; ++i) proven = probe(system, state, allowed, report);
-  if (!proven && coarseError / ratio <= kShareToCompare * allowed)
-    proven = probeNext(system, state, allowed, report);
+    if (!proven) proven = probeNext(system, state, allowed, report);
+  }
   keep(system, state, coarseError / ratio);
   reconsider(system, proven);
   return true;
