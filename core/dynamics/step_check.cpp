@@ -169,7 +169,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   if (m_roughAtCheck) sayToleranceGivenUp(system);
   std::optional<Method> proven;
   for (Candidate& candidate : m_candidates) --candidate.untilProbe;
-  if (coarseError / ratio <= kShareToCompare * allowed) {
+  if (m_auto && m_onset.longest <= 0.0 && coarseError / ratio <= kShareToCompare * allowed) {
     for (int i = 0; i < kProbes && !proven; ++i) proven = probe(system, state, allowed, report);
     if (!proven) proven = probeNext(system, state, allowed, report);
   }
@@ -185,7 +185,7 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
 {
   double step = 0.0;
   const int settled = m_checkedShare <= kFarTooGood ? kSettling : 1;
-  if (!m_auto || m_onset.longest > 0.0 || m_settled > settled) return std::nullopt;
+  if (m_settled > settled) return std::nullopt;
   const std::optional<Method> method = worthAProbe(system, step);
   return method && tryOut(*method, step, system, state, allowed, report) ? method : std::nullopt;
 }
@@ -195,7 +195,7 @@ std::optional<StepDriver::Method> StepDriver::probe(System& system, const Motion
 std::optional<StepDriver::Method> StepDriver::probeNext(System& system, const MotionState& state,
                                                         double allowed, StepReport& report)
 {
-  if (!m_auto || m_onset.longest > 0.0 || m_settled > 1 || m_method == m_implicit) return std::nullopt;
+  if (m_settled > 1 || m_method == m_implicit) return std::nullopt;
   const Method next = cheapestExplicit(system, patience());
   const Candidate& candidate = m_candidates[next];
   if (next == m_method || candidate.role != MethodRole::Explicit) return std::nullopt;
@@ -221,14 +221,12 @@ bool StepDriver::tryOut(Method method, double step, System& system, const Motion
   report.rejectedSteps += report.steps - stepsBefore;
   report.steps = stepsBefore;
   double share = kInfinity;
-  if (result == StepResult::Done) {
+  if (result == StepResult::Done) { // else it was unstable, which tells nothing of its accuracy
     // In full: what of another method's error goes on to grow nobody has measured; unless much does not.
     const double adding = addingUp(candidate, system, m_probe.x, m_probe.v, state);
     const double counted = adding < 1.0 ? m_growing * adding : 1.0;
     const double most = allowed * spendable(candidate) / spendable(m_candidates[m_method]);
     share = counted * swing(system, m_gauge.distance(m_probe.x, state), m_probe.v, state) / most;
-  }
-  if (result == StepResult::Done) { // else it was unstable, which tells nothing of its accuracy
     const double gain = stepGain(share, candidate.integrator->order());
     candidate.accurateStep = length / count;
     candidate.estimate = candidate.accurateStep * gain;
