@@ -8,27 +8,29 @@ namespace {
 /// f = k e (1 + a (e/L)^2)
 struct Cubic {
   static constexpr SpringLaw kLaw = SpringLaw::Cubic;
-  template <class Group, class Values>
-  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
+  template <class Group>
+  ESM_INLINE static void tension(const Group& group, const Lanes& e, Lanes& f) noexcept
   {
-    Values k, a;
+    Lanes k, a;
     group.lawRow(0, k);
     group.lawRow(1, a);
     f = k * e * (1.0 + a * (e * e));
   }
-  template <class Group, class Values>
-  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
+  template <class Group>
+  ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
-    Values k, a;
+    Lanes k, a;
     group.lawRow(0, k);
     group.lawRow(1, a);
     result = 0.5 * k * e * e * (1.0 + 0.5 * a * (e * e));
   }
 };
 
-ESM_WIDE_CLONES(double cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                 Lanes* damper) noexcept,
-                return detail::springPass<Cubic, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
+ESM_CPU_CLONES double cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                Lanes* damper) noexcept
+{
+  return detail::springPass<Cubic>(batch, x, v, force, damper);
+}
 
 ESM_CPU_CLONES double cubicEnergy(const SpringBatch& batch, const Lanes* x) noexcept
 {

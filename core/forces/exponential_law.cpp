@@ -16,89 +16,82 @@ constexpr double kLargestExponent = 100.0;
 constexpr double kSmallExponent = 0.3465;
 
 /// exp(s) = power (1 + r + beyond)
-template <class Values>
 struct ExpParts {
-  Values power, r, beyond;
+  Lanes power, r, beyond;
 };
 
 /// exp(r) - 1 - r for |r| <= ln 2 / 2 as r^2 times a polynomial, which interpolates at Chebyshev's points:
 /// within 4e-17 of exp(r) - 1, relative to it, with two terms less than Taylor's series. In pairs of terms
 /// (Estrin): a chain of five operations instead of a dozen, so that the springs of several groups overlap.
-template <class Values>
-ESM_INLINE void beyondLine(const Values& r, Values& result) noexcept
+ESM_INLINE void beyondLine(const Lanes& r, Lanes& result) noexcept
 {
-  const Values r2 = r * r, r4 = r2 * r2, r8 = r4 * r4;
-  const Values low = (r * 0x1.5555555555556p-3 + 0x1.0000000000001p-1) +
-                     r2 * (r * 0x1.11111111109a6p-7 + 0x1.5555555553d37p-5);
-  const Values middle = (r * 0x1.a01a01a7cebcdp-13 + 0x1.6c16c1789d1d7p-10) +
-                        r2 * (r * 0x1.71de0d85293b8p-19 + 0x1.a019b8ca26fcfp-16);
-  const Values high = r * 0x1.af390ba7e6f47p-26 + 0x1.2891d4ffbb0f9p-22;
+  const Lanes r2 = r * r, r4 = r2 * r2, r8 = r4 * r4;
+  const Lanes low = (r * 0x1.5555555555556p-3 + 0x1.0000000000001p-1) +
+                    r2 * (r * 0x1.11111111109a6p-7 + 0x1.5555555553d37p-5);
+  const Lanes middle = (r * 0x1.a01a01a7cebcdp-13 + 0x1.6c16c1789d1d7p-10) +
+                       r2 * (r * 0x1.71de0d85293b8p-19 + 0x1.a019b8ca26fcfp-16);
+  const Lanes high = r * 0x1.af390ba7e6f47p-26 + 0x1.2891d4ffbb0f9p-22;
   result = r2 * (low + r4 * middle + r8 * high);
 }
 
 /// For |s| <= kLargestExponent, with plain arithmetic only: the C library's exp() has other last bits on CPUs
 /// with FMA. s = n ln 2 + r with |r| <= ln 2 / 2, power = 2^n.
-template <class Values>
-ESM_INLINE void expParts(const Values& s, ExpParts<Values>& parts) noexcept
+ESM_INLINE void expParts(const Lanes& s, ExpParts& parts) noexcept
 {
   constexpr double kRound = 0x1.8p52; // adding it rounds to an integer, which then stands in the low bits
   constexpr double kLn2High = 0x1.62e42fefa3800p-1;
   constexpr double kLn2Low = 0x1.ef35793c76730p-45;
-  const Values shifted = s * 0x1.71547652b82fep+0 + kRound;
-  const Values n = shifted - kRound;
+  const Lanes shifted = s * 0x1.71547652b82fep+0 + kRound;
+  const Lanes n = shifted - kRound;
   parts.r = (s - n * kLn2High) - n * kLn2Low;
   beyondLine(parts.r, parts.beyond);
-  BitsOf<Values> bits;
+  LaneBits bits;
   __builtin_memcpy(&bits, &shifted, sizeof(bits));
   bits = (bits + 1023) << 52; // the high bits of kRound leave on the left
   __builtin_memcpy(&parts.power, &bits, sizeof(bits));
 }
 
 /// exp(s) - 1 = 2^n (exp(r) - 1) + (2^n - 1) loses nothing near 0.
-template <class Values>
-ESM_INLINE void minusOne(const ExpParts<Values>& parts, Values& result) noexcept
+ESM_INLINE void minusOne(const ExpParts& parts, Lanes& result) noexcept
 {
   result = parts.power * (parts.beyond + parts.r) + (parts.power - 1.0);
 }
 
-template <class Values>
-ESM_INLINE void expMinusOne(const Values& s, Values& result) noexcept
+ESM_INLINE void expMinusOne(const Lanes& s, Lanes& result) noexcept
 {
-  ExpParts<Values> parts;
+  ExpParts parts;
   expParts(s, parts);
   minusOne(parts, result);
 }
 
 /// Whether no exponent of a group needs more than beyondLine(): springs of tissue that strains by a tenth do
 /// not.
-template <class Values>
-ESM_INLINE bool areSmall(const Values& s) noexcept
+ESM_INLINE bool areSmall(const Lanes& s) noexcept
 {
-  const BitsOf<Values> large = s * s > Values{} + kSmallExponent * kSmallExponent;
+  const LaneBits large = s * s > Lanes{} + kSmallExponent * kSmallExponent;
   std::int64_t any = 0;
-  for (std::size_t lane = 0; lane < sizeof(Values) / sizeof(double); ++lane) any |= large[lane];
+  for (std::size_t lane = 0; lane < 4; ++lane) any |= large[lane];
   return any == 0;
 }
 
 /// s, or the limit that it is beyond.
-template <class Values>
-ESM_INLINE void keepInside(const Values& s, Values& inside) noexcept
+ESM_INLINE void keepInside(const Lanes& s, Lanes& inside) noexcept
 {
-  const Values most = Values{} + kLargestExponent;
-  const Values belowMost = s > most ? most : s;
+  const Lanes most = Lanes{} + kLargestExponent;
+  const Lanes belowMost = s > most ? most : s;
   inside = belowMost < -most ? -most : belowMost;
 }
 
 /// f = k L/b (exp(b e/L) - 1)
 struct Exponential {
   static constexpr SpringLaw kLaw = SpringLaw::Exponential;
-  template <class Group, class Values>
-  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
+  template <class Group>
+  ESM_INLINE static void tension(const Group& group, const Lanes& e, Lanes& f) noexcept
   {
-    Values factor, rate, inside, growth;
+    Lanes factor, rate, inside, growth;
     group.lawRow(0, factor);
     group.lawRow(1, rate);
-    const Values s = rate * e;
+    const Lanes s = rate * e;
     if (areSmall(s)) { // the same bits for half of the work
       beyondLine(s, growth);
       f = factor * (growth + s);
@@ -110,26 +103,28 @@ struct Exponential {
     f = factor * growth;
   }
   /// k (L/b)^2 (exp(s) - 1 - s): the difference is a power series near 0, where it would cancel.
-  template <class Group, class Values>
-  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
+  template <class Group>
+  ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
-    Values factor, rate, inside, growth;
+    Lanes factor, rate, inside, growth;
     group.lawRow(0, factor);
     group.lawRow(1, rate);
-    const Values s = rate * e;
+    const Lanes s = rate * e;
     keepInside(s, inside);
-    ExpParts<Values> parts;
+    ExpParts parts;
     expParts(inside, parts);
     minusOne(parts, growth);
-    const Values outside = s - inside;
-    const Values line = parts.power == 1.0 ? parts.beyond : growth - inside;
+    const Lanes outside = s - inside;
+    const Lanes line = parts.power == 1.0 ? parts.beyond : growth - inside;
     result = factor / rate * (line + growth * outside + 0.5 * (growth + 1.0) * outside * outside);
   }
 };
 
-ESM_WIDE_CLONES(double exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                       Lanes* damper) noexcept,
-                return detail::springPass<Exponential, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
+ESM_CPU_CLONES double exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                      Lanes* damper) noexcept
+{
+  return detail::springPass<Exponential>(batch, x, v, force, damper);
+}
 
 ESM_CPU_CLONES double exponentialEnergy(const SpringBatch& batch, const Lanes* x) noexcept
 {

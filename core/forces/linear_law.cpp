@@ -8,25 +8,27 @@ namespace {
 /// f = k e
 struct Linear {
   static constexpr SpringLaw kLaw = SpringLaw::Linear;
-  template <class Group, class Values>
-  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
+  template <class Group>
+  ESM_INLINE static void tension(const Group& group, const Lanes& e, Lanes& f) noexcept
   {
-    Values k;
+    Lanes k;
     group.lawRow(0, k);
     f = k * e;
   }
-  template <class Group, class Values>
-  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
+  template <class Group>
+  ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
-    Values k;
+    Lanes k;
     group.lawRow(0, k);
     result = 0.5 * k * e * e;
   }
 };
 
-ESM_WIDE_CLONES(double linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                  Lanes* damper) noexcept,
-                return detail::springPass<Linear, detail::EndsOf<kLanes>>(batch, x, v, force, damper))
+ESM_CPU_CLONES double linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                 Lanes* damper) noexcept
+{
+  return detail::springPass<Linear>(batch, x, v, force, damper);
+}
 
 ESM_CPU_CLONES double linearEnergy(const SpringBatch& batch, const Lanes* x) noexcept
 {

@@ -8,16 +8,12 @@
 
 namespace esm::detail {
 
-/// How many groups of springs are computed together, see passGroups(). With four lanes three are best: two
-/// take 8 % longer, four 3 %. With eight lanes two and three took longer than one before springs had records,
-/// and have not been measured since.
-template <class Ends>
-inline constexpr std::size_t kGroupsAtOnce = Ends::kCount == FourEnds::kCount ? 3 : 1;
+/// How many groups of springs are computed together, see passGroups(): two take 8 % longer, four 3 %.
+inline constexpr std::size_t kGroupsAtOnce = 3;
 
-/// The springs first .. first + Ends::kCount - 1 of a batch in a pass, by their records.
-template <class Law, class Ends, bool damped, bool alike>
+/// The springs first .. first + 3 of a batch in a pass, by their record.
+template <class Law, bool damped, bool alike>
 struct SpringGroup {
-  using Values = typename Ends::Values;
   static constexpr std::size_t kRows = recordRows(Law::kLaw, damped, alike); ///< of one record
   const SpringBatch& batch;
   std::size_t first;
@@ -27,82 +23,58 @@ struct SpringGroup {
   ESM_INLINE SpringGroup(const SpringBatch& of, std::size_t i) noexcept
     : batch(of), first(i), record(of.record.data() + i / 4 * kRows), shared(of.shared.data())
   {}
-  ESM_INLINE Ends ends() const noexcept { return Ends(record, kRows); }
+  ESM_INLINE FourEnds ends() const noexcept { return FourEnds(record); }
   /// The same, read once more: the compiler would keep what it has read on the stack, which has enough to do.
-  ESM_INLINE Ends endsAgain() const noexcept
+  ESM_INLINE FourEnds endsAgain() const noexcept
   {
     const Lanes* again = record;
     asm("" : "+r"(again));
-    return Ends(again, kRows);
+    return FourEnds(again);
   }
-  ESM_INLINE void row(std::size_t k, Values& values) const noexcept
-  {
-    if constexpr (Ends::kCount == 4)
-      values = record[k];
-    else
-      joinHalves(record[k], record[kRows + k], values);
-  }
-  ESM_INLINE void sharedRow(std::size_t k, Values& values) const noexcept
-  {
-    if constexpr (Ends::kCount == 4)
-      values = shared[k];
-    else
-      joinHalves(shared[k], shared[k], values);
-  }
-  ESM_INLINE void restLength(Values& values) const noexcept { row(1, values); }
-  ESM_INLINE void lawRow(std::size_t k, Values& values) const noexcept
+  ESM_INLINE void restLength(Lanes& values) const noexcept { values = record[1]; }
+  ESM_INLINE void lawRow(std::size_t k, Lanes& values) const noexcept
   {
     if constexpr (!alike)
-      row(2 + k, values);
-    else if (k == 0)
-      sharedRow(0, values);
+      values = record[2 + k];
     else
-      row(1 + k, values);
+      values = k == 0 ? shared[0] : record[1 + k];
   }
-  ESM_INLINE void viscosity(Values& values) const noexcept
+  ESM_INLINE void viscosity(Lanes& values) const noexcept { values = alike ? shared[1] : record[kRows - 1]; }
+  ESM_INLINE void rootViscosity(Lanes& values) const noexcept
   {
     if constexpr (alike)
-      sharedRow(1, values);
-    else
-      row(kRows - 1, values);
-  }
-  ESM_INLINE void rootViscosity(Values& values) const noexcept
-  {
-    if constexpr (alike)
-      sharedRow(2, values);
+      values = shared[2];
     else
       loadLanes(&batch.rootViscosity[first], values);
   }
 };
 
 /// What the three parts of a pass over a group of springs hand on.
-template <class Values>
 struct GroupInFlight {
-  Values d0, d1, d2, d3; ///< x[b] - x[a], in the order of Ends
-  Values dx, dy, dz;     ///< the same in lanes
-  Values square;         ///< |d|^2 [m^2]
-  Values slip;           ///< (v[b] - v[a]).d [m^2/s]
-  Values scale;          ///< tension over length [N/m]
+  Lanes dx, dy, dz; ///< x[b] - x[a]
+  Lanes square;     ///< |d|^2 [m^2]
+  Lanes slip;       ///< (v[b] - v[a]).d [m^2/s]
+  Lanes scale;      ///< tension over length [N/m]
 };
 
 /// Where the ends are.
-template <class Ends, class Values>
-ESM_INLINE void readPlaces(const Ends& ends, const Lanes* x, GroupInFlight<Values>& group) noexcept
+ESM_INLINE void readPlaces(const FourEnds& ends, const Lanes* x, GroupInFlight& group) noexcept
 {
-  ends.difference(x, group.d0, group.d1, group.d2, group.d3);
-  transpose(group.d0, group.d1, group.d2, group.d3, group.dx, group.dy, group.dz);
+  Lanes d0, d1, d2, d3;
+  ends.difference(x, d0, d1, d2, d3);
+  transpose(d0, d1, d2, d3, group.dx, group.dy, group.dz);
   group.square = group.dx * group.dx + group.dy * group.dy + group.dz * group.dz;
 }
 
 /// First part: what the nodes say.
-template <class Law, class Ends, bool damped, bool alike, class Values>
-ESM_INLINE void readGroup(const SpringGroup<Law, Ends, damped, alike>& springs, const Lanes* x,
-                          const Lanes* v, GroupInFlight<Values>& group) noexcept
+template <class Law, bool damped, bool alike>
+ESM_INLINE void readGroup(const SpringGroup<Law, damped, alike>& springs, const Lanes* x, const Lanes* v,
+                          GroupInFlight& group) noexcept
 {
-  const Ends ends = springs.ends();
+  const FourEnds ends = springs.ends();
   readPlaces(ends, x, group);
   if constexpr (damped) {
-    Values w0, w1, w2, w3, wx, wy, wz;
+    Lanes w0, w1, w2, w3, wx, wy, wz;
     ends.difference(v, w0, w1, w2, w3);
     transpose(w0, w1, w2, w3, wx, wy, wz);
     group.slip = wx * group.dx + wy * group.dy + wz * group.dz;
@@ -114,108 +86,107 @@ ESM_INLINE void readGroup(const SpringGroup<Law, Ends, damped, alike>& springs, 
 /// A spring without direction gets the reciprocal length 0: then its force, its damping and its heat vanish
 /// without further tests. A NaN is not too short, and spreads. The reciprocal of the square is found beside
 /// the length, not after it: the damping needs that one anyway, and no division waits for a root.
-template <bool tensionOnly, bool keep, class Law, class Ends, bool damped, bool alike, class Values>
-ESM_INLINE void stretchGroup(const SpringGroup<Law, Ends, damped, alike>& springs,
-                             GroupInFlight<Values>& group, Lanes* damper, Lanes& heat) noexcept
+template <bool tensionOnly, bool keep, class Law, bool damped, bool alike>
+ESM_INLINE void stretchGroup(const SpringGroup<Law, damped, alike>& springs, GroupInFlight& group,
+                             Lanes* damper, Lanes& heat) noexcept
 {
-  const Values zero = {};
-  const Values one = zero + 1.0;
-  const Values shortest = one * (kMinSpringLength * kMinSpringLength);
-  Values length = group.square, restLength, tension;
+  const Lanes zero = {0, 0, 0, 0};
+  const Lanes one = zero + 1.0;
+  const Lanes shortest = one * (kMinSpringLength * kMinSpringLength);
+  Lanes length = group.square, restLength, tension;
   squareRoot(length);
-  const BitsOf<Values> tooShort = group.square < shortest; // all bits set where true
-  Values inverseSquare = one / group.square;
+  const LaneBits tooShort = group.square < shortest; // all bits set where true
+  Lanes inverseSquare = one / group.square;
   inverseSquare = tooShort ? zero : inverseSquare;
-  const Values inverse = length * inverseSquare;
+  const Lanes inverse = length * inverseSquare;
   springs.restLength(restLength);
-  const Values e = length - restLength;
+  const Lanes e = length - restLength;
   Law::tension(springs, e, tension);
   group.scale = tension * inverse;
   if constexpr (damped) {
-    Values drag;
+    Lanes drag;
     springs.viscosity(drag);
     drag *= group.slip * inverseSquare;
     if constexpr (tensionOnly) drag = e <= zero ? zero : drag;
-    Ends::addTo(heat, drag * group.slip);
+    heat += drag * group.slip;
     group.scale += drag;
     if constexpr (keep) {
-      Values root;
+      Lanes root;
       springs.rootViscosity(root);
       root *= inverse;
       if constexpr (tensionOnly) root = e <= zero ? zero : root;
-      Ends::store(damper + springs.first / 4 * 3, group.dx * root, group.dy * root, group.dz * root);
+      Lanes* const kept = damper + springs.first / 4 * 3;
+      kept[0] = group.dx * root;
+      kept[1] = group.dy * root;
+      kept[2] = group.dz * root;
     }
   }
   if constexpr (tensionOnly) group.scale = e <= zero ? zero : group.scale;
 }
 
-/// The pass that all laws share, over springs begin .. end-1 in steps of `groups` groups of Ends::kCount;
-/// @return where it stopped, less than a step before the end. `Law::tension(group, e, f)` gives f(e) of a
+/// The pass that all laws share, over springs begin .. end-1 in steps of `groups` groups of four; @return
+/// where it stopped, less than a step before the end. `Law::tension(group, e, f)` gives f(e) of a
 /// SpringGroup. With `keep` the damping is stored as well, see DamperArray.
 ///
 /// From reading the nodes to pulling at them a spring takes a hundred cycles, most of them waiting for the
 /// root and the quotient, and a processor looks only some 250 instructions ahead: not three groups. So the
 /// groups of a step go through each part together, and wait together: a quarter of the time.
-template <class Law, class Ends, std::size_t groups, bool damped, bool alike, bool tensionOnly, bool keep>
+template <class Law, std::size_t groups, bool damped, bool alike, bool tensionOnly, bool keep>
 ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, std::size_t end,
                                   const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
                                   Lanes& heat) noexcept
 {
-  using Values = typename Ends::Values;
+  constexpr std::size_t kFour = FourEnds::kCount;
   std::size_t i = begin;
-  for (; i + groups * Ends::kCount <= end; i += groups * Ends::kCount) {
-    using Springs = SpringGroup<Law, Ends, damped, alike>;
-    GroupInFlight<Values> group[groups];
+  for (; i + groups * kFour <= end; i += groups * kFour) {
+    using Springs = SpringGroup<Law, damped, alike>;
+    GroupInFlight group[groups];
+    for (std::size_t g = 0; g < groups; ++g) foresee(Springs(batch, i + g * kFour).record, Springs::kRows);
+    for (std::size_t g = 0; g < groups; ++g) readGroup(Springs(batch, i + g * kFour), x, v, group[g]);
     for (std::size_t g = 0; g < groups; ++g)
-      foresee(Springs(batch, i + g * Ends::kCount).record, Ends::kCount / 4 * Springs::kRows);
-    for (std::size_t g = 0; g < groups; ++g) readGroup(Springs(batch, i + g * Ends::kCount), x, v, group[g]);
+      stretchGroup<tensionOnly, keep>(Springs(batch, i + g * kFour), group[g], damper, heat);
     for (std::size_t g = 0; g < groups; ++g)
-      stretchGroup<tensionOnly, keep>(Springs(batch, i + g * Ends::kCount), group[g], damper, heat);
-    for (std::size_t g = 0; g < groups; ++g)
-      Springs(batch, i + g * Ends::kCount).endsAgain().pullAlong(force, group[g]);
+      Springs(batch, i + g * kFour).endsAgain().pullAlong(force, group[g]);
   }
   return i;
 }
 
-/// In the widest groups that the version of a function has, and what is left by fours.
-template <class Law, class Widest, bool damped, bool alike, bool tensionOnly, bool keep>
+/// As many groups at a time as is best, and what is left one by one.
+template <class Law, bool damped, bool alike, bool tensionOnly, bool keep>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                              Lanes* damper) noexcept
 {
   const std::size_t count = batch.paddedCount();
   Lanes heat = {0, 0, 0, 0};
-  const std::size_t done = passGroups<Law, Widest, kGroupsAtOnce<Widest>, damped, alike, tensionOnly, keep>(
+  const std::size_t done = passGroups<Law, kGroupsAtOnce, damped, alike, tensionOnly, keep>(
     batch, 0, count, x, v, force, damper, heat);
-  passGroups<Law, FourEnds, 1, damped, alike, tensionOnly, keep>(batch, done, count, x, v, force, damper,
-                                                                 heat);
+  passGroups<Law, 1, damped, alike, tensionOnly, keep>(batch, done, count, x, v, force, damper, heat);
   return sumLanes(heat);
 }
 
 /// Chooses among the kinds of batch, once per batch.
-template <class Law, class Widest, bool damped, bool alike>
+template <class Law, bool damped, bool alike>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                              Lanes* damper) noexcept
 {
   if constexpr (damped)
     if (damper != nullptr)
-      return batch.tensionOnly
-               ? springPass<Law, Widest, true, alike, true, true>(batch, x, v, force, damper)
-               : springPass<Law, Widest, true, alike, false, true>(batch, x, v, force, damper);
-  return batch.tensionOnly
-           ? springPass<Law, Widest, damped, alike, true, false>(batch, x, v, force, nullptr)
-           : springPass<Law, Widest, damped, alike, false, false>(batch, x, v, force, nullptr);
+      return batch.tensionOnly ? springPass<Law, true, alike, true, true>(batch, x, v, force, damper)
+                               : springPass<Law, true, alike, false, true>(batch, x, v, force, damper);
+  return batch.tensionOnly ? springPass<Law, damped, alike, true, false>(batch, x, v, force, nullptr)
+                           : springPass<Law, damped, alike, false, false>(batch, x, v, force, nullptr);
 }
 
-template <class Law, class Widest>
+template <class Law>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                              Lanes* damper) noexcept
 {
   if constexpr (canBeAlike(Law::kLaw))
     if (batch.alike)
-      return batch.damped ? springPass<Law, Widest, true, true>(batch, x, v, force, damper)
-                          : springPass<Law, Widest, false, true>(batch, x, v, force, damper);
-  return batch.damped ? springPass<Law, Widest, true, false>(batch, x, v, force, damper)
-                      : springPass<Law, Widest, false, false>(batch, x, v, force, damper);
+      return batch.damped ? springPass<Law, true, true>(batch, x, v, force, damper)
+                          : springPass<Law, false, true>(batch, x, v, force, damper);
+  return batch.damped ? springPass<Law, true, false>(batch, x, v, force, damper)
+                      : springPass<Law, false, false>(batch, x, v, force, damper);
 }
 
 /// The energy of a batch [J], four springs at a time on every CPU: sums in another order have other bits.
@@ -227,8 +198,8 @@ ESM_INLINE double energyPass(const SpringBatch& batch, const Lanes* x) noexcept
   const Lanes zero = {0, 0, 0, 0};
   Lanes sum = zero;
   for (std::size_t i = 0; i < batch.paddedCount(); i += FourEnds::kCount) {
-    const SpringGroup<Law, FourEnds, damped, alike> springs(batch, i);
-    GroupInFlight<Lanes> group;
+    const SpringGroup<Law, damped, alike> springs(batch, i);
+    GroupInFlight group;
     readPlaces(springs.ends(), x, group);
     Lanes length = group.square, restLength, energy;
     squareRoot(length);
@@ -257,8 +228,8 @@ ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const La
   const Lanes zero = {0, 0, 0, 0};
   Lanes largest = zero;
   for (std::size_t i = 0; i < batch.paddedCount(); i += FourEnds::kCount) {
-    const SpringGroup<Law, FourEnds, damped, alike> springs(batch, i);
-    GroupInFlight<Lanes> group;
+    const SpringGroup<Law, damped, alike> springs(batch, i);
+    GroupInFlight group;
     readGroup(springs, x, v, group);
     Lanes length = group.square, restLength, tension;
     squareRoot(length);

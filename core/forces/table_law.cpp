@@ -45,8 +45,8 @@ double integralTo(const ForceTable& table, double strain) noexcept
 /// f = k L g(e/L), one spring after the other: a look-up does not profit from lanes.
 struct Table {
   static constexpr SpringLaw kLaw = SpringLaw::Table;
-  template <class Group, class Values>
-  ESM_INLINE static void tension(const Group& group, const Values& e, Values& f) noexcept
+  template <class Group>
+  ESM_INLINE static void tension(const Group& group, const Lanes& e, Lanes& f) noexcept
   {
     const SpringBatch& batch = group.batch;
     const std::size_t i = group.first;
@@ -55,8 +55,8 @@ struct Table {
       f[lane] = batch.stiffness[i + lane] * length * valueAt(tableOf(batch, i + lane), e[lane] / length);
     }
   }
-  template <class Group, class Values>
-  ESM_INLINE static void energy(const Group& group, const Values& e, Values& result) noexcept
+  template <class Group>
+  ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
     const SpringBatch& batch = group.batch;
     const std::size_t i = group.first;
@@ -74,7 +74,7 @@ public:
   double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                    Lanes* damper) const noexcept override
   {
-    return detail::springPass<Table, detail::FourEnds>(batch, x, v, force, damper);
+    return detail::springPass<Table>(batch, x, v, force, damper);
   }
 
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
