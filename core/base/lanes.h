@@ -12,14 +12,20 @@
 // built for plain x86-64, and the AVX2 versions of a kernel pass it only to what is inlined into them.
 #pragma GCC diagnostic ignored "-Wpsabi"
 
-/// Put before a function that deserves further versions for CPUs with AVX2 and with AVX-512 (whose 32
-/// registers spare the spills; lanes stay four wide, as eight gain nothing); the loader chooses. Off under
+/// Put before a function that deserves a further version for CPUs with AVX2; the loader chooses. Off under
 /// sanitizers, which cannot run before the choice is made, and where there is no such choice.
+///
+/// ESM_CPU_CLONES_AVX512 adds one for AVX-512, of whose 32 registers g++ makes use in tiles of a matrix (a
+/// factor takes a tenth less). Elsewhere such a version loses: its shuffles are other instructions. On a
+/// Genoa the viscous forces alone took half as long again, whole motions up to a fifth longer; lanes of eight
+/// were slower still.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(ESM_SANITIZED) &&            \
   !defined(ESM_NO_CLONES)
-#define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
+#define ESM_CPU_CLONES __attribute__((target_clones("default", "arch=x86-64-v3")))
+#define ESM_CPU_CLONES_AVX512 __attribute__((target_clones("default", "arch=x86-64-v3", "arch=x86-64-v4")))
 #else
 #define ESM_CPU_CLONES
+#define ESM_CPU_CLONES_AVX512
 #endif
 
 #define ESM_INLINE [[gnu::always_inline]] inline

@@ -138,7 +138,7 @@ struct Panel {
 };
 
 /// @return negative pivots, -1 for failure; `right` is what the rows of the update take as second factor.
-ESM_CPU_CLONES int factorColumns(const Panel& panel, const double** right) noexcept
+ESM_CPU_CLONES_AVX512 int factorColumns(const Panel& panel, const double** right) noexcept
 {
   const Index lead = panel.lead;
   const double* b = panel.values;
@@ -182,8 +182,8 @@ ESM_CPU_CLONES int factorColumns(const Panel& panel, const double** right) noexc
 }
 
 /// Lower half of update -= a b^T; both of `width` columns, `lead` apart.
-ESM_CPU_CLONES void subtractSquare(double* update, Index rows, Index outer, const double* a, const double* b,
-                                   Index lead, Index width) noexcept
+ESM_CPU_CLONES_AVX512 void subtractSquare(double* update, Index rows, Index outer, const double* a,
+                                          const double* b, Index lead, Index width) noexcept
 {
   for (Index column = 0; column < rows; column += 3) {
     double* c = update + static_cast<std::ptrdiff_t>(column) * outer;
@@ -219,7 +219,7 @@ ESM_INLINE void addNumbers(const double* from, double* to, Index count) noexcept
 
 /// What the solution of L y = b takes from the rows of a panel. @param t  the front's rows; in: b of the
 /// triangle's rows, 0 below; out: y, and what to add to the rows below.
-ESM_CPU_CLONES void solveForward(const double* panel, Index width, Index lead, double* t) noexcept
+ESM_CPU_CLONES_AVX512 void solveForward(const double* panel, Index width, Index lead, double* t) noexcept
 {
   for (Index column = 0; column < width; column += 3) {
     const double* l = panel + static_cast<std::ptrdiff_t>(column) * lead;
@@ -243,7 +243,8 @@ ESM_CPU_CLONES void solveForward(const double* panel, Index width, Index lead, d
 
 /// Solves L^T x = z. @param z  of the triangle's rows; x is put in its place. @param t  in: 0 in the rows of
 /// the triangle, x in those below.
-ESM_CPU_CLONES void solveBackward(const double* panel, Index width, Index lead, double* z, double* t) noexcept
+ESM_CPU_CLONES_AVX512 void solveBackward(const double* panel, Index width, Index lead, double* z,
+                                         double* t) noexcept
 {
   for (Index column = width - 3; column >= 0; column -= 3) {
     const double* l = panel + static_cast<std::ptrdiff_t>(column) * lead;

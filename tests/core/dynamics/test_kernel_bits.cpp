@@ -95,8 +95,8 @@ bool haveEqualBits(const NodeArray& a, const NodeArray& b)
 
 } // namespace
 
-// Golden hashes must hold on every x86-64: the version that the loader chooses here (AVX2 or AVX-512 where
-// the CPU has it) and the plain one give the same bits for forces, heat and energy; and these are what the
+// Golden hashes must hold on every x86-64: the version that the loader chooses here (AVX2 where the CPU
+// has it) and the plain one give the same bits for forces, heat and energy; and these are what the
 // laws say, whether springs are alike or not. Several times: sums in another order have the same last bit now
 // and then.
 class KernelBitsOf : public ::testing::TestWithParam<std::uint32_t> {};
