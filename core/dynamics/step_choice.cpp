@@ -82,7 +82,6 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_onset.longest = 0.0;
   m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
-  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system, asksForDecay());
   setBound(system, state);
   guessSteps();
@@ -143,7 +142,6 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_names = std::move(part.nodes);
   m_onset.longest = 0.0;
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
-  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / m_settings.effort;
   m_bound.prepare(system, asksForDecay());
   setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
@@ -153,17 +151,17 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
 
 void StepDriver::setAccuracy(const System& system, double tolerance, double effort)
 {
-  const double change = tolerance / m_settings.tolerance;
+  const double change = tolerance / m_settings.tolerance, lessEffort = m_settings.effort / effort;
   m_settings.tolerance = tolerance;
   m_settings.effort = effort;
   m_onset.longest = 0.0;
   for (Candidate& candidate : m_candidates) { // what the error's order says, until the next check
     if (!candidate.integrator) continue;
+    candidate.affordableStep *= lessEffort;
     const double gain = std::pow(change, 1.0 / candidate.integrator->order());
     candidate.accurateStep *= gain;
     candidate.estimate *= gain;
   }
-  m_explicitFloorStep = kFrame * static_cast<double>(system.forces().activeSprings()) / effort;
   m_untilCheck = 0;
   m_checkGap = 1;
   m_settled = 0;
@@ -404,7 +402,7 @@ double StepDriver::floorStep() const noexcept
 {
   if (!m_auto) return 0.0;
   if (m_method == m_implicit) return m_toleranceGivenUp ? m_floorStep : 0.0;
-  return m_explicitFloorStep;
+  return m_candidates[m_method].affordableStep;
 }
 
 } // namespace esm

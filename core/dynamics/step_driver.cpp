@@ -339,8 +339,23 @@ void StepDriver::setBound(const System& system, const MotionState& state)
   m_mode = m_bound.compute(system, state.x, state.v);
   m_sinceBound = 0.0;
   m_boundPatience = 1.0;
-  for (Candidate& candidate : m_candidates) candidate.integrator->tune(system, m_mode);
+  for (Candidate& candidate : m_candidates) {
+    candidate.integrator->tune(system, m_mode);
+    weighEffort(system, candidate);
+  }
   weighLeastCost(system);
+}
+
+/// The smallest steps that a frame's effort pays for. One may cost some force passes (stages for dampers): to
+/// count it as one made steps at the effort's limit too dear, and left a net to descent for them.
+void StepDriver::weighEffort(const System& system, Candidate& candidate) const
+{
+  if (!isExplicit(candidate)) return;
+  const bool isPlain = candidate.role != MethodRole::Local; // whose costs are known before it is laid out
+  const double cost = isPlain
+                        ? candidate.integrator->stepCost(system, std::min(stableStep(candidate), kFrame))
+                        : static_cast<double>(system.forces().activeSprings());
+  candidate.affordableStep = kFrame * cost / m_settings.effort;
 }
 
 /// Of a step, in force passes; an implicit one counts as one.

@@ -103,6 +103,7 @@ private:
     std::unique_ptr<Integrator> integrator;
     MethodRole role = MethodRole::ByName;
     double typicalError = 0.0, offset = 0.0; ///< see IntegratorEntry
+    double affordableStep = 0.0;             ///< smaller ones would cost more than the effort [s]
     bool prepared = false;
     int untilProbe = 0; ///< checks until it may be probed
     int probeGap = 1;
@@ -144,6 +145,7 @@ private:
   bool isHeldUp() const noexcept;
   bool isDamped() const noexcept;
   void setBound(const System& system, const MotionState& state);
+  void weighEffort(const System& system, Candidate& candidate) const;
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);
   void weighLeastCost(const System& system);
@@ -211,7 +213,6 @@ private:
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
   double m_leastCost = 0.0;             ///< of a frame, whatever the tolerance [spring evaluations]
   double m_floorStep = 0.0;             ///< smallest implicit step while the tolerance is given up [s]
-  double m_explicitFloorStep = 0.0;     ///< smallest step that accuracy may cost under `auto` [s]
   double m_grown = 0.0, m_growth = 0.0; ///< energy that appeared up to the present stretch, up to its end [J]
   int m_settled = 0;                    ///< stretches before the method may change again
   int m_descents = 0;                   ///< stretches of descent still to come
