@@ -151,13 +151,13 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
 
 void StepDriver::setAccuracy(const System& system, double tolerance, double effort)
 {
-  const double change = tolerance / m_settings.tolerance, lessEffort = m_settings.effort / effort;
+  const double change = tolerance / m_settings.tolerance;
   m_settings.tolerance = tolerance;
   m_settings.effort = effort;
   m_onset.longest = 0.0;
   for (Candidate& candidate : m_candidates) { // what the error's order says, until the next check
     if (!candidate.integrator) continue;
-    candidate.affordableStep *= lessEffort;
+    weighEffort(system, candidate);
     const double gain = std::pow(change, 1.0 / candidate.integrator->order());
     candidate.accurateStep *= gain;
     candidate.estimate *= gain;

@@ -3,10 +3,9 @@
 #include "core/forces/spring_ends.h"
 
 namespace esm {
-namespace {
 
-ESM_CPU_CLONES void addDampingHere(const SpringBatch& batch, const Lanes* damper, const Lanes* v,
-                                   Lanes* force) noexcept
+ESM_CPU_CLONES void addDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v,
+                               Lanes* force) noexcept
 {
   if (!batch.damped) return;
   for (std::size_t i = 0; i < batch.paddedCount(); i += detail::FourEnds::kCount) {
@@ -21,13 +20,6 @@ ESM_CPU_CLONES void addDampingHere(const SpringBatch& batch, const Lanes* damper
     detail::transposeBack(qx * drag, qy * drag, qz * drag, f0, f1, f2, f3);
     ends.pull(force, f0, f1, f2, f3);
   }
-}
-
-} // namespace
-
-void addDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept
-{
-  addDampingHere(batch, damper, v, force);
 }
 
 } // namespace esm

@@ -7,6 +7,7 @@
 // stiffness: pressed further, or in a softer bed, its springs buckle under compression (at medium
 // shiftability from about 0.02 N on) and the dents follow the mesh. Struts inside are the cure, not tests.
 #include "core/dynamics/simulation.h"
+#include "core/runtime/tool_grip.h"
 #include "core/tissue/tissue_model.h"
 #include "tests/core/tissue/test_nets.h"
 
@@ -128,7 +129,6 @@ TEST(SoftRegion, AgreesWithALinearSolution)
   EXPECT_NEAR(depth(settled(net, force)) / depth(test::displacement(net, force)), 1.0, 0.05);
 }
 
-} // namespace
 // A hand draws one node out of a soft tube, 6 mm in a second: waves of the thin wall that no affordable step
 // follows. In the mean, frames then cost the effort: steps are as small as it pays for, and what is checked
 // now and then costs more (0.95 seen). With steps counted as one force pass each, whatever their stages for
@@ -140,10 +140,8 @@ TEST(PulledTube, CostsItsEffortWhereTheToleranceIsTooDear)
   ASSERT_TRUE(applyTissue(defaultTissue(), net));
   Index node = 0;
   net.restPosition.row(2).maxCoeff(&node);
-  double stiffness = 0.0;
-  for (Index s = 0; s < net.springCount(); ++s)
-    if (net.ends(0, s) == node || net.ends(1, s) == node) stiffness += 3.0 * net.stiffness[s];
-  const double viscosity = 2.0 * std::sqrt(stiffness * net.mass[node]);
+  const double stiffness = toolStiffness(stiffnessAround(net, node));
+  const double viscosity = toolViscosity(stiffness, net.mass[node]);
   const Eigen::Vector3d velocity(0.0, 0.0, 0.006);
   SolverSettings settings;
   settings.tolerance = 1e-2;
@@ -162,4 +160,5 @@ TEST(PulledTube, CostsItsEffortWhereTheToleranceIsTooDear)
   EXPECT_LT(static_cast<double>(report.springsEvaluated), 1.25 * kFrames * settings.effort);
 }
 
+} // namespace
 } // namespace esm
