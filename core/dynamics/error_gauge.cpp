@@ -172,6 +172,17 @@ double ErrorGauge::unspent(double tolerance, const MotionState& state) const noe
   return std::max(allowance(tolerance, state) - m_scale.spent, 0.0);
 }
 
+/// Sheets of a thousand nodes that wind blew at had spent what they might by the time it fell, and the mean
+/// displacement with it: at 1e-6 six of seven ended above, up to 1.32 times, and one at 1e-4; with this share
+/// of the budget none of ten above 0.85. At coarser tolerances steps end at their limit before errors do.
+double ErrorGauge::lastingShare(double tolerance, double time) const noexcept
+{
+  constexpr double kTight = 1e-3, kPower = 0.15;
+  if (awaitsRelease(time)) return 1.0; // allowance() sees to that
+  const double few = std::max(1.0 - doublingsOfMany(m_rest.size()), 0.0);
+  return std::min(1.0, std::pow(tolerance / kTight, kPower * few));
+}
+
 double ErrorGauge::budget(double tolerance, const MotionState& state, double length) const noexcept
 {
   const double all = allowance(tolerance, state);

@@ -72,6 +72,10 @@ public:
   /// again and again until the end, if errors go on to fade as of late, without more than the tolerance in
   /// the mean over time.
   double budget(double tolerance, const MotionState& state, double length) const noexcept;
+  /// Of that, what may be spent where waves hardly fade: what they err is still there when the motion that it
+  /// was measured against is over. Less at tight tolerances, all in nets of thousands of nodes, whose errors
+  /// spread over many waves.
+  double lastingShare(double tolerance, double time) const noexcept;
   /// Error that the motion may still add, were it to live for good [m].
   double unspent(double tolerance, const MotionState& state) const noexcept;
   /// The part of a stretch's error that counts, as long as it lives and until the end, if it was `early` [m]

@@ -220,11 +220,13 @@ double StepDriver::explicitDiscount() const noexcept
 /// Of the budget, what a method may spend. Nets whose stiff part holds up explicit steps multiply errors when
 /// they snap through, and no check before sees it: at 1e-6 `verlet` spent a third of each budget and ended at
 /// eight times the tolerance. To err far less costs little there: second order at its limit is that good down
-/// to 1e-5, and higher orders below.
+/// to 1e-5, and higher orders below. Where dampers hardly brake waves, errors outlive the motion that they
+/// were measured against.
 double StepDriver::spendable(const Candidate& candidate) const noexcept
 {
-  if (!m_auto || !isExplicit(candidate) || !isHeldUp()) return 1.0;
-  return std::min(1.0, std::pow(m_settings.tolerance / kLooseTolerance, 0.6));
+  if (!isExplicit(candidate)) return 1.0;
+  if (m_auto && isHeldUp()) return std::min(1.0, std::pow(m_settings.tolerance / kLooseTolerance, 0.6));
+  return isDamped() ? 1.0 : m_gauge.lastingShare(m_settings.tolerance, m_start.time);
 }
 
 /// The largest step that one force pass can take [s].
