@@ -140,7 +140,7 @@ private:
   void reconsider(System& system, std::optional<Method> proven = std::nullopt);
   double cost(Method method, const System& system);
   double costAtLimit(Method method, const System& system);
-  double explicitDiscount() const noexcept;
+  double caution() const noexcept;
   double spendable(const Candidate& candidate) const noexcept;
   bool isHeldUp() const noexcept;
   bool isDamped() const noexcept;
