@@ -335,8 +335,8 @@ void StepDriver::choose(System& system, const MotionState&)
     m_method = cheapestExplicit(system, 1.0);
     m_toleranceGivenUp = false;
     // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
-    if (isHeldUp() && (toleranceIsTooDear(system) ||
-                       caution() * cost(m_method, system) > 2.0 * cost(m_implicit, system)))
+    if (isHeldUp() &&
+        (toleranceIsTooDear(system) || caution() * cost(m_method, system) > 2.0 * cost(m_implicit, system)))
       m_method = m_implicit;
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
   }
@@ -363,8 +363,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
   if (before == m_implicit) {
     const Method other = cheapestExplicit(system, patience());
     const bool isOnset = m_settings.tolerance >= kLooseTolerance && m_gauge.scale().calm < kOnsetOfImplicit;
-    if (!tooDear && !isOnset &&
-        cost(m_implicit, system) > 1.5 * caution() * costAtLimit(other, system))
+    if (!tooDear && !isOnset && cost(m_implicit, system) > 1.5 * caution() * costAtLimit(other, system))
       m_method = other;
   } else {
     const Method other = proven ? *proven : cheapestExplicit(system, patience());
@@ -374,8 +373,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && isHeldUp() && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors
-      if (tooDear || caution() * cost(before, system) > 3.0 * cost(m_implicit, system))
-        m_method = m_implicit;
+      if (tooDear || caution() * cost(before, system) > 3.0 * cost(m_implicit, system)) m_method = m_implicit;
     }
   }
   giveToleranceUp(system, tooDear && m_method == m_implicit);
