@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <ranges>
 #include <vector>
 
@@ -73,6 +74,25 @@ Index frontMost(const Camera& camera, const Eigen::Matrix3Xd& position, const st
   for (const Candidate& candidate : seen) // nearest to the click first
     if (candidate.depth <= limit) return candidate.node;
   return front->node;
+}
+
+/// Of the triangle that is in front under the click, the corner nearest to it.
+Index nearestCorner(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
+                    const Eigen::Vector2d& pixel)
+{
+  const Ray ray = camera.rayThrough(pixel);
+  double closest = std::numeric_limits<double>::infinity();
+  Eigen::Index front = -1;
+  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+    const auto hit = hitTriangle(ray, position.col(triangles(0, t)), position.col(triangles(1, t)),
+                                 position.col(triangles(2, t)));
+    if (!hit || !(*hit < closest)) continue;
+    closest = *hit;
+    front = t;
+  }
+  if (front < 0) return kNoIndex;
+  const auto distance = [&](Index node) { return (camera.project(position.col(node)).pixel - pixel).norm(); };
+  return std::ranges::min(triangles.col(front), {}, distance);
 }
 
 /// Which triangles are seen in which square of the screen, within a box.
@@ -153,7 +173,8 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
     if (!hidden(camera, position, triangles, all, position.col(candidate.node),
                 [&](const auto& triangle) { return holds(triangle, candidate.node); }))
       seen.push_back(candidate);
-  return frontMost(camera, position, seen, radius);
+  return seen.empty() ? nearestCorner(camera, position, triangles, pixel)
+                      : frontMost(camera, position, seen, radius);
 }
 
 Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const SegmentMatrix& ends,

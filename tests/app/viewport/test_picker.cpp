@@ -57,13 +57,34 @@ TEST(PickNode, EachNodeOfTheFrontAndNoneOfTheBack)
   }
 }
 
-TEST(PickNode, OnlyWithinTheRadius)
+TEST(PickNode, BesideTheSurfaceOnlyWithinTheRadius)
+{
+  const auto net = samples::sphere(0, 0.04); // an octahedron
+  const Camera camera = fromTheFront();
+  const Vector2d top = camera.project(Vector3d(0.0, 0.0, 0.04)).pixel;
+  const Index node = pickNode(camera, net->restPosition, net->triangles, top, 12.0);
+  ASSERT_NE(node, kNoIndex);
+  EXPECT_EQ(pickNode(camera, net->restPosition, net->triangles, top + Vector2d(0.0, -11.5), 12.0), node);
+  EXPECT_EQ(pickNode(camera, net->restPosition, net->triangles, top + Vector2d(0.0, -12.5), 12.0), kNoIndex);
+}
+
+// A coarse mesh, or one that is near: no node is within the radius where a hand takes hold of the surface.
+TEST(PickNode, AnywhereOnATriangleItsNearestCorner)
 {
   const auto net = samples::sphere(0, 0.04);
   const Camera camera = fromTheFront();
-  const Vector2d pole = camera.project(net->restPosition.col(4)).pixel;
-  EXPECT_EQ(pickNode(camera, net->restPosition, net->triangles, pole + Vector2d(0.0, -11.5), 12.0), 4);
-  EXPECT_EQ(pickNode(camera, net->restPosition, net->triangles, pole + Vector2d(0.0, -12.5), 12.0), kNoIndex);
+  int held = 0;
+  for (Eigen::Index t = 0; t < net->triangles.cols(); ++t) {
+    const auto corner = [&](int i) -> Vector3d { return net->restPosition.col(net->triangles(i, t)); };
+    for (int i = 0; i < 3; ++i) {
+      const Vector3d at = 0.5 * corner(i) + 0.25 * (corner((i + 1) % 3) + corner((i + 2) % 3));
+      if (at.y() > -0.005) continue; // of the back
+      EXPECT_EQ(pickNode(camera, net->restPosition, net->triangles, camera.project(at).pixel, 12.0),
+                net->triangles(i, t));
+      ++held;
+    }
+  }
+  EXPECT_EQ(held, 12);
 }
 
 // Without a surface nothing hides, but a node in front still goes before one far behind it, even if the click
