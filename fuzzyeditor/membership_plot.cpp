@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace esm {
 namespace {
@@ -212,26 +213,38 @@ void MembershipPlot::paintTerms(QPainter& painter, const fuzzy::Variable& v) con
 }
 
 /// Words above their peaks, side by side: crowded ones are pushed to the right, and back where that leaves
-/// the plot. @param peaks places [pixel] and terms, from the left.
+/// the plot; what has no room is cut short. @param peaks places [pixel] and terms, from the left.
 void MembershipPlot::paintWords(QPainter& painter, const fuzzy::Variable& v,
                                 const std::vector<std::pair<double, int>>& peaks) const
 {
-  constexpr double kGap = 8.0;
+  constexpr double kGap = 8.0, kLeastGap = 4.0, kMargin = 3.0;
   const Language language = m_evaluation->document()->ruleLanguage();
+  const QFontMetricsF metrics(font());
   const int line = fontMetrics().height();
   QStringList names;
   std::vector<double> start(peaks.size()), wide(peaks.size());
-  double free = m_area.left();
   for (std::size_t i = 0; i < peaks.size(); ++i) {
     names << toQt(v.terms[static_cast<std::size_t>(peaks[i].second)].name.in(language));
-    wide[i] = fontMetrics().horizontalAdvance(names.back());
-    start[i] = std::max(free, peaks[i].first - wide[i] / 2);
-    free = start[i] + wide[i] + kGap;
+    wide[i] = metrics.horizontalAdvance(names.back());
   }
-  double end = width() - 3.0;
+  const double all = std::accumulate(wide.begin(), wide.end(), 0.0), room = width() - 2.0 * kMargin;
+  const double gaps = std::max(static_cast<double>(peaks.size()) - 1.0, 1.0);
+  const double gap = std::clamp((room - all) / gaps, kLeastGap, kGap);
+  if (const double share = (room - gaps * gap) / all; share < 1.0)
+    for (std::size_t i = 0; i < peaks.size(); ++i) {
+      QString& name = names[static_cast<qsizetype>(i)];
+      name = metrics.elidedText(name, Qt::ElideRight, share * wide[i]);
+      wide[i] *= share;
+    }
+  double free = m_area.left();
+  for (std::size_t i = 0; i < peaks.size(); ++i) {
+    start[i] = std::max(free, peaks[i].first - wide[i] / 2);
+    free = start[i] + wide[i] + gap;
+  }
+  double end = width() - kMargin;
   for (std::size_t i = peaks.size(); i-- > 0;) {
     start[i] = std::min(start[i], end - wide[i]);
-    end = start[i] - kGap;
+    end = start[i] - gap;
     painter.setPen(panel_colors::curve(palette(), peaks[i].second));
     painter.drawText(QRectF(start[i], m_area.top() - line - 2, wide[i] + 2, line), Qt::AlignLeft,
                      names[static_cast<qsizetype>(i)]);

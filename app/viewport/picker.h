@@ -17,8 +17,8 @@ std::optional<double> hitTriangle(const Ray& ray, const Eigen::Vector3d& a, cons
 
 /// The node that a user means with a click: it lies within `radius` pixels, no triangle hides it, it belongs
 /// to what is in front there (matters for nets of bare springs), and of those it is nearest to the click. If
-/// there is none, but a triangle is under the click, it is that one's nearest corner: meshes may be coarse, or
-/// near.
+/// there is none, but a triangle is under the click, it is that one's nearest corner: meshes may be coarse,
+/// or near.
 /// @param position 3 x N [m]. @param triangles what can hide; 3 x 0 for nothing.
 /// Cost: O(N) projections and a few times O(F) ray tests.
 Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,

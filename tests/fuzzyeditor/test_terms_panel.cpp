@@ -319,5 +319,24 @@ TEST_F(TermsPanelTest, TheSavedCurveStandsBehindTheChangedOne)
   EXPECT_NE(ghost, untouched);
 }
 
+/// Words that are too long for the plot are cut short, the first one is not pushed out of it.
+TEST_F(TermsPanelTest, LongWordsStayWithinThePlot)
+{
+  panel.edits()->chooseTerm(2);
+  auto* english = panel.findChild<QLineEdit*>("termEnglish");
+  english->setFocus();
+  english->selectAll();
+  QTest::keyClicks(english, QString(40, 'w'));
+  QTest::keyClick(english, Qt::Key_Return);
+  ASSERT_EQ(hardness()[2].name.english.size(), 40U);
+  const QImage image = plot->grab().toImage();
+  const int bottom = static_cast<int>(plot->pixelOf(0, Handle::Peak).y()) - 6,
+            top = bottom - 8; // in the words
+  const QRgb ground = image.pixel(0, 0);
+  for (int y = top; y < bottom; ++y)
+    for (const int x : {0, 1, image.width() - 2, image.width() - 1})
+      EXPECT_EQ(image.pixel(x, y), ground) << x;
+}
+
 } // namespace
 } // namespace esm
