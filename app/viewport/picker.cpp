@@ -3,6 +3,7 @@
 #include "app/viewport/picker.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <ranges>
@@ -91,8 +92,9 @@ Index nearestCorner(const Camera& camera, const Eigen::Matrix3Xd& position, cons
     front = t;
   }
   if (front < 0) return kNoIndex;
+  const std::array<Index, 3> corners{triangles(0, front), triangles(1, front), triangles(2, front)};
   const auto distance = [&](Index node) { return (camera.project(position.col(node)).pixel - pixel).norm(); };
-  return std::ranges::min(triangles.col(front), {}, distance);
+  return std::ranges::min(corners, {}, distance);
 }
 
 /// Which triangles are seen in which square of the screen, within a box.
@@ -129,7 +131,11 @@ private:
   {
     return static_cast<int>(std::clamp(from / kSize, 0.0, static_cast<double>(count - 1)));
   }
-  std::size_t tile(int column, int row) const { return static_cast<std::size_t>(row * m_columns + column); }
+  std::size_t tile(int column, int row) const
+  {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(m_columns) +
+           static_cast<std::size_t>(column);
+  }
   void add(Index triangle, const Eigen::AlignedBox2d& seen)
   {
     const Eigen::Vector2d low = seen.min() - m_corner, high = seen.max() - m_corner;
