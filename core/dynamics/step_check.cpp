@@ -138,6 +138,19 @@ double StepDriver::addingUp(const Candidate& candidate, const System& system, co
   return 1.0 - candidate.offset * (1.0 - std::min(along / kAlong, 1.0));
 }
 
+/// What the first of a check's two runs has erred, as far as that goes on to count [m]; the second one ends
+/// at `state`.
+/// @param ratio  of the errors of the two
+double StepDriver::errorOfFirst(System& system, const MotionState& state, double ratio)
+{
+  const double apart = m_gauge.distance(m_coarse, state), length = state.time - m_start.time;
+  m_gauge.prepareSwing(system, state);
+  system.solverWork += kPrepareSwing * static_cast<double>(system.forces().activeSprings());
+  if (m_look.steps > 0) m_growing = m_gauge.growing(m_start.time, length, m_look.error, apart, m_look.share);
+  const double counted = m_growing * addingUp(m_candidates[m_method], system, m_coarse, m_coarseV, state);
+  return counted * swing(system, apart, m_coarseV, state) * ratio / (ratio - 1.0);
+}
+
 /// After a stretch has been done in `steps` and again in `finer` steps: whether the second run may be kept;
 /// if so it is. Both ways the error is learned from.
 bool StepDriver::accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
@@ -145,16 +158,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
 {
   const double length = state.time - m_start.time, count = static_cast<double>(steps);
   const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
-  const double apart = m_gauge.distance(m_coarse, state);
-  m_gauge.prepareSwing(system, state);
-  system.solverWork += kPrepareSwing * static_cast<double>(system.forces().activeSprings());
-  if (m_look.steps > 0) m_growing = m_gauge.growing(m_start.time, length, m_look.error, apart, m_look.share);
-  const double counted = m_growing * addingUp(m_candidates[m_method], system, m_coarse, m_coarseV, state);
-  const double coarseError = counted * swing(system, apart, m_coarseV, state) * ratio / (ratio - 1.0);
+  const double coarseError = errorOfFirst(system, state, ratio), error = coarseError / ratio;
   m_gauge.guessLifetime(system, m_start, state);
   const double allowed = budget(state, length);
-  const double most = std::max(allowed, kOnce * m_gauge.unspent(m_settings.tolerance, state));
-  const bool isFine = coarseError / ratio <= most;
+  const bool isFine = error <= std::max(allowed, kOnce * m_gauge.unspent(m_settings.tolerance, state));
   // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
   const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
   const bool atFloor = length / count <= floorStep() && coarseError <= rough;
@@ -167,15 +174,22 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   m_roughAtCheck = !isFine;
   report.rough = report.rough || m_roughAtCheck;
   if (m_roughAtCheck) sayToleranceGivenUp(system);
-  std::optional<Method> proven;
   for (Candidate& candidate : m_candidates) --candidate.untilProbe;
-  if (m_auto && m_onset.longest <= 0.0 && coarseError / ratio <= kShareToCompare * allowed) {
-    for (int i = 0; i < kProbes && !proven; ++i) proven = probe(system, state, allowed, report);
-    if (!proven) proven = probeNext(system, state, allowed, report);
-  }
-  keep(system, state, coarseError / ratio);
+  std::optional<Method> proven;
+  if (m_auto && m_onset.longest <= 0.0 && error <= kShareToCompare * allowed)
+    proven = probeOthers(system, state, allowed, report);
+  keep(system, state, error);
   reconsider(system, proven);
   return true;
+}
+
+/// After a check, by the end that it has kept. @return a method that errs little enough there and costs less.
+std::optional<StepDriver::Method> StepDriver::probeOthers(System& system, const MotionState& state,
+                                                          double allowed, StepReport& report)
+{
+  for (int i = 0; i < kProbes; ++i)
+    if (const std::optional<Method> proven = probe(system, state, allowed, report)) return proven;
+  return probeNext(system, state, allowed, report);
 }
 
 /// After a check: does another method that could be far cheaper err little enough? It takes the same stretch

@@ -153,6 +153,8 @@ private:
   Method cheapestExplicit(const System& system, double patience);
   double patience() const noexcept;
   std::optional<Method> worthAProbe(System& system, double& step);
+  std::optional<Method> probeOthers(System& system, const MotionState& state, double allowed,
+                                    StepReport& report);
   std::optional<Method> probe(System& system, const MotionState& state, double allowed, StepReport& report);
   std::optional<Method> probeNext(System& system, const MotionState& state, double allowed,
                                   StepReport& report);
@@ -172,6 +174,7 @@ private:
   bool energyAppeared(const System& system, const MotionState& state, double share);
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);
+  double errorOfFirst(System& system, const MotionState& state, double ratio);
   double swing(System& system, double distance, const NodeArray& otherV, const MotionState& state);
   double addingUp(const Candidate& candidate, const System& system, const NodeArray& otherX,
                   const NodeArray& otherV, const MotionState& state) const noexcept;
