@@ -140,6 +140,7 @@ private:
   void reconsider(System& system, std::optional<Method> proven = std::nullopt);
   double cost(Method method, const System& system);
   double costAtLimit(Method method, const System& system);
+  bool isPayable(Method method, const System& system);
   double caution() const noexcept;
   double spendable(const Candidate& candidate) const noexcept;
   bool isHeldUp() const noexcept;
