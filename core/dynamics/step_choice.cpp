@@ -277,11 +277,12 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     const bool isLocal = candidate.role == MethodRole::Local;
-    if (!competes(candidate) || (isLocal && !isHeldUp()) || !isPayable(method, system)) continue;
+    if (!competes(candidate) || (isLocal && !isHeldUp())) continue;
     if (isLocal && !candidate.prepared) {
       layOut(method, system); // its classes tell its step
       if (!candidate.isMeasured) guessStep(candidate);
     }
+    if (!isPayable(method, system)) continue;
     const double needed =
       cost(method, system) * (method == m_method ? patience : 1.0) / (isLocal ? kLocalGain : 1.0);
     if (needed >= least) continue;
