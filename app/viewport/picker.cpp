@@ -41,6 +41,12 @@ std::vector<Candidate> candidates(const Camera& camera, const Eigen::Matrix3Xd& 
   return found;
 }
 
+std::optional<double> hitTriangle(const Ray& ray, const Eigen::Matrix3Xd& position,
+                                  const Eigen::Ref<const Eigen::Vector3<Index>>& corners)
+{
+  return hitTriangle(ray, position.col(corners[0]), position.col(corners[1]), position.col(corners[2]));
+}
+
 /// Whether one of those triangles lies between the target and the eye. `owns` says by its three nodes which
 /// ones do not count.
 template <class Range, class Owns>
@@ -52,8 +58,7 @@ bool hidden(const Camera& camera, const Eigen::Matrix3Xd& position, const Triang
   const double closest = reach - kSlack * camera.metresPerPixel(target);
   for (const Index t : among) {
     if (owns(triangles.col(t))) continue;
-    const auto hit = hitTriangle(ray, position.col(triangles(0, t)), position.col(triangles(1, t)),
-                                 position.col(triangles(2, t)));
+    const auto hit = hitTriangle(ray, position, triangles.col(t));
     if (hit && *hit < closest) return true;
   }
   return false;
@@ -85,8 +90,7 @@ Index nearestCorner(const Camera& camera, const Eigen::Matrix3Xd& position, cons
   double closest = std::numeric_limits<double>::infinity();
   Eigen::Index front = -1;
   for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
-    const auto hit = hitTriangle(ray, position.col(triangles(0, t)), position.col(triangles(1, t)),
-                                 position.col(triangles(2, t)));
+    const auto hit = hitTriangle(ray, position, triangles.col(t));
     if (!hit || !(*hit < closest)) continue;
     closest = *hit;
     front = t;
