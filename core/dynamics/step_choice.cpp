@@ -44,7 +44,8 @@ double extentOf(const System& system, const NodeArray& x)
 
 } // namespace
 
-StepDriver::StepDriver(SolverSettings settings) : m_settings(std::move(settings))
+StepDriver::StepDriver(SolverSettings settings)
+  : m_settings(std::move(settings)), m_firstTolerance(m_settings.tolerance), m_firstEffort(m_settings.effort)
 {
   m_auto = m_settings.solver == "auto";
   for (const IntegratorEntry& entry : integratorTable()) {
@@ -212,12 +213,15 @@ double StepDriver::costAtLimit(Method method, const System& system)
   return candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
 }
 
-/// Whether a frame of it could be checked for the effort, or costs no more than plain steps do. Else nobody
-/// would ever learn that another one does for less: at coarse tolerances, where that is likely, it is not
-/// taken. A pulled uterus stayed with `stoermer` at a tolerance of 0.2, at a third of the speed.
+/// Once less has been asked for than at first, because the clock could not be kept: whether a frame of it
+/// could be checked for the effort, or costs no more than plain steps do. Else nobody would ever learn that
+/// another one does for less: a pulled uterus stayed with `stoermer` at a tolerance of 0.2, at a third of the
+/// speed. As long as all of it is wanted such a method stays: plain steps under a tool that presses that
+/// uterus erred twice as much in the force on the hand as they may.
 bool StepDriver::isPayable(Method method, const System& system)
 {
-  if (m_settings.tolerance < kLooseTolerance || method == m_leapfrog) return true;
+  const bool isLess = m_settings.tolerance > m_firstTolerance || m_settings.effort < m_firstEffort;
+  if (!isLess || method == m_leapfrog) return true;
   return costAtLimit(method, system) <= std::max(m_settings.effort, costAtLimit(m_leapfrog, system));
 }
 

@@ -202,6 +202,7 @@ private:
   void explain(const System& system);
 
   SolverSettings m_settings;
+  double m_firstTolerance, m_firstEffort; ///< as wanted, see isPayable()
   bool m_auto = false;
   Method m_leapfrog = 0, m_implicit = 0; ///< the planner's first explicit choice and its refuge
   Method m_descent = 0;                  ///< where that fails, too

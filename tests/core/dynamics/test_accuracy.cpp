@@ -205,25 +205,27 @@ TEST(Accuracy, AStiffNetIsNotLeftToImplicitStepsAtASmallTolerance)
 
 // A method of high order that a small tolerance had asked for, whose checks the new effort does not pay: the
 // net used to stay with it for good (1,060 force passes a frame here), as nobody learned that another one
-// does for a quarter.
+// does for a quarter. Whichever of the two gives way first.
 TEST(Accuracy, ALesserEffortIsNotSpentOnTheMethodOfABetterAccuracy)
 {
-  bench::Scene scene = bench::uterus();
-  scene.net.viscosity *= 4.0;
-  SolverSettings settings;
-  settings.tolerance = 1e-4;
-  Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
-  const auto springsOf = [&](int frames) {
-    double springs = 0.0;
-    for (int frame = 0; frame < frames; ++frame)
-      springs += static_cast<double>(simulation->advance(1.0 / bench::kFrameRate).springsEvaluated);
-    return springs;
-  };
-  springsOf(3);
-  const double before = springsOf(1);
-  ASSERT_EQ(simulation->solverName(), "stoermer");
-  ASSERT_TRUE(simulation->setAccuracy(0.2, 100.0 * static_cast<double>(scene.net.springCount())));
-  EXPECT_LT(springsOf(4), 2.0 * before);
+  for (const double later : {0.2, 1e-4}) {
+    bench::Scene scene = bench::uterus();
+    scene.net.viscosity *= 4.0;
+    SolverSettings settings;
+    settings.tolerance = 1e-4;
+    Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
+    const auto springsOf = [&](int frames) {
+      double springs = 0.0;
+      for (int frame = 0; frame < frames; ++frame)
+        springs += static_cast<double>(simulation->advance(1.0 / bench::kFrameRate).springsEvaluated);
+      return springs;
+    };
+    springsOf(3);
+    const double before = springsOf(1);
+    ASSERT_EQ(simulation->solverName(), "stoermer");
+    ASSERT_TRUE(simulation->setAccuracy(later, 100.0 * static_cast<double>(scene.net.springCount())));
+    EXPECT_LT(springsOf(4), 2.0 * before) << later;
+  }
 }
 
 } // namespace esm::test
