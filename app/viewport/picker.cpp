@@ -6,7 +6,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <ranges>
 #include <vector>
 
 namespace esm {
@@ -49,9 +48,9 @@ std::optional<double> hitTriangle(const Ray& ray, const Eigen::Matrix3Xd& positi
 
 /// Whether one of those triangles lies between the target and the eye. `owns` says by its three nodes which
 /// ones do not count.
-template <class Range, class Owns>
+template <class Owns>
 bool hidden(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
-            const Range& among, const Eigen::Vector3d& target, Owns&& owns)
+            const std::vector<Index>& among, const Eigen::Vector3d& target, Owns&& owns)
 {
   const Ray ray = camera.rayThrough(camera.project(target).pixel);
   const double reach = (target - ray.origin).norm();
@@ -82,20 +81,20 @@ Index frontMost(const Camera& camera, const Eigen::Matrix3Xd& position, const st
   return front->node;
 }
 
-/// Of the triangle that is in front under the click, the corner nearest to it.
+/// Of that one of those triangles which is in front under the click, the corner nearest to it.
 Index nearestCorner(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
-                    const Eigen::Vector2d& pixel)
+                    const std::vector<Index>& among, const Eigen::Vector2d& pixel)
 {
   const Ray ray = camera.rayThrough(pixel);
   double closest = std::numeric_limits<double>::infinity();
-  Eigen::Index front = -1;
-  for (Eigen::Index t = 0; t < triangles.cols(); ++t) {
+  Index front = kNoIndex;
+  for (const Index t : among) {
     const auto hit = hitTriangle(ray, position, triangles.col(t));
     if (!hit || !(*hit < closest)) continue;
     closest = *hit;
     front = t;
   }
-  if (front < 0) return kNoIndex;
+  if (front == kNoIndex) return kNoIndex;
   const std::array<Index, 3> corners{triangles(0, front), triangles(1, front), triangles(2, front)};
   const auto distance = [&](Index node) { return (camera.project(position.col(node)).pixel - pixel).norm(); };
   return std::ranges::min(corners, {}, distance);
@@ -154,6 +153,12 @@ private:
   std::vector<std::vector<Index>> m_tiles;
 };
 
+Eigen::AlignedBox2d boxAround(const Eigen::Vector2d& pixel, double radius)
+{
+  const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius);
+  return {pixel - reach, pixel + reach};
+}
+
 } // namespace
 
 std::optional<double> hitTriangle(const Ray& ray, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -178,12 +183,14 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
                const Eigen::Vector2d& pixel, double radius)
 {
   std::vector<Candidate> seen;
-  const auto all = std::views::iota(Index{0}, static_cast<Index>(triangles.cols()));
-  for (const Candidate& candidate : candidates(camera, position, pixel, radius))
-    if (!hidden(camera, position, triangles, all, position.col(candidate.node),
+  const ScreenTiles tiles(camera, position, triangles, boxAround(pixel, radius));
+  for (const Candidate& candidate : candidates(camera, position, pixel, radius)) {
+    const Eigen::Vector3d target = position.col(candidate.node);
+    if (!hidden(camera, position, triangles, tiles.at(camera.project(target).pixel), target,
                 [&](const auto& triangle) { return holds(triangle, candidate.node); }))
       seen.push_back(candidate);
-  return seen.empty() ? nearestCorner(camera, position, triangles, pixel)
+  }
+  return seen.empty() ? nearestCorner(camera, position, triangles, tiles.at(pixel), pixel)
                       : frontMost(camera, position, seen, radius);
 }
 
@@ -194,11 +201,12 @@ Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const S
   for (Eigen::Index s = 0; s < ends.cols(); ++s)
     middle.col(s) = 0.5 * (position.col(ends(0, s)) + position.col(ends(1, s)));
   std::vector<Candidate> seen;
-  const auto all = std::views::iota(Index{0}, static_cast<Index>(triangles.cols()));
+  const ScreenTiles tiles(camera, position, triangles, boxAround(pixel, radius));
   for (const Candidate& candidate : candidates(camera, middle, pixel, radius)) {
     const Index a = ends(0, candidate.node), b = ends(1, candidate.node);
     const auto owns = [&](const auto& triangle) { return holds(triangle, a) && holds(triangle, b); };
-    if (!hidden(camera, position, triangles, all, middle.col(candidate.node), owns))
+    const Eigen::Vector3d target = middle.col(candidate.node);
+    if (!hidden(camera, position, triangles, tiles.at(camera.project(target).pixel), target, owns))
       seen.push_back(candidate);
   }
   return frontMost(camera, middle, seen, radius);

@@ -20,7 +20,7 @@ std::optional<double> hitTriangle(const Ray& ray, const Eigen::Vector3d& a, cons
 /// there is none, but a triangle is under the click, it is that one's nearest corner: meshes may be coarse,
 /// or near.
 /// @param position 3 x N [m]. @param triangles what can hide; 3 x 0 for nothing.
-/// Cost: O(N) projections and a few times O(F) ray tests.
+/// Cost: O(N + F) projections, and ray tests with the triangles that are seen near the click.
 Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
                const Eigen::Vector2d& pixel, double radius);
 
