@@ -30,6 +30,7 @@ constexpr double kCheaper = 0.9, kEase = 1.15;
 constexpr double kMostTransfer = 1.5;  ///< of what one method learned to others of lower order
 constexpr double kSettlingTime = 0.15; ///< after the start or an event, in which motion unfolds [s]
 constexpr int kLongestCheckGap = 24;   ///< stretches
+constexpr int kLongestRoughGap = 8;    ///< the same while the error is beyond what the effort can mend
 /// A method that errs less than this share of the budget is not checked again if a known end is no further
 /// off than this many gaps: nothing that a check can still say would save what it costs.
 constexpr double kSureShare = 0.5, kGapsBeforeEnd = 2.0;
@@ -330,8 +331,9 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
   m_checkedError = std::min(error, budget) / length; // the next step will not err more
   m_checkedPower = (state.heat - m_start.heat) / length;
   bool grows = false;
-  if (!(share <= kMostShareKept)) {
-    m_checkGap = std::max(1, m_checkGap / 4);
+  if (!(share <= kMostShareKept)) { // what the effort keeps from shrinking gains nothing by checks
+    const bool isHeld = m_auto && !isImplicit && controlledStep(kFrame) > 0.8 * step;
+    m_checkGap = isHeld ? std::min(2 * m_checkGap, kLongestRoughGap) : std::max(1, m_checkGap / 4);
   } else { // motion that unfolds is looked at soon where no damper tells of it, a step that has grown at once
     grows = 0.8 * std::min(accurate, stableStep(m_candidates[m_method])) > step;
     const bool unfolds = m_gauge.scale().calm < kSettlingTime && !(m_checkedPower > 0.0);

@@ -17,6 +17,7 @@ constexpr double kLeastShare = 1.0 / 8.0;      ///< of it for a stretch, however
 constexpr double kLeastOnsetShare = 1.0 / 8.0; ///< of that, when the others of an onset have used up theirs
 constexpr double kMostDescentSteps = 16.0;     ///< of one stretch
 constexpr int kLongestDescent = 64;            ///< stretches before something else is tried again
+constexpr double kOutOfControl = 1.0 / 64.0;   ///< of a step that failed: what may be accurate at most
 constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
 
 /// The largest of what limits steps.
@@ -206,7 +207,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (result != Run::Done) {
       failure = result;
       if (isTooDear(system, 0.0)) break;
-      retreat(system, state, attempt, report);
+      retreat(system, state, attempt, length, report);
       continue;
     }
     if (accept(system, state, steps, finer, report)) return true;
@@ -308,13 +309,19 @@ void StepDriver::stopAtLimit(const System& system, MotionState& state, StepRepor
 }
 
 /// After a failed run: back to the start of the stretch with a smaller step.
-void StepDriver::retreat(System& system, MotionState& state, int attempt, StepReport& report)
+void StepDriver::retreat(System& system, MotionState& state, int attempt, double length, StepReport& report)
 {
   ++report.rejectedSteps;
   const double tried = controlledStep(kFrame);
   state = m_start;
-  m_candidates[m_method].accurateStep = tried / 4.0;
-  if (!isExplicit(m_candidates[m_method])) m_candidates[m_method].cheapStep = kSmallerThanFailed * tried;
+  Candidate& candidate = m_candidates[m_method];
+  candidate.accurateStep = tried / 4.0;
+  if (!isExplicit(candidate)) candidate.cheapStep = kSmallerThanFailed * tried;
+  if (m_auto && candidate.affordableStep > candidate.accurateStep) { // smaller ones are not for the effort
+    candidate.accurateStep = kOutOfControl * tried;
+    if (fallBackToLeapfrog(system, length)) return;
+    candidate.affordableStep = tried / 4.0; // but what fails is for nothing
+  }
   m_floorStep = std::min(m_floorStep, tried / 4.0);
   m_untilCheck = 0;
   m_checkGap = 1;

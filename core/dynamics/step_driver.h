@@ -181,7 +181,7 @@ private:
                   const NodeArray& otherV, const MotionState& state) const noexcept;
   bool isTooDear(const System& system, double work) const noexcept;
   void stopAtLimit(const System& system, MotionState& state, StepReport& report);
-  void retreat(System& system, MotionState& state, int attempt, StepReport& report);
+  void retreat(System& system, MotionState& state, int attempt, double length, StepReport& report);
   bool checkDue(const MotionState& state) const noexcept;
   void learn(const MotionState& state, double error, double budget, double step);
   void learnCost(double step) noexcept;
