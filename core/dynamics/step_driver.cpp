@@ -317,10 +317,12 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, double
   Candidate& candidate = m_candidates[m_method];
   candidate.accurateStep = tried / 4.0;
   if (!isExplicit(candidate)) candidate.cheapStep = kSmallerThanFailed * tried;
-  if (m_auto && candidate.affordableStep > candidate.accurateStep) { // smaller ones are not for the effort
-    candidate.accurateStep = kOutOfControl * tried;
-    if (fallBackToLeapfrog(system, length)) return;
-    candidate.affordableStep = tried / 4.0; // but what fails is for nothing
+  if (m_auto && candidate.affordableStep > candidate.accurateStep) { // there the effort would hold it
+    if (fallBackToLeapfrog(system, length)) {
+      candidate.accurateStep = kOutOfControl * tried;
+      return;
+    }
+    candidate.affordableStep = candidate.accurateStep;
   }
   m_floorStep = std::min(m_floorStep, tried / 4.0);
   m_untilCheck = 0;
