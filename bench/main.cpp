@@ -15,10 +15,11 @@ namespace {
 
 int usage()
 {
-  std::fprintf(stderr,
-               "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
-               "       esm_bench kernel|stability|growth|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
-               "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
+  std::fprintf(
+    stderr,
+    "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
+    "       esm_bench kernel|stability|growth|skip|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
+    "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
   return 2;
 }
 
