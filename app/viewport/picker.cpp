@@ -46,23 +46,6 @@ std::optional<double> hitTriangle(const Ray& ray, const Eigen::Matrix3Xd& positi
   return hitTriangle(ray, position.col(corners[0]), position.col(corners[1]), position.col(corners[2]));
 }
 
-/// Whether one of those triangles lies between the target and the eye. `owns` says by its three nodes which
-/// ones do not count.
-template <class Owns>
-bool hidden(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
-            const std::vector<Index>& among, const Eigen::Vector3d& target, Owns&& owns)
-{
-  const Ray ray = camera.rayThrough(camera.project(target).pixel);
-  const double reach = (target - ray.origin).norm();
-  const double closest = reach - kSlack * camera.metresPerPixel(target);
-  for (const Index t : among) {
-    if (owns(triangles.col(t))) continue;
-    const auto hit = hitTriangle(ray, position, triangles.col(t));
-    if (hit && *hit < closest) return true;
-  }
-  return false;
-}
-
 bool holds(const Eigen::Ref<const Eigen::Vector3<Index>>& triangle, Index node)
 {
   return (triangle.array() == node).any();
@@ -153,6 +136,24 @@ private:
   std::vector<std::vector<Index>> m_tiles;
 };
 
+/// Whether a triangle lies between the target and the eye. `owns` says by its three nodes which ones do not
+/// count. @pre the target is seen in the box of the tiles
+template <class Owns>
+bool hidden(const Camera& camera, const Eigen::Matrix3Xd& position, const TriangleMatrix& triangles,
+            const ScreenTiles& tiles, const Eigen::Vector3d& target, Owns&& owns)
+{
+  const Eigen::Vector2d pixel = camera.project(target).pixel;
+  const Ray ray = camera.rayThrough(pixel);
+  const double reach = (target - ray.origin).norm();
+  const double closest = reach - kSlack * camera.metresPerPixel(target);
+  for (const Index t : tiles.at(pixel)) {
+    if (owns(triangles.col(t))) continue;
+    const auto hit = hitTriangle(ray, position, triangles.col(t));
+    if (hit && *hit < closest) return true;
+  }
+  return false;
+}
+
 Eigen::AlignedBox2d boxAround(const Eigen::Vector2d& pixel, double radius)
 {
   const Eigen::Vector2d reach = Eigen::Vector2d::Constant(radius);
@@ -184,12 +185,10 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
 {
   std::vector<Candidate> seen;
   const ScreenTiles tiles(camera, position, triangles, boxAround(pixel, radius));
-  for (const Candidate& candidate : candidates(camera, position, pixel, radius)) {
-    const Eigen::Vector3d target = position.col(candidate.node);
-    if (!hidden(camera, position, triangles, tiles.at(camera.project(target).pixel), target,
+  for (const Candidate& candidate : candidates(camera, position, pixel, radius))
+    if (!hidden(camera, position, triangles, tiles, position.col(candidate.node),
                 [&](const auto& triangle) { return holds(triangle, candidate.node); }))
       seen.push_back(candidate);
-  }
   return seen.empty() ? nearestCorner(camera, position, triangles, tiles.at(pixel), pixel)
                       : frontMost(camera, position, seen, radius);
 }
@@ -205,8 +204,7 @@ Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const S
   for (const Candidate& candidate : candidates(camera, middle, pixel, radius)) {
     const Index a = ends(0, candidate.node), b = ends(1, candidate.node);
     const auto owns = [&](const auto& triangle) { return holds(triangle, a) && holds(triangle, b); };
-    const Eigen::Vector3d target = middle.col(candidate.node);
-    if (!hidden(camera, position, triangles, tiles.at(camera.project(target).pixel), target, owns))
+    if (!hidden(camera, position, triangles, tiles, middle.col(candidate.node), owns))
       seen.push_back(candidate);
   }
   return frontMost(camera, middle, seen, radius);
@@ -222,7 +220,7 @@ std::vector<Index> nodesInBox(const Camera& camera, const Eigen::Matrix3Xd& posi
   for (Index node = 0; node < static_cast<Index>(position.cols()); ++node) {
     const Eigen::Vector2d pixel = project(position.col(node)).pixel;
     if (!pixel.allFinite() || !pixels.contains(pixel)) continue;
-    if (!hidden(camera, position, triangles, tiles.at(pixel), position.col(node),
+    if (!hidden(camera, position, triangles, tiles, position.col(node),
                 [&](const auto& triangle) { return holds(triangle, node); }))
       found.push_back(node);
   }
