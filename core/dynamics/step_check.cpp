@@ -12,7 +12,6 @@ namespace {
 
 /// Of the step after one check: an error has its zeros, one of them must not decide for long.
 constexpr double kMostGrowth = 3.0, kMostErrorGrowth = 30.0;
-constexpr double kMostShrinking = 1.0 / 64.0; ///< errors beyond tell of waves out of control, not of accuracy
 /// The look at the two runs of a check comes after about a quarter of the steps, if there are so many, and so
 /// many nodes: the errors of a few modes add up, whatever one look may say.
 constexpr std::int64_t kLookShare = 4, kLeastStepsForLook = 8;
@@ -271,8 +270,8 @@ void StepDriver::rememberBeforeOnset()
 double StepDriver::beginOnset(double length, double count) noexcept
 {
   const bool isFirst = m_gauge.scale().calm <= kLatestOnset && m_onset.longest <= 0.0;
-  const bool isPayable = 2.0 * m_leastCost <= m_settings.effort; // else it is for plain steps only
-  if (!m_auto || !isFirst || !(m_checkedShare > kOnsetError) || count < kOnsetParts || !isPayable)
+  const bool affordsMore = 2.0 * m_leastCost <= m_settings.effort; // else it is for plain steps only
+  if (!m_auto || !isFirst || !(m_checkedShare > kOnsetError) || count < kOnsetParts || !affordsMore)
     return length;
   m_onset.longest = length / kOnsetParts;
   return m_onset.longest;

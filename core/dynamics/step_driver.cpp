@@ -17,7 +17,6 @@ constexpr double kLeastShare = 1.0 / 8.0;      ///< of it for a stretch, however
 constexpr double kLeastOnsetShare = 1.0 / 8.0; ///< of that, when the others of an onset have used up theirs
 constexpr double kMostDescentSteps = 16.0;     ///< of one stretch
 constexpr int kLongestDescent = 64;            ///< stretches before something else is tried again
-constexpr double kOutOfControl = 1.0 / 64.0;   ///< of a step that failed: what may be accurate at most
 constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
 
 /// The largest of what limits steps.
@@ -319,7 +318,7 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, double
   if (!isExplicit(candidate)) candidate.cheapStep = kSmallerThanFailed * tried;
   if (m_auto && candidate.affordableStep > candidate.accurateStep) { // there the effort would hold it
     if (fallBackToLeapfrog(system, length)) {
-      candidate.accurateStep = kOutOfControl * tried;
+      candidate.accurateStep = kMostShrinking * tried;
       return;
     }
     candidate.affordableStep = candidate.accurateStep;

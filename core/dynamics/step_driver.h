@@ -80,6 +80,9 @@ private:
   /// Energy may grow by this much in a stretch without cause: explicit steps stir up the fastest modes a
   /// little at their limit.
   static constexpr double kCoarseGrowth = 0.05;
+  /// Of an accurate step at a time: errors beyond, and runs that fail, tell of waves out of control, not of
+  /// accuracy.
+  static constexpr double kMostShrinking = 1.0 / 64.0;
   /// After an event, in which an onset may begin [s]: in any stretch of the first frame.
   static constexpr double kLatestOnset = 0.9 * kFrame;
   static constexpr int kSettling = 2;   ///< checks before a method that has just been chosen may be left
