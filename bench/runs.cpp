@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "bench/runs.h"
 
+#include "core/base/file_io.h"
 #include "core/base/text_number.h"
 
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <optional>
 
 namespace esm::bench {
 
@@ -67,7 +69,11 @@ Row runEngine(const Scene& scene, const std::string& solver, double tolerance, i
   ErrorMeter meter(reference);
   CpuClock clock;
   Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
-  bool going = bool(simulation);
+  if (!simulation) {
+    row.good = false;
+    row.note = simulation.error().detail;
+  }
+  bool going = row.good;
   StepReport report;
   for (long frame = 0; frame < scene.frames() && going; ++frame) {
     report.add(simulation->advance(1.0 / kFrameRate));
@@ -128,7 +134,10 @@ Row runAgain(const Scene& scene, const Row& row, const Reference& reference, dou
                      row.fixed ? static_cast<int>(row.setting) : 0, reference, cap);
   for (const MethodEntry& entry : competitors())
     if (entry.name == row.method) return runCompetitor(scene, entry, row.setting, reference, cap);
-  return row;
+  Row unknown = row;
+  unknown.good = false;
+  unknown.note = "no such competitor";
+  return unknown;
 }
 
 const char* csvHeader()
@@ -142,9 +151,60 @@ std::string csvLine(const Row& row)
   for (char& letter : note)
     if (letter == ',') letter = ';';
   return "\"" + row.scene + "\"," + row.method + "," + (row.ours ? "1" : "0") + "," +
-         (row.fixed ? "1" : "0") + "," + formatDouble(row.setting, 6) + "," + formatDouble(row.seconds, 5) +
+         (row.fixed ? "1" : "0") + "," + formatDouble(row.setting) + "," + formatDouble(row.seconds, 5) +
          "," + (row.good ? formatDouble(row.error, 4) : "") + "," + std::to_string(row.springs) + "," + note +
          "\n";
+}
+
+std::string csvText(const std::vector<Row>& rows)
+{
+  std::string text = csvHeader();
+  for (const Row& row : rows) text += csvLine(row);
+  return text;
+}
+
+namespace {
+
+std::optional<Row> rowOf(std::string_view line)
+{
+  const std::size_t quote = line.find('"', 1); // names of scenes contain commas
+  if (!line.starts_with('"') || quote == line.npos) return std::nullopt;
+  std::vector<std::string_view> fields = {line.substr(1, quote - 1)};
+  for (line.remove_prefix(quote + 1); line.starts_with(',');) {
+    line.remove_prefix(1);
+    fields.push_back(line.substr(0, line.find(',')));
+    line.remove_prefix(fields.back().size());
+  }
+  if (fields.size() != 9) return std::nullopt;
+  const auto flag = [&](std::size_t i) { return fields[i] == "1"; };
+  const std::optional<double> setting = parseDouble(fields[4]), seconds = parseDouble(fields[5]),
+                              error = fields[6].empty() ? std::nan("") : parseDouble(fields[6]);
+  const std::optional<long long> springs = parseInteger(fields[7]);
+  if (!setting || !(*setting > 0.0) || !seconds || !error || !springs) return std::nullopt;
+  return Row{
+    std::string(fields[0]), std::string(fields[1]), flag(2), flag(3), *setting, *seconds, *error, *springs,
+    !fields[6].empty(),     std::string(fields[8])};
+}
+
+} // namespace
+
+Result<std::vector<Row>> readCsv(const std::filesystem::path& file)
+{
+  const Result<std::string> text = readFile(file);
+  if (!text) return text.error();
+  std::vector<Row> rows;
+  std::string_view rest = *text;
+  for (int number = 1; !rest.empty(); ++number) {
+    const std::string_view line = rest.substr(0, rest.find('\n'));
+    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
+    if (number == 1 && line == std::string_view(csvHeader()).substr(0, line.size())) continue;
+    const std::optional<Row> row = rowOf(line);
+    if (!row)
+      return Error{ErrorCode::BadFormat, file.string() + ", line " + std::to_string(number) +
+                                           ": not a row of esm_bench work_precision --csv"};
+    rows.push_back(*row);
+  }
+  return rows;
 }
 
 } // namespace esm::bench

@@ -3,8 +3,10 @@
 #pragma once
 
 #include "bench/trajectory.h"
+#include "core/base/result.h"
 #include "core/dynamics/simulation.h"
 
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -47,5 +49,8 @@ Row runAgain(const Scene& scene, const Row& row, const Reference& reference, dou
 
 const char* csvHeader();
 std::string csvLine(const Row& row);
+std::string csvText(const std::vector<Row>& rows); ///< header and lines
+/// What csvText() wrote, in order. Errors: FileUnreadable; BadFormat, which names the line.
+Result<std::vector<Row>> readCsv(const std::filesystem::path& file);
 
 } // namespace esm::bench

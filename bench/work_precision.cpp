@@ -14,7 +14,7 @@ namespace esm::bench {
 namespace {
 
 /// Goes up when a competitor or the way of sweeping changes.
-constexpr char kSweepVersion[] = "2";
+constexpr char kSweepVersion[] = "3";
 
 std::filesystem::path sweepFile(const Scene& scene, const WorkOptions& options)
 {
@@ -24,49 +24,11 @@ std::filesystem::path sweepFile(const Scene& scene, const WorkOptions& options)
   return cacheFolder() / name;
 }
 
-/// Lines "method,fixed,setting,seconds,error", empty error = failed.
-std::vector<Row> readSweep(const Scene& scene, const std::filesystem::path& file)
+void save(const std::filesystem::path& file, const std::string& text)
 {
-  std::vector<Row> rows;
-  std::error_code ignored;
-  if (!std::filesystem::exists(file, ignored)) return rows;
-  const Result<std::string> text = readFile(file);
-  if (!text) return rows;
-  std::string_view rest = *text;
-  while (!rest.empty()) {
-    std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    std::vector<std::string_view> fields;
-    while (true) {
-      const std::size_t comma = line.find(',');
-      fields.push_back(line.substr(0, comma));
-      if (comma == line.npos) break;
-      line.remove_prefix(comma + 1);
-    }
-    if (fields.size() != 5) return {};
-    Row row;
-    row.scene = scene.name;
-    row.method = std::string(fields[0]);
-    row.fixed = fields[1] == "1";
-    row.setting = parseDouble(fields[2]).value_or(0.0);
-    row.seconds = parseDouble(fields[3]).value_or(0.0);
-    row.good = !fields[4].empty();
-    row.error = parseDouble(fields[4]).value_or(std::nan(""));
-    rows.push_back(row);
-  }
-  return rows;
-}
-
-void writeSweep(const std::filesystem::path& file, const std::vector<Row>& rows)
-{
-  std::string text;
-  for (const Row& row : rows)
-    text += row.method + "," + (row.fixed ? "1" : "0") + "," + formatDouble(row.setting, 17) + "," +
-            formatDouble(row.seconds, 6) + "," + (row.good ? formatDouble(row.error, 6) : "") + "\n";
-  std::error_code ignored;
-  std::filesystem::create_directories(cacheFolder(), ignored);
+  if (file.empty()) return;
   if (Status status = writeFileAtomically(file, text); !status)
-    std::fprintf(stderr, "%s\n", status.error().detail.c_str()); // only slower next time
+    std::fprintf(stderr, "%s\n", status.error().detail.c_str()); // only slower next time, if it is a cache
 }
 
 void append(std::vector<Row>& rows, const std::vector<Row>& more)
@@ -91,7 +53,8 @@ std::vector<Row> sweepCompetitors(const Scene& scene, const Reference& reference
 {
   const std::filesystem::path file = sweepFile(scene, options);
   std::vector<Row> rows;
-  if (!options.retune && options.competitors.empty()) rows = readSweep(scene, file);
+  if (!options.retune && options.competitors.empty())
+    if (Result<std::vector<Row>> cached = readCsv(file)) rows = std::move(*cached); // else there is none yet
   for (const Row& row : rows) front.add(row);
   if (!rows.empty()) return rows;
   for (const bool adaptive : {true, false}) // the adaptive ones show the others what is worth trying
@@ -109,7 +72,11 @@ std::vector<Row> sweepCompetitors(const Scene& scene, const Reference& reference
     }
   refine(scene, reference, rows);
   for (const Row& row : rows) front.add(row);
-  if (options.competitors.empty()) writeSweep(file, rows);
+  if (options.competitors.empty()) {
+    std::error_code ignored;
+    std::filesystem::create_directories(cacheFolder(), ignored);
+    save(file, csvText(rows));
+  }
   return rows;
 }
 
@@ -182,12 +149,12 @@ void timeAgain(const Scene& scene, const Reference& reference, const WorkOptions
       rows[i].good = again.good;
       rows[i].error = again.error; // the settings of the competitors may come from the cache
       rows[i].springs = again.springs;
+      rows[i].note = again.note;
     }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (seconds[i].empty()) continue;
-    std::nth_element(seconds[i].begin(), seconds[i].begin() + static_cast<long>(seconds[i].size() / 2),
-                     seconds[i].end());
-    rows[i].seconds = seconds[i][seconds[i].size() / 2];
+    if (!seconds[i].empty()) rows[i].seconds = medianTime(seconds[i]);
+    if (!rows[i].good)
+      std::fprintf(stderr, "%s, %s: %s\n", scene.name.c_str(), rows[i].method.c_str(), rows[i].note.c_str());
   }
 }
 
@@ -220,37 +187,54 @@ std::vector<Row> autoBetween(const Scene& scene, const Reference& reference, con
   return rows;
 }
 
-std::vector<Cell> measure(const Scene& scene, const WorkOptions& options, std::vector<Row>& all)
+/// auto at kTargets, and between them where that is sooner.
+std::vector<Row> sweepAuto(const Scene& scene, const Reference& reference, const Front& front,
+                           const WorkOptions& options)
+{
+  std::vector<Row> rows;
+  for (std::size_t i = 0; i < kTargets.size(); ++i)
+    rows.push_back(runAuto(scene, reference, options, kTargets[i], front.seconds[i]));
+  append(rows, autoBetween(scene, reference, front, options, rows));
+  return rows;
+}
+
+/// @param candidates  of any scene; empty = search for them
+std::vector<Cell> measure(const Scene& scene, const WorkOptions& options, const std::vector<Row>& candidates,
+                          std::vector<Row>& all)
 {
   const Reference reference = referenceOf(scene);
   std::fprintf(stderr, "%s: %d nodes, %d springs, references %.1e apart\n", scene.name.c_str(),
                static_cast<int>(scene.net.nodeCount()), static_cast<int>(scene.net.springCount()),
                reference.agreement);
   Front front;
-  const std::vector<Row> competitorRows = sweepCompetitors(scene, reference, front, options);
-  const std::vector<Row> ourRows = sweepOurs(scene, reference, front, options);
-  std::vector<Row> timed = winners(competitorRows);
-  const std::vector<Row> ourWinners = winners(ourRows);
-  timed.insert(timed.end(), ourWinners.begin(), ourWinners.end());
-  std::vector<Row> automatic;
-  for (std::size_t i = 0; i < kTargets.size(); ++i)
-    automatic.push_back(runAuto(scene, reference, options, kTargets[i], front.seconds[i]));
-  append(all, automatic);
+  std::vector<Row> timed;
+  if (candidates.empty()) {
+    for (const auto& sweep : {sweepCompetitors, sweepOurs}) {
+      const std::vector<Row> rows = sweep(scene, reference, front, options), best = winners(rows);
+      all.insert(all.end(), rows.begin(), rows.end());
+      timed.insert(timed.end(), best.begin(), best.end());
+    }
+  } else {
+    std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(timed),
+                 [&](const Row& row) { return row.scene == scene.name && row.good && row.method != "auto"; });
+    for (const Row& row : timed) front.add(row);
+  }
+  const std::vector<Row> automatic = sweepAuto(scene, reference, front, options);
   timed.insert(timed.end(), automatic.begin(), automatic.end());
-  const std::vector<Row> between = autoBetween(scene, reference, front, options, automatic);
-  append(all, between);
-  timed.insert(timed.end(), between.begin(), between.end());
   timeAgain(scene, reference, options, timed);
-  all.insert(all.end(), competitorRows.begin(), competitorRows.end());
-  all.insert(all.end(), ourRows.begin(), ourRows.end());
+  // Medians where there are candidates, which are few; else what a picture wants: the searches' single runs.
+  const std::vector<Row>& kept = candidates.empty() ? automatic : timed;
+  all.insert(all.end(), kept.begin(), kept.end());
   return cellsOf(scene.name, timed, reference.agreement);
 }
 
-void save(const std::string& file, const std::string& text)
+/// The names of their scenes, each once.
+std::vector<std::string> scenesOf(const std::vector<Row>& rows)
 {
-  if (file.empty()) return;
-  if (Status status = writeFileAtomically(file, text); !status)
-    std::fprintf(stderr, "%s\n", status.error().detail.c_str());
+  std::vector<std::string> names;
+  for (const Row& row : rows)
+    if (std::find(names.begin(), names.end(), row.scene) == names.end()) names.push_back(row.scene);
+  return names;
 }
 
 std::vector<std::string> splitAtCommas(std::string_view text)
@@ -276,6 +260,8 @@ bool readOptions(const std::vector<std::string>& words, WorkOptions& options)
       options.fixedSteps = false;
     else if (word == "--retune")
       options.retune = true;
+    else if (word == "--again")
+      options.candidatesFile = value();
     else if (word == "--theirs") // for a look at one competitor; keeps no sweep
       options.competitors = splitAtCommas(value());
     else if (word == "--ours")
@@ -313,14 +299,30 @@ int runWorkPrecision(const std::vector<std::string>& words)
                  "usage: esm_bench work_precision [SCENE[:seed=S,size=F,time=T]...] [--all] [--no-fixed]\n"
                  "         [--ours NAME,...] [--theirs NAME,...] [--retune] [--runs N] [--budget S] [--cap "
                  "S] [--patience F]\n"
-                 "         [--csv FILE] [--table FILE] [--cache FOLDER]\n");
+                 "         [--again CSV] [--csv FILE] [--table FILE] [--cache FOLDER]\n");
     return 2;
   }
 #if !defined(ESM_BENCH_SUNDIALS)
   if (options.allCompetitors) std::fprintf(stderr, "built without libsundials-dev: no CVODE, no ARKODE\n");
 #endif
+  std::vector<Row> all, candidates;
+  if (!options.candidatesFile.empty()) {
+    Result<std::vector<Row>> read = readCsv(options.candidatesFile);
+    if (!read) {
+      std::fprintf(stderr, "%s\n", read.error().detail.c_str());
+      return 2;
+    }
+    candidates = std::move(*read);
+    for (const std::string& name : options.scenes) {
+      const auto isOne = [&](const Row& row) { return row.scene == name; };
+      if (std::any_of(candidates.begin(), candidates.end(), isOne)) continue;
+      std::fprintf(stderr, "%s names no candidate for '%s'; without --again they are searched for\n",
+                   options.candidatesFile.c_str(), name.c_str());
+      return 2;
+    }
+  }
+  if (options.scenes.empty()) options.scenes = scenesOf(candidates);
   if (options.scenes.empty()) options.scenes = {"tube", "uterus", "sheet", "stiff"};
-  std::vector<Row> all;
   std::vector<Cell> cells;
   std::printf("%s", csvHeader());
   for (const std::string& name : options.scenes) {
@@ -329,11 +331,9 @@ int runWorkPrecision(const std::vector<std::string>& words)
       std::fprintf(stderr, "%s\n", scene.error().detail.c_str());
       return 2;
     }
-    const std::vector<Cell> more = measure(*scene, options, all);
+    const std::vector<Cell> more = measure(*scene, options, candidates, all);
     cells.insert(cells.end(), more.begin(), more.end());
-    std::string csv = csvHeader();
-    for (const Row& row : all) csv += csvLine(row);
-    save(options.csvFile, csv); // after every scene: whoever interrupts has something
+    save(options.csvFile, csvText(all)); // after every scene: whoever interrupts has something
     save(options.tableFile, tableOf(cells));
     std::printf("\n%s\n", tableOf(more).c_str());
     std::fflush(stdout);

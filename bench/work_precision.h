@@ -16,6 +16,7 @@ struct WorkOptions {
   bool allCompetitors = false;          ///< also those that never were on the front
   bool fixedSteps = true;               ///< ours with hand-tuned steps, too
   bool retune = false;                  ///< do not believe cached sweeps of the competitors
+  std::string candidatesFile;           ///< times auto and what this CSV names, without a search
   int runs = 5;                         ///< the median of so many
   double budget = 60.0; ///< processor seconds per scene for the repetitions; one round at least
   Patience patience;
