@@ -67,12 +67,15 @@ ChebyshevDamping::ChebyshevDamping(int stages, int order) : m_stages(stages)
   m_base = baseAt(stages);
   m_swing = scaleAt(stages);
   m_reach = (1.0 + m_w0) / m_w1;
-  m_first = scaleAt(1) * m_w1;
   for (int j = 2; j <= stages; ++j) {
     const double ratio = scaleAt(j) / scaleAt(j - 1), kick = 2.0 * m_w1 * ratio;
     m_stage[static_cast<std::size_t>(j)] = {2.0 * m_w0 * ratio, -scaleAt(j) / scaleAt(j - 2),
                                             kick * (1.0 - baseAt(j - 1)), kick};
   }
+  const double first = scaleAt(1) * m_w1; // of a
+  Stage &second = m_stage[2], &third = m_stage[3];
+  second = {0.0, 0.0, second.mu * first + second.push, second.kick * first};
+  third = {third.mu, 0.0, third.nu * first + third.push, third.kick};
   sampleRoom();
 }
 

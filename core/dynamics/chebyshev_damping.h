@@ -19,10 +19,11 @@ namespace esm {
 /// One stage of order 1 is the plain explicit Euler step. With order 1 slow modes lose up to half of h g of
 /// their damping, with order 2 about (h g)^2/6.
 ///
-///     d_1 = first a,   d_j = mu_j d_{j-1} + nu_j d_{j-2} + push_j a - kick_j h M^-1 D d_{j-1},   v <- v +
-///     d_s
+///     d_1 = a,   d_j = mu_j d_{j-1} + nu_j d_{j-2} + push_j a - kick_j h M^-1 D d_{j-1},   v <- v + d_s
 ///
-/// with a = h M^-1 F(x, v) and d_0 = 0.
+/// with a = h M^-1 F(x, v), d_0 = 0, mu_2 = 0 and nu_3 = 0: as the first difference is a multiple of a, its
+/// factor stands in what follows from it, and sweeps over the nodes need not hold it. So stage 2 takes a, and
+/// stage 3 takes a and d_2.
 class ChebyshevDamping {
 public:
   static constexpr int kMostStages = 8;
@@ -31,7 +32,6 @@ public:
   ChebyshevDamping(int stages, int order);
 
   int stages() const noexcept { return m_stages; }
-  double first() const noexcept { return m_first; }
   struct Stage {
     double mu, nu, push, kick;
   };
@@ -66,7 +66,6 @@ private:
   double m_w0 = 1.0, m_w1 = 1.0;      ///< w0, w1
   double m_base = 0.0, m_swing = 1.0; ///< P = base + swing T_s
   double m_reach = 2.0;               ///< |P| < 1 up to here
-  double m_first = 1.0;
   std::array<Stage, kMostStages + 1> m_stage{};
   std::array<double, kSamples> m_room{}; ///< roomAt(rateOf(i)), up to m_reach
 };

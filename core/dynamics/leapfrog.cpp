@@ -46,72 +46,85 @@ ESM_INLINE void setDrag(const Sweep& sweep, std::size_t i, const Lanes& d) noexc
 }
 
 template <bool bedded>
-ESM_INLINE void firstSweep(const Sweep& sweep, double first, Lanes* d) noexcept
+ESM_INLINE void firstSweep(const Sweep& sweep) noexcept
 {
   for (std::size_t i = 0; i < sweep.count; ++i) {
     sweep.a[i] = sweep.force[i] * (sweep.s * sweep.inverseMass[i]);
-    d[i] = sweep.a[i] * first;
-    setDrag<bedded>(sweep, i, d[i]);
+    setDrag<bedded>(sweep, i, sweep.a[i]);
   }
 }
 
-template <bool isSecond>
+/// d_j at a node; `known` of the differences before it are in d and before: none for stage 2, d_2 for
+/// stage 3.
+template <int known>
 ESM_INLINE void stageAt(const Sweep& sweep, const ChebyshevDamping::Stage& stage, std::size_t i,
                         const Lanes* d, const Lanes* before, Lanes& next) noexcept
 {
-  next = d[i] * stage.mu + sweep.a[i] * stage.push +
-         sweep.force[i] * (stage.kick * sweep.s * sweep.inverseMass[i]);
-  if constexpr (!isSecond) next += before[i] * stage.nu; // d_0 = 0
+  next = sweep.a[i] * stage.push + sweep.force[i] * (stage.kick * sweep.s * sweep.inverseMass[i]);
+  if constexpr (known > 0) next += d[i] * stage.mu;
+  if constexpr (known > 1) next += before[i] * stage.nu;
 }
 
-template <bool isSecond, bool bedded>
+template <int known, bool bedded>
 ESM_INLINE void middleSweep(const Sweep& sweep, const ChebyshevDamping::Stage& stage, const Lanes* d,
                             Lanes* before) noexcept
 {
   for (std::size_t i = 0; i < sweep.count; ++i) {
     Lanes next;
-    stageAt<isSecond>(sweep, stage, i, d, before, next);
+    stageAt<known>(sweep, stage, i, d, before, next);
     before[i] = next;
     setDrag<bedded>(sweep, i, next);
   }
 }
 
-template <bool isSecond>
+template <int known>
 ESM_INLINE void lastSweep(const Sweep& sweep, const ChebyshevDamping::Stage& stage, double h, const Lanes* d,
                           const Lanes* before, Lanes* v, Lanes* x) noexcept
 {
   for (std::size_t i = 0; i < sweep.count; ++i) {
     Lanes next;
-    stageAt<isSecond>(sweep, stage, i, d, before, next);
+    stageAt<known>(sweep, stage, i, d, before, next);
     v[i] += next;
     x[i] += v[i] * h;
   }
 }
 
-/// d = first a
-ESM_CPU_CLONES void firstStage(const Sweep& sweep, double first, Lanes* d) noexcept
+/// d_1 = a
+ESM_CPU_CLONES void firstStage(const Sweep& sweep) noexcept
 {
-  sweep.viscosity ? firstSweep<true>(sweep, first, d) : firstSweep<false>(sweep, first, d);
+  sweep.viscosity ? firstSweep<true>(sweep) : firstSweep<false>(sweep);
 }
 
 /// d_{j-2} <- d_j
-ESM_CPU_CLONES void middleStage(const Sweep& sweep, const ChebyshevDamping::Stage& stage, bool isSecond,
-                                const Lanes* d, Lanes* before) noexcept
+template <int known>
+ESM_INLINE void middleOf(const Sweep& sweep, const ChebyshevDamping::Stage& stage, const Lanes* d,
+                         Lanes* before) noexcept
 {
-  if (isSecond)
-    sweep.viscosity ? middleSweep<true, true>(sweep, stage, d, before)
-                    : middleSweep<true, false>(sweep, stage, d, before);
-  else
-    sweep.viscosity ? middleSweep<false, true>(sweep, stage, d, before)
-                    : middleSweep<false, false>(sweep, stage, d, before);
+  sweep.viscosity ? middleSweep<known, true>(sweep, stage, d, before)
+                  : middleSweep<known, false>(sweep, stage, d, before);
 }
 
-/// v += d_s, x += h v
-ESM_CPU_CLONES void lastStage(const Sweep& sweep, const ChebyshevDamping::Stage& stage, bool isSecond,
-                              double h, const Lanes* d, const Lanes* before, Lanes* v, Lanes* x) noexcept
+ESM_CPU_CLONES void middleStage(const Sweep& sweep, const ChebyshevDamping::Stage& stage, int j,
+                                const Lanes* d, Lanes* before) noexcept
 {
-  isSecond ? lastSweep<true>(sweep, stage, h, d, before, v, x)
-           : lastSweep<false>(sweep, stage, h, d, before, v, x);
+  if (j == 2)
+    middleOf<0>(sweep, stage, d, before);
+  else if (j == 3)
+    middleOf<1>(sweep, stage, d, before);
+  else
+    middleOf<2>(sweep, stage, d, before);
+}
+
+/// v += d_j, x += h v
+ESM_CPU_CLONES void lastStage(const Sweep& sweep, const ChebyshevDamping::Stage& stage, int j, double h,
+                              const Lanes* d, const Lanes* before, Lanes* v, Lanes* x) noexcept
+{
+  if (j == 2)
+    lastSweep<0>(sweep, stage, h, d, before, v, x);
+  else if (j == 3)
+    lastSweep<1>(sweep, stage, h, d, before, v, x);
+  else
+    lastSweep<2>(sweep, stage, h, d, before, v, x);
 }
 
 /// Leapfrog: positions at the steps, velocities half way between, one force pass per step. It is symplectic
@@ -171,19 +184,27 @@ public:
                            &opener = m_damping[placeFor(std::max(opening, h))];
     m_x = state.x; // same size: no allocation
     m_v = m_lastStep > 0.0 ? m_half : state.v;
-    double work = 0.0, heat = 0.0;
+    double work = 0.0, heat = 0.0, last = begin;
+    Rates before;
+    Kick kick;
     for (std::int64_t i = 0; i <= steps; ++i) {
       const double t = i == steps ? end : begin + static_cast<double>(i) * h;
-      if (i == steps) m_half = m_v;
-      const double length = i == 0 ? opening : i == steps ? 0.5 * h : h;
-      const Rates rates = kick(system, t, length, i == steps ? 0.0 : h, i == 0 ? opener : damping);
+      const auto closeLast = [&](std::size_t f, std::size_t n) noexcept { close(system, kick, f, n); };
+      const ChebyshevDamping& used = i == 0 ? opener : damping;
+      const Rates rates = system.evaluate(t, m_x, m_v, m_force, used.stages() > 1 ? m_damper.data() : nullptr,
+                                          i > 0 ? NodeSweep(closeLast) : NodeSweep{});
       // Over a step the velocity is that of its middle: the forces before and after meet the same one.
       if (i > 0) {
-        work += 0.5 * rates.work;
+        work += 0.5 * (before.work - before.loads + system.loadPower(last, m_v) + rates.work);
         heat += rates.heat;
       }
-      if (i < steps) work += 0.5 * (rates.work - rates.loads + system.loadPower(t, m_v));
+      before = rates;
+      last = t;
+      if (i == steps) m_half = m_v;
+      kick = {&used, i == 0 ? opening : i == steps ? 0.5 * h : h, i == steps ? 0.0 : h};
+      open(system, kick);
     }
+    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept { close(system, kick, f, n); });
     report.steps += steps;
     m_lastStep = 0.0;
     if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
@@ -225,43 +246,49 @@ private:
     return m_best;
   }
 
-  /// Velocities s further with the forces at t, then positions `drift` further.
-  Rates kick(System& system, double t, double s, double drift, const ChebyshevDamping& damping) noexcept
+  /// Velocities `length` further with the forces in m_force, then positions `drift` further [s].
+  struct Kick {
+    const ChebyshevDamping* damping = nullptr;
+    double length = 0.0, drift = 0.0;
+  };
+
+  Sweep sweepOf(const System& system, const Kick& kick, std::size_t first, std::size_t nodes) noexcept
   {
-    const double* inverseMass = system.inverseMass().data();
-    const bool plain = damping.stages() == 1;
-    const Rates rates = system.evaluate(t, m_x, m_v, m_force, plain ? nullptr : m_damper.data());
-    if (plain) {
-      system.sweepNodes([&](std::size_t first, std::size_t nodes) noexcept {
-        kickAndDrift(nodes, s, drift, m_force.data() + first, inverseMass + first, m_v.data() + first,
-                     m_x.data() + first);
-      });
-      return rates;
-    }
     const auto& viscosity = system.forces().nodeViscosity();
-    const auto part = [&](std::size_t f, std::size_t n) noexcept {
-      return Sweep{n,
-                   s,
-                   inverseMass + f,
-                   viscosity.empty() ? nullptr : viscosity.data() + f,
-                   m_force.data() + f,
-                   m_a.data() + f};
-    };
-    const int last = damping.stages();
-    system.addDamping(m_damper.data(), m_d, m_force, [&](std::size_t f, std::size_t n) noexcept {
-      firstStage(part(f, n), damping.first(), m_d.data() + f);
+    return {nodes,
+            kick.length,
+            system.inverseMass().data() + first,
+            viscosity.empty() ? nullptr : viscosity.data() + first,
+            m_force.data() + first,
+            m_a.data() + first};
+  }
+
+  /// The stages but for the last sweep over the nodes: that goes with the next pass over the springs.
+  void open(System& system, const Kick& kick) noexcept
+  {
+    const int last = kick.damping->stages();
+    if (last == 1) return;
+    system.addDamping(m_damper.data(), m_a, m_force, [&](std::size_t f, std::size_t n) noexcept {
+      firstStage(sweepOf(system, kick, f, n));
     });
     for (int j = 2; j < last; ++j) {
       system.addDamping(m_damper.data(), m_before, m_force, [&](std::size_t f, std::size_t n) noexcept {
-        middleStage(part(f, n), damping.stage(j), j == 2, m_d.data() + f, m_before.data() + f);
+        middleStage(sweepOf(system, kick, f, n), kick.damping->stage(j), j, m_d.data() + f,
+                    m_before.data() + f);
       });
       std::swap(m_d, m_before);
     }
-    system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      lastStage(part(f, n), damping.stage(last), last == 2, drift, m_d.data() + f, m_before.data() + f,
-                m_v.data() + f, m_x.data() + f);
-    });
-    return rates;
+  }
+
+  void close(const System& system, const Kick& kick, std::size_t first, std::size_t nodes) noexcept
+  {
+    const int last = kick.damping->stages();
+    if (last == 1)
+      kickAndDrift(nodes, kick.length, kick.drift, m_force.data() + first,
+                   system.inverseMass().data() + first, m_v.data() + first, m_x.data() + first);
+    else
+      lastStage(sweepOf(system, kick, first, nodes), kick.damping->stage(last), last, kick.drift,
+                m_d.data() + first, m_before.data() + first, m_v.data() + first, m_x.data() + first);
   }
 
   int m_order;                             ///< of the damping

@@ -60,12 +60,12 @@ bool System::enter(MotionState& state, bool silent)
 Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper,
                        const NodeSweep& before) noexcept
 {
-  const bool anyPrescribed = !m_schedule.prescribedNodes().empty(); // then the springs wait for their places
-  if (anyPrescribed && before) sweepNodes(before);
+  const bool placesFirst = m_schedule.movesAnyNow(); // then the springs wait for these places
+  if (placesFirst && before) sweepNodes(before);
   place(t, x, v);
   Rates rates;
   rates.heat = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers,
-                                      anyPrescribed ? NodeSweep{} : before);
+                                      placesFirst ? NodeSweep{} : before);
   springsEvaluated += m_forces.activeSprings();
   rates.work = m_schedule.addForces(t, v.data(), force.data());
   for (std::size_t i = 0; i < m_tools.size(); ++i) {

@@ -140,6 +140,11 @@ double LoadSchedule::nextRelease() const noexcept
   return next;
 }
 
+bool LoadSchedule::movesAnyNow() const noexcept
+{
+  return std::any_of(m_motions.begin(), m_motions.end(), [](const Motion& motion) { return motion.active; });
+}
+
 void LoadSchedule::place(double t, Lanes* x, Lanes* v) const noexcept
 {
   for (const PrescribedNode& node : m_nodes) {

@@ -38,6 +38,7 @@ public:
     Lanes start = {0, 0, 0, 0}; ///< [m]
   };
   bool anyMotion() const noexcept { return !m_nodes.empty(); }
+  bool movesAnyNow() const noexcept; ///< whether place() has something to do
   bool isActive(const PrescribedNode& node) const noexcept { return m_motions[node.motion].active; }
   const std::vector<PrescribedNode>& prescribedNodes() const noexcept { return m_nodes; }
 

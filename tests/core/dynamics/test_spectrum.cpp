@@ -222,6 +222,30 @@ TEST(Spectrum, ChebyshevPolynomialsHaveTheirOrderAndStayBelowOne)
     }
 }
 
+// The velocity of a mode that is all damper, taken through the stages one by one, is P(z) times what it was.
+// The recurrence's terms are at most some thousands (8 stages at the end of their reach), rounded at 1e-16.
+TEST(Spectrum, TheStagesMakeTheirPolynomial)
+{
+  for (const int order : {1, 2})
+    for (int stages = 2; stages <= ChebyshevDamping::kMostStages; ++stages) {
+      const ChebyshevDamping damping(stages, order);
+      FastestMode mode;
+      mode.damping = 1.0;
+      const double reach = damping.stableStep(mode);
+      for (int i = 0; i <= 40; ++i) {
+        const double z = reach * i / 40.0, a = -z; // h F/m of v = 1
+        double before = 0.0, d = a;
+        for (int j = 2; j <= stages; ++j) {
+          const ChebyshevDamping::Stage& stage = damping.stage(j);
+          const double next = stage.mu * d + stage.nu * before + stage.push * a - stage.kick * z * d;
+          before = d;
+          d = next;
+        }
+        EXPECT_NEAR(1.0 + d, damping.value(z), 1e-11) << stages << " stages of order " << order << ", " << z;
+      }
+    }
+}
+
 // Rates that overflowed somewhere allow no step, rather than any.
 TEST(Spectrum, NoStepIsStableForWhatIsNoNumber)
 {
