@@ -237,6 +237,22 @@ std::vector<std::string> scenesOf(const std::vector<Row>& rows)
   return names;
 }
 
+/// At least one for each scene that is asked for. Errors: those of readCsv(); EmptyResult.
+Result<std::vector<Row>> readCandidates(const WorkOptions& options)
+{
+  Result<std::vector<Row>> rows = readCsv(options.candidatesFile);
+  if (!rows) return rows;
+  const std::vector<std::string> known = scenesOf(*rows);
+  const auto isUnknown = [&](const std::string& name) {
+    return std::find(known.begin(), known.end(), name) == known.end();
+  };
+  const auto unknown = std::find_if(options.scenes.begin(), options.scenes.end(), isUnknown);
+  if (!known.empty() && unknown == options.scenes.end()) return rows;
+  return Error{ErrorCode::EmptyResult, options.candidatesFile + " names no candidate" +
+                                         (known.empty() ? "" : " for '" + *unknown + "'") +
+                                         "; without --again they are searched for"};
+}
+
 std::vector<std::string> splitAtCommas(std::string_view text)
 {
   std::vector<std::string> parts;
@@ -307,19 +323,12 @@ int runWorkPrecision(const std::vector<std::string>& words)
 #endif
   std::vector<Row> all, candidates;
   if (!options.candidatesFile.empty()) {
-    Result<std::vector<Row>> read = readCsv(options.candidatesFile);
+    Result<std::vector<Row>> read = readCandidates(options);
     if (!read) {
       std::fprintf(stderr, "%s\n", read.error().detail.c_str());
       return 2;
     }
     candidates = std::move(*read);
-    for (const std::string& name : options.scenes) {
-      const auto isOne = [&](const Row& row) { return row.scene == name; };
-      if (std::any_of(candidates.begin(), candidates.end(), isOne)) continue;
-      std::fprintf(stderr, "%s names no candidate for '%s'; without --again they are searched for\n",
-                   options.candidatesFile.c_str(), name.c_str());
-      return 2;
-    }
   }
   if (options.scenes.empty()) options.scenes = scenesOf(candidates);
   if (options.scenes.empty()) options.scenes = {"tube", "uterus", "sheet", "stiff"};
