@@ -197,7 +197,7 @@ Result<std::vector<Row>> readCsv(const std::filesystem::path& file)
   for (int number = 1; !rest.empty(); ++number) {
     const std::string_view line = rest.substr(0, rest.find('\n'));
     rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    if (number == 1 && line == std::string_view(csvHeader()).substr(0, line.size())) continue;
+    if (number == 1 && std::string(line) + '\n' == csvHeader()) continue;
     const std::optional<Row> row = rowOf(line);
     if (!row)
       return Error{ErrorCode::BadFormat, file.string() + ", line " + std::to_string(number) +

@@ -193,7 +193,7 @@ std::vector<Row> sweepAuto(const Scene& scene, const Reference& reference, const
 {
   std::vector<Row> rows;
   for (std::size_t i = 0; i < kTargets.size(); ++i)
-    rows.push_back(runAuto(scene, reference, options, kTargets[i], front.seconds[i]));
+    append(rows, {runAuto(scene, reference, options, kTargets[i], front.seconds[i])});
   append(rows, autoBetween(scene, reference, front, options, rows));
   return rows;
 }
