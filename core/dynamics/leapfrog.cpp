@@ -184,7 +184,7 @@ public:
                            &opener = m_damping[placeFor(std::max(opening, h))];
     m_x = state.x; // same size: no allocation
     m_v = m_lastStep > 0.0 ? m_half : state.v;
-    double work = 0.0, heat = 0.0, last = begin;
+    double work = 0.0, heat = 0.0, lastTime = begin;
     Rates before;
     Kick kick;
     for (std::int64_t i = 0; i <= steps; ++i) {
@@ -195,11 +195,11 @@ public:
                                           i > 0 ? NodeSweep(closeLast) : NodeSweep{});
       // Over a step the velocity is that of its middle: the forces before and after meet the same one.
       if (i > 0) {
-        work += 0.5 * (before.work - before.loads + system.loadPower(last, m_v) + rates.work);
+        work += 0.5 * (before.work - before.loads + system.loadPower(lastTime, m_v) + rates.work);
         heat += rates.heat;
       }
       before = rates;
-      last = t;
+      lastTime = t;
       if (i == steps) m_half = m_v;
       kick = {&used, i == 0 ? opening : i == steps ? 0.5 * h : h, i == steps ? 0.0 : h};
       open(system, kick);
