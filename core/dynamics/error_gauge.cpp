@@ -92,6 +92,12 @@ double fadingTime(const ErrorScale& scale) noexcept
   return std::max(time(scale.recentKinetic, scale.recentHeat), time(scale.latestKinetic, scale.latestHeat));
 }
 
+double creepingTime(const ErrorScale& scale) noexcept
+{
+  if (!(scale.recentPath > 0.0)) return std::numeric_limits<double>::infinity();
+  return 2.0 * scale.displacement * std::sqrt(kMemory / scale.recentPath);
+}
+
 void ErrorGauge::begin(const NodeArray& x, double extent, double duration)
 {
   m_rest = x;
@@ -288,7 +294,7 @@ double ErrorGauge::alongMotion(const System& system, const NodeArray& otherX, co
 double ErrorGauge::fading() const noexcept
 {
   if (!(m_scale.recentPath > 0.0)) return m_guessedLifetime;
-  return std::max(fadingTime(m_scale), 2.0 * m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath));
+  return std::max(fadingTime(m_scale), creepingTime(m_scale));
 }
 
 /// How long an error lives [s]: it fades as the motion itself does.

@@ -29,6 +29,9 @@ struct ErrorScale {
 /// @return time in which they do [s], by the last fifth of a second and by the last two frames, whichever is
 /// longer: a blow's first heat must not shorten what swings on after it. Infinity without damping.
 double fadingTime(const ErrorScale& scale) noexcept;
+/// @return time that a motion which creeps would take over the way from its start, at its speed of the last
+/// fifth of a second [s]. Infinity at rest.
+double creepingTime(const ErrorScale& scale) noexcept;
 
 /// Measures errors of stretches of motion, and knows how much of it a stretch may add, so that the error of
 /// docs/FILE_FORMAT.md stays below the tolerance.

@@ -154,7 +154,9 @@ void RegionDriver::look(StepReport& report)
 {
   const MotionState& motion = m_body.motion;
   const std::vector<Index>& awake = m_region.awake();
-  const double limit = std::sqrt(0.25 * budget() / std::max(m_playedCount, 1.0));
+  const ErrorScale& scale = m_driver.errorScale();
+  const SettlingBudget missable{budget(), undisturbed(), std::max(fadingTime(scale), creepingTime(scale))};
+  const double limit = std::sqrt(0.25 * missable.squareAt(missable.fading) / std::max(m_playedCount, 1.0));
   if (!m_watch.lookIsDue(motion.time)) {
     m_watch.glance(awake, motion, limit);
     return;
@@ -179,17 +181,29 @@ void RegionDriver::look(StepReport& report)
 /// Whether the whole net could be brought to rest at once.
 bool RegionDriver::settles(StepReport& report)
 {
-  const std::vector<ToolSpring>& tools = m_body.system.tools();
-  const bool moves = !m_loads.moving().empty() ||
-                     std::any_of(tools.begin(), tools.end(),
-                                 [](const ToolSpring& tool) { return !tool.targetVelocity.isZero(); });
   const ErrorScale& scale = m_driver.errorScale();
-  const double time = m_body.motion.time;
-  const double undisturbed = std::min(scale.calm, time - m_stirred), end = m_driver.knownEnd(time);
-  const double since = std::isfinite(end) ? std::max(undisturbed, end) : undisturbed;
-  return m_mode == Mode::Whole && !moves &&
+  return m_mode == Mode::Whole && !isMoved() &&
          m_settling.settleIfDue(m_body.system, m_body.motion, scale.speed,
-                                {budget(), since, fadingTime(scale)}, m_settings.effort, report);
+                                {budget(), undisturbed(), fadingTime(scale)}, m_settings.effort, report);
+}
+
+/// By loads or tools.
+bool RegionDriver::isMoved() const
+{
+  const std::vector<ToolSpring>& tools = m_body.system.tools();
+  return !m_loads.moving().empty() || std::any_of(tools.begin(), tools.end(), [](const ToolSpring& tool) {
+    return !tool.targetVelocity.isZero();
+  });
+}
+
+/// How long the net has been left alone or, where the end is known, will have been looked at [s]; 0 while
+/// something moves it.
+double RegionDriver::undisturbed() const
+{
+  if (isMoved()) return 0.0;
+  const double time = m_body.motion.time, end = m_driver.knownEnd(time);
+  const double since = std::min(m_driver.errorScale().calm, time - m_stirred);
+  return std::isfinite(end) ? std::max(since, end) : since;
 }
 
 FastestMode RegionDriver::fastestMode()

@@ -83,6 +83,8 @@ private:
   void takeOver(double target);
   void look(StepReport& report);
   bool settles(StepReport& report);
+  bool isMoved() const;
+  double undisturbed() const;
 
   // Who is awake (region_change.cpp)
   bool isDivisible() const noexcept; ///< into a part that moves and one that rests
