@@ -174,7 +174,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   m_roughAtCheck = !isFine;
   report.rough = report.rough || m_roughAtCheck;
   if (m_roughAtCheck) sayToleranceGivenUp(system);
-  for (Candidate& candidate : m_candidates) --candidate.untilProbe;
+  for (Candidate& candidate : m_candidates) {
+    --candidate.untilProbe;
+    candidate.probedStep = 0.0;
+  }
   std::optional<Method> proven;
   if (m_auto && m_onset.longest <= 0.0 && error <= kShareToCompare * allowed)
     proven = probeOthers(system, state, allowed, report);
@@ -217,6 +220,25 @@ std::optional<StepDriver::Method> StepDriver::probeNext(System& system, const Mo
   return tryOut(next, step, system, state, allowed, report) ? std::optional(next) : std::nullopt;
 }
 
+/// m_start to the kept end `state` by another method, which stops where the check has looked.
+/// @param early  gets how far it was off there [m]; 0 where nobody has looked
+StepResult StepDriver::runProbe(Integrator& integrator, System& system, const MotionState& state,
+                                std::int64_t steps, double& early, StepReport& report)
+{
+  integrator.restart();
+  m_probe = m_start; // same size: no allocation
+  early = 0.0;
+  if (m_look.steps > 0 && steps >= kLeastStepsForLook) {
+    const double count = static_cast<double>(steps);
+    const StepResult result = integrator.run(
+      system, m_probe, m_look.time, static_cast<std::int64_t>(std::ceil(count * m_look.share)), report);
+    if (result != StepResult::Done) return result;
+    early = m_gauge.distance(m_look.x, m_probe);
+    steps = static_cast<std::int64_t>(std::ceil(count * (1.0 - m_look.share)));
+  }
+  return integrator.run(system, m_probe, state.time, steps, report);
+}
+
 /// The stretch once more by another method, with steps of about this size [s]. @return whether it errs little
 /// enough.
 bool StepDriver::tryOut(Method method, double step, System& system, const MotionState& state, double allowed,
@@ -225,22 +247,23 @@ bool StepDriver::tryOut(Method method, double step, System& system, const Motion
   const double length = state.time - m_start.time;
   Candidate& candidate = m_candidates[method];
   const double count = std::ceil(length / step * (1.0 - 1e-9));
+  if (length / count == candidate.probedStep) return false; // it would err as much as before
   if (isTooDear(system, count * candidate.integrator->stepCost(system, step))) return false;
+  candidate.probedStep = length / count;
   layOut(method, system);
-  candidate.integrator->restart();
-  m_probe = m_start; // same size: no allocation
   const std::int64_t stepsBefore = report.steps;
+  double early = 0.0;
   const StepResult result =
-    candidate.integrator->run(system, m_probe, state.time, static_cast<std::int64_t>(count), report);
+    runProbe(*candidate.integrator, system, state, static_cast<std::int64_t>(count), early, report);
   report.rejectedSteps += report.steps - stepsBefore;
   report.steps = stepsBefore;
   double share = kInfinity;
   if (result == StepResult::Done) { // else it was unstable, which tells nothing of its accuracy
-    // In full: what of another method's error goes on to grow nobody has measured; unless much does not.
-    const double adding = addingUp(candidate, system, m_probe.x, m_probe.v, state);
-    const double counted = adding < 1.0 ? m_growing * adding : 1.0;
+    const double late = m_gauge.distance(m_probe.x, state);
+    const double counted = m_gauge.growing(m_start.time, length, early, late, m_look.share) *
+                           addingUp(candidate, system, m_probe.x, m_probe.v, state);
     const double most = allowed * spendable(candidate) / spendable(m_candidates[m_method]);
-    share = counted * swing(system, m_gauge.distance(m_probe.x, state), m_probe.v, state) / most;
+    share = counted * swing(system, late, m_probe.v, state) / most;
     const double gain = stepGain(share, candidate.integrator->order());
     candidate.accurateStep = length / count;
     candidate.estimate = candidate.accurateStep * gain;

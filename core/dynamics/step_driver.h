@@ -110,6 +110,7 @@ private:
     bool prepared = false;
     int untilProbe = 0; ///< checks until it may be probed
     int probeGap = 1;
+    double probedStep = 0.0; ///< in the present check; 0: in none [s]
   };
   /// The first moments after an event, while stretches are shorter than usual.
   struct Onset {
@@ -162,6 +163,8 @@ private:
   std::optional<Method> probe(System& system, const MotionState& state, double allowed, StepReport& report);
   std::optional<Method> probeNext(System& system, const MotionState& state, double allowed,
                                   StepReport& report);
+  StepResult runProbe(Integrator& integrator, System& system, const MotionState& state, std::int64_t steps,
+                      double& early, StepReport& report);
   bool tryOut(Method method, double step, System& system, const MotionState& state, double allowed,
               StepReport& report);
   bool paysOff(double saving, double price) const noexcept;
