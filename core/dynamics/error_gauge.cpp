@@ -98,13 +98,14 @@ double creepingTime(const ErrorScale& scale) noexcept
   return 2.0 * scale.displacement * std::sqrt(kMemory / scale.recentPath);
 }
 
-void ErrorGauge::begin(const NodeArray& x, double extent, double duration)
+void ErrorGauge::begin(const NodeArray& x, double extent, double duration, bool isDriven)
 {
   m_rest = x;
   m_count = x.size();
   m_squareElsewhere = 0.0;
   m_extent = extent;
   m_duration = duration;
+  m_isDriven = isDriven;
   m_guessedLifetime = std::numeric_limits<double>::infinity();
   m_scale = ErrorScale{};
 }
@@ -192,17 +193,17 @@ double ErrorGauge::lastingShare(double tolerance, double time) const noexcept
 double ErrorGauge::budget(double tolerance, const MotionState& state, double length) const noexcept
 {
   const double all = allowance(tolerance, state);
-  const bool isKnown = std::isfinite(expectedEnd(state.time));
+  const bool mayPeak = m_isDriven && std::isfinite(expectedEnd(state.time));
   const double left = std::max(timeLeft(state.time), length);
   const LivingError error{m_scale.spent, lifetime()};
   const double whole = all * all * (state.time + left);
   const double ofMean = error.rateForMean(whole - m_scale.spentSquare, left);
-  const double most = isKnown ? peak(left, m_scale.spentSquare / whole) : 1.0;
+  const double most = mayPeak ? peak(left, m_scale.spentSquare / whole) : 1.0;
   const double rate = std::min(error.rateForPeak(most * all, left), ofMean);
   // An even share goes on when all is spent: smaller steps would cost without end and gain little. Two of
   // them where errors spread over many waves, which do not add up in line; if they did, and stayed, their
   // mean would still be below the tolerance.
-  const double shares = std::min(1.0 + doublingsOfMany(m_rest.size()), 2.0);
+  const double shares = m_isDriven ? std::min(1.0 + doublingsOfMany(m_rest.size()), 2.0) : 1.0;
   const double least =
     (ofMean > 0.0 ? 1.0 : kShareBeyond) * all / std::min(error.life, (state.time + left) / shares);
   return std::min(all, std::max(rate, least) * length);
@@ -217,6 +218,8 @@ double ErrorGauge::growing(double time, double length, double early, double late
 {
   constexpr double kLeastPower = 0.85, kLessPerDoubling = 0.18, kLeastOfAll = 0.3;
   if (!(early > 0.0) || !(late > 0.0)) return 1.0;
+  // Nothing fades yet where all begins to move at once; sheets that began with a speed ended 1.1 times above.
+  if (!m_isDriven && !(time > 0.0)) return 1.0;
   const double least = std::max(kLeastPower - kLessPerDoubling * doublingsOfMany(m_rest.size()), kLeastOfAll);
   const double power = std::clamp(std::log(late / early) / -std::log(share), least, 1.0);
   return std::pow(std::max(std::min(lifetime(), timeLeft(time)) / length, 1.0), power - 1.0);

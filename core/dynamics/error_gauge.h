@@ -29,8 +29,8 @@ struct ErrorScale {
 /// @return time in which they do [s], by the last fifth of a second and by the last two frames, whichever is
 /// longer: a blow's first heat must not shorten what swings on after it. Infinity without damping.
 double fadingTime(const ErrorScale& scale) noexcept;
-/// @return time that a motion which creeps would take over the way from its start, at its speed of the last
-/// fifth of a second [s]. Infinity at rest.
+/// @return twice the time that a motion which creeps takes over the way from its start, at its speed of the
+/// last fifth of a second [s]. Infinity at rest.
 double creepingTime(const ErrorScale& scale) noexcept;
 
 /// Measures errors of stretches of motion, and knows how much of it a stretch may add, so that the error of
@@ -48,7 +48,9 @@ public:
   static constexpr std::size_t kFewNodes = 100; ///< a net below has few modes, and no waves among them
 
   /// @param duration  of the whole motion [s]; 0 = unknown
-  void begin(const NodeArray& x, double extent, double duration);
+  /// @param isDriven  whether loads act; else the displacement fades as errors do, and what these may have
+  /// for some time because they fade, they may not.
+  void begin(const NodeArray& x, double extent, double duration, bool isDriven = true);
   /// From now on positions are those of a part, whose positions at t = 0 are `rest`.
   /// @param squareElsewhere  sum of squared displacements of the other nodes [m^2]
   void setPart(NodeArray& rest, std::size_t wholeCount, double squareElsewhere) noexcept;
@@ -116,7 +118,8 @@ private:
   std::size_t m_count = 0;
   double m_squareElsewhere = 0.0;
   double m_extent = 1.0;
-  double m_duration = 0.0;                                    ///< [s]
+  double m_duration = 0.0; ///< [s]
+  bool m_isDriven = true;
   double m_release = std::numeric_limits<double>::infinity(); ///< see expectRelease() [s]
   double m_guessedLifetime = 0.0; ///< of errors, until motion tells it [s]; set by begin()
   ErrorScale m_scale;

@@ -66,7 +66,8 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_startEnergies.reset();
   m_coarse = m_coarseV = m_look.x = state.x; // room for later
   m_probe = state;
-  m_gauge.begin(state.x, extentOf(system, state.x), m_settings.duration);
+  const bool isDriven = !system.schedule().isEmpty() || !system.tools().empty();
+  m_gauge.begin(state.x, extentOf(system, state.x), m_settings.duration, isDriven);
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
 }

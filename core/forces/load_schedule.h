@@ -37,6 +37,7 @@ public:
     std::size_t motion = 0;
     Lanes start = {0, 0, 0, 0}; ///< [m]
   };
+  bool isEmpty() const noexcept { return m_motions.empty() && m_forces.empty(); }
   bool anyMotion() const noexcept { return !m_nodes.empty(); }
   bool movesAnyNow() const noexcept; ///< whether place() has something to do
   bool isActive(const PrescribedNode& node) const noexcept { return m_motions[node.motion].active; }

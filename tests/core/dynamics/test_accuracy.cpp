@@ -85,6 +85,17 @@ TEST(Accuracy, AKnownEndTakesFewerStepsForTheSameTolerance)
   EXPECT_LT(static_cast<double>(known.springs), 0.9 * static_cast<double>(unknown.springs));
 }
 
+// A run begins with the small steps that its first milliseconds ask for; `auto` goes over to a cheaper method
+// as soon as one of those that it probes errs little enough, of which only what goes on to grow counts.
+TEST(Accuracy, ACheaperMethodIsFoundBeforeTheMotionIsOver)
+{
+  const bench::Scene scene = bench::uterus();
+  const Outcome one = outcomeOf(scene, "stoermer", 1e-4, 120, scene.duration),
+                chosen = outcomeOf(scene, "auto", 1e-4, 120, scene.duration);
+  EXPECT_LT(chosen.error, 1e-4);
+  EXPECT_LT(static_cast<double>(chosen.springs), 0.9 * static_cast<double>(one.springs));
+}
+
 // Ten frames at the limit of stability, which errs less than a tenth of what it may. If nobody knows that
 // they are all, one of the second half is checked: half of it is then done once and once more with smaller
 // steps.

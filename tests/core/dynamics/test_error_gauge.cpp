@@ -122,6 +122,18 @@ TEST(ErrorGauge, WhatHasBeenSpentFadesWithTheMotion)
   EXPECT_LE(spent, 2.5 * 120 * now); // t = 5 T, and (exp(t/(4 T)) - 1)/(t/(4 T)) is 2.0
 }
 
+// At a steady speed v a way of v t takes the time t; the gauge reckons with twice that, for what slows down.
+TEST(ErrorGauge, KnowsHowLongACreepTakes)
+{
+  constexpr double kSpeed = 3e-3, kTime = 0.4, kMemory = 0.2;
+  ErrorScale scale;
+  EXPECT_TRUE(std::isinf(creepingTime(scale))); // at rest, and never moved
+  scale.displacement = kSpeed * kTime;
+  EXPECT_TRUE(std::isinf(creepingTime(scale)));
+  scale.recentPath = kSpeed * kSpeed * kMemory;
+  EXPECT_NEAR(creepingTime(scale), 2.0 * kTime, 1e-12);
+}
+
 // Where nothing is damped no error dies.
 TEST(ErrorGauge, ErrorsOfUndampedMotionStay)
 {
@@ -208,10 +220,10 @@ TEST(ErrorGauge, TellsWhatGrowsFromWhatSwings)
 }
 
 /// Of a net of which all nodes or only ten move; its whole tolerance of 1 is spent.
-ErrorGauge spentGauge(Index nodes, bool isPart)
+ErrorGauge spentGauge(Index nodes, bool isPart, bool isDriven = true)
 {
   ErrorGauge gauge;
-  gauge.begin(NodeArray(static_cast<std::size_t>(nodes)), 1.0, 0.5);
+  gauge.begin(NodeArray(static_cast<std::size_t>(nodes)), 1.0, 0.5, isDriven);
   NodeArray part(10);
   if (isPart) gauge.setPart(part, static_cast<std::size_t>(nodes), 0.0);
   ErrorScale scale;
@@ -245,6 +257,34 @@ TEST(ErrorGauge, BelievesThatErrorsOfManyNodesAreLost)
   EXPECT_GT(budget(3000), budget(10));
   EXPECT_NEAR(budget(100000), 2.0 * budget(10), 1e-12);
   EXPECT_EQ(budget(100000, true), budget(10));
+}
+
+// Where nothing drives a motion the displacement fades as errors do, so that these may be no larger for some
+// time, nor spread; and where it begins at once nothing yet tells what of them will be lost.
+TEST(ErrorGauge, WhatNothingDrivesMayErrNoMoreForSomeTime)
+{
+  const auto budget = [](Index nodes, bool isDriven) {
+    ErrorGauge gauge = spentGauge(nodes, false, isDriven);
+    ErrorScale scale = gauge.scale();
+    scale.spent = 0.5; // and little of the mean square
+    scale.recentKinetic = scale.latestKinetic = 0.05 / 8.0;
+    scale.recentHeat = scale.latestHeat = 1.0;
+    scale.recentPath = 1e12; // it fades in 0.05 s, nothing creeps
+    gauge.setScale(scale);
+    MotionState state;
+    state.x.resize(static_cast<std::size_t>(nodes));
+    state.v.resize(state.x.size());
+    state.time = 0.05;
+    return gauge.budget(1.0, state, kStretch);
+  };
+  EXPECT_LT(budget(10, false), 0.8 * budget(10, true));
+  EXPECT_NEAR(budget(100000, false), budget(10, false), 1e-12);
+  const auto growing = [](double time, bool isDriven) {
+    return spentGauge(100000, false, isDriven).growing(time, kStretch, 1.0, 1.0, 0.25);
+  };
+  EXPECT_EQ(growing(0.0, false), 1.0);
+  EXPECT_LT(growing(0.0, true), 0.5);
+  EXPECT_EQ(growing(0.1, false), growing(0.1, true));
 }
 
 } // namespace esm::test
