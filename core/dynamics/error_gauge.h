@@ -48,8 +48,8 @@ public:
   static constexpr std::size_t kFewNodes = 100; ///< a net below has few modes, and no waves among them
 
   /// @param duration  of the whole motion [s]; 0 = unknown
-  /// @param isDriven  whether loads act; else the displacement fades as errors do, and what these may have
-  /// for some time because they fade, they may not.
+  /// @param isDriven  whether loads or tools act; else the displacement fades as errors do, and what these
+  /// may have for some time because they fade, they may not.
   void begin(const NodeArray& x, double extent, double duration, bool isDriven = true);
   /// From now on positions are those of a part, whose positions at t = 0 are `rest`.
   /// @param squareElsewhere  sum of squared displacements of the other nodes [m^2]
@@ -63,6 +63,7 @@ public:
                         double error) const noexcept;
   /// After the first stretch since begin() has been tried: until then nothing tells how long errors live.
   void guessLifetime(const System& system, const MotionState& start, const MotionState& end) noexcept;
+  void markDriven() noexcept { m_isDriven = true; } ///< something acts from now on
   /// Loads have jumped or bent.
   void markEvent() noexcept { m_scale.calm = 0.0; }
   /// When nodes that are held now will be let go, infinity if not: until then less may be spent.

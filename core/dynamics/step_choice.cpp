@@ -127,6 +127,7 @@ void StepDriver::restart() noexcept
 
 void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
 {
+  if (!system.tools().empty()) m_gauge.markDriven();
   if (sameNodes) { // a moving hand: the checks go on in their rhythm
     for (Candidate& candidate : m_candidates)
       if (candidate.prepared) candidate.integrator->toolsMoved();

@@ -285,6 +285,9 @@ TEST(ErrorGauge, WhatNothingDrivesMayErrNoMoreForSomeTime)
   EXPECT_EQ(growing(0.0, false), 1.0);
   EXPECT_LT(growing(0.0, true), 0.5);
   EXPECT_EQ(growing(0.1, false), growing(0.1, true));
+  ErrorGauge gauge = spentGauge(100000, false, false);
+  gauge.markDriven();
+  EXPECT_EQ(gauge.growing(0.0, kStretch, 1.0, 1.0, 0.25), growing(0.0, true));
 }
 
 } // namespace esm::test
