@@ -136,7 +136,7 @@ TEST(Skip, AMotionThatNothingDrivesKeepsTheToleranceToAKnownEnd)
 // Springs evaluated per frame go with the poke, not with the net.
 TEST(Skip, CostGoesWithTheMovingPart)
 {
-  std::int64_t springs[2];
+  std::int64_t springs[2] = {};
   for (const Index side : {60, 120}) {
     const SpringNet net = beddedSheet(side);
     Simulation simulation = simulate(net, {}, settingsOf(1e-2, true, "verlet"));
