@@ -266,7 +266,7 @@ double ErrorGauge::swing(const System& system, double distance, const NodeArray&
   if (!(m_scale.recentPath > 0.0 && all > 0.0)) return amplitude;
   const bool isSmall = otherV.size() < kFewNodes; // all its motion is slow
   const double slow = isSmall ? speed : std::abs(along) / all * rms(sumOfSquares(m_displacement), m_count);
-  const double ofMotion = std::min(m_scale.displacement * std::sqrt(kMemory / m_scale.recentPath), kSlowest);
+  const double ofMotion = std::min(0.5 * creepingTime(m_scale), kSlowest);
   return std::max(amplitude, slow * ofMotion / std::numbers::sqrt2);
 }
 
