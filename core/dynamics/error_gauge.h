@@ -100,6 +100,8 @@ public:
   /// or displacement, or of their velocities along the latter, whichever is most. After prepareSwing().
   double alongMotion(const System& system, const NodeArray& otherX, const NodeArray& otherV,
                      const MotionState& state) const noexcept;
+  /// What the same steps typically err in a net of this size, over what they do in one of up to 2,500 nodes.
+  double typicalShare() const noexcept;
   /// From the whole net's RMS to that over `nodes` nodes, outside of which nothing errs.
   double shareOfWhole(std::size_t nodes) const noexcept;
   /// The end of the motion as seen at `time` before it or at it [s]; infinity if nobody knows it.

@@ -15,12 +15,12 @@ std::span<const IntegratorEntry> integratorTable() noexcept
       "leapfrog",
       "leapfrog (staggered symplectic Euler), explicit, one force pass per step and short viscous "
       "ones where viscosity would limit it; second order",
-      &makeLeapfrog, Explicit, 1e-2},
+      &makeLeapfrog, Explicit, 4e-2},
     IntegratorEntry{"chebyshev", "the same with more viscous stages: second order in viscosity too",
-                    &makeChebyshev, Explicit, 3e-3, 0.5},
+                    &makeChebyshev, Explicit, 1e-2, 0.5},
     IntegratorEntry{"verlet",
                     "velocity Verlet: second order in viscosity too, explicit, one force pass per step",
-                    &makeVerlet, Explicit, 1e-3},
+                    &makeVerlet, Explicit, 1.5e-3},
     IntegratorEntry{
       "stoermer",
       "Stoermer's multistep method: fourth order, explicit, one force pass per step, and viscous "

@@ -38,6 +38,9 @@ constexpr double kSureShare = 0.5, kGapsBeforeEnd = 2.0;
 constexpr double kLeastProof = kFrame / 4.0;
 constexpr double kShareToCompare = 0.5; ///< of the budget, that the end may be off with which others compare
 constexpr int kProbes = 2, kLongestProbeGap = 4; ///< checks
+/// Stretches that count as one more check to a method that waits for its next probe: where checks are rare, a
+/// probe costs little, and motion has faded by then.
+constexpr double kWaitedPerCheck = 6.0;
 constexpr double kFarTooGood = 0.2; ///< of the budget: who errs less need not settle before others are probed
 /// Of the budget: an error after an event that tells of waves which die out soon; and the number of steps,
 /// and of parts, that make cutting the stretch worth while.
@@ -174,8 +177,11 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   m_roughAtCheck = !isFine;
   report.rough = report.rough || m_roughAtCheck;
   if (m_roughAtCheck) sayToleranceGivenUp(system);
+  const double since = (m_start.time - m_checkedTime) / kFrame; // stretches
+  const double waited = std::clamp(since / kWaitedPerCheck, 1.0, static_cast<double>(kLongestProbeGap));
+  m_checkedTime = m_start.time;
   for (Candidate& candidate : m_candidates) {
-    --candidate.untilProbe;
+    candidate.untilProbe -= static_cast<int>(waited);
     candidate.probedStep = 0.0;
   }
   std::optional<Method> proven;

@@ -78,6 +78,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_untilCheck = 0;
   m_checkGap = 1;
   m_checkedError = m_checkedPower = 0.0;
+  m_checkedTime = state.time;
   m_growing = 1.0;
   m_settled = m_descents = m_descentTerm = 0;
   m_grown = 0.0;
@@ -106,7 +107,7 @@ void StepDriver::guessSteps()
 
 void StepDriver::guessStep(Candidate& candidate) const noexcept
 {
-  const double gain = m_settings.tolerance / candidate.typicalError;
+  const double gain = m_settings.tolerance / (candidate.typicalError * m_gauge.typicalShare());
   candidate.accurateStep = candidate.estimate =
     candidate.integrator->stableStep(m_mode) * std::pow(gain, 1.0 / candidate.integrator->order());
 }

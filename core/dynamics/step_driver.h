@@ -108,7 +108,7 @@ private:
     double typicalError = 0.0, offset = 0.0; ///< see IntegratorEntry
     double affordableStep = 0.0;             ///< smaller ones would cost more than the effort [s]
     bool prepared = false;
-    int untilProbe = 0; ///< checks until it may be probed
+    int untilProbe = 0; ///< checks until it may be probed; long gaps count as several
     int probeGap = 1;
     double probedStep = 0.0; ///< in the present check; 0: in none [s]
   };
@@ -235,6 +235,7 @@ private:
   double m_growing = 1.0;                       ///< part of it that goes on to grow
   double m_coarseWork = 0.0, m_finerWork = 0.0; ///< of the two runs of a check [spring evaluations]
   double m_checkedShare = 0.0;                  ///< of the budget, that the last check found
+  double m_checkedTime = 0.0;                   ///< when the last check that passed began [s]
   Onset m_onset;
   std::int64_t m_maxSteps = 0;
 
