@@ -78,7 +78,7 @@ struct IntegratorEntry {
   MethodRole role;
   /// Error (docs/FILE_FORMAT.md) that an explicit method makes at its largest stable step on tissue-like nets
   /// of some hundreds of nodes that have just been pulled: the planner's guess before it has measured for
-  /// itself. Set by the force passes of `auto` on a hundred scenes.
+  /// itself. Set by the force passes of `auto` on ninety scenes.
   double typicalError = 0.0;
   /// Of an error across the motion, the share that does not add up where dampers are stronger than springs,
   /// measured; see StepDriver::addingUp().

@@ -259,6 +259,20 @@ TEST(ErrorGauge, BelievesThatErrorsOfManyNodesAreLost)
   EXPECT_EQ(budget(100000, true), budget(10));
 }
 
+// Small nets are guessed alike; from 2,500 nodes on a guess halves with eight times the nodes.
+TEST(ErrorGauge, GuessesLessOfLargeNets)
+{
+  const auto shareOf = [](std::size_t nodes) {
+    ErrorGauge gauge;
+    gauge.begin(NodeArray(nodes), 1.0, 1.0);
+    return gauge.typicalShare();
+  };
+  EXPECT_EQ(shareOf(0), 1.0);
+  EXPECT_EQ(shareOf(2500), 1.0);
+  EXPECT_DOUBLE_EQ(shareOf(20'000), 0.5);
+  EXPECT_DOUBLE_EQ(shareOf(160'000), 0.25);
+}
+
 // Where nothing drives a motion the displacement fades as errors do, so that these may be no larger for some
 // time, nor spread; and where it begins at once nothing yet tells what of them will be lost.
 TEST(ErrorGauge, WhatNothingDrivesMayErrNoMoreForSomeTime)
