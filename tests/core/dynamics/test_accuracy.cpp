@@ -52,6 +52,15 @@ Outcome outcomeOf(const bench::Scene& scene, const std::string& solver, double t
   return outcome;
 }
 
+/// Evaluated in the next frames.
+double springsOver(Simulation& simulation, long frames)
+{
+  double springs = 0.0;
+  for (long frame = 0; frame < frames; ++frame)
+    springs += static_cast<double>(simulation.advance(1.0 / bench::kFrameRate).springsEvaluated);
+  return springs;
+}
+
 double errorOf(const bench::Scene& scene, const std::string& solver, double tolerance, int stepsPerFrame)
 {
   return outcomeOf(scene, solver, tolerance, stepsPerFrame, 0.0).error;
@@ -107,10 +116,7 @@ TEST(Accuracy, AMethodThatFailedAProbeIsTriedAgainOnceTheMotionHasFaded)
     settings.tolerance = 1e-2;
     settings.duration = scene.duration;
     Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
-    double springs = 0.0;
-    for (long frame = 0; frame < scene.frames(); ++frame)
-      springs += static_cast<double>(simulation->advance(1.0 / bench::kFrameRate).springsEvaluated);
-    return springs;
+    return springsOver(*simulation, scene.frames());
   };
   EXPECT_LT(springsOf("auto"), 0.84 * springsOf("chebyshev"));
 }
@@ -245,17 +251,11 @@ TEST(Accuracy, ALesserEffortIsNotSpentOnTheMethodOfABetterAccuracy)
     SolverSettings settings;
     settings.tolerance = 1e-5;
     Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
-    const auto springsOf = [&](int frames) {
-      double springs = 0.0;
-      for (int frame = 0; frame < frames; ++frame)
-        springs += static_cast<double>(simulation->advance(1.0 / bench::kFrameRate).springsEvaluated);
-      return springs;
-    };
-    springsOf(3);
-    const double before = springsOf(1);
+    springsOver(*simulation, 3);
+    const double before = springsOver(*simulation, 1);
     ASSERT_EQ(simulation->solverName(), "stoermer");
     ASSERT_TRUE(simulation->setAccuracy(later, 100.0 * static_cast<double>(scene.net.springCount())));
-    EXPECT_LT(springsOf(4), 2.0 * before) << later;
+    EXPECT_LT(springsOver(*simulation, 4), 2.0 * before) << later;
   }
 }
 
