@@ -239,7 +239,7 @@ double ErrorGauge::distance(const NodeArray& otherX, const MotionState& state) c
 
 void ErrorGauge::prepareSwing(const System& system, const MotionState& state)
 {
-  m_compliance.prepare(system, state.x, 1.0 / (kSlowest * kSlowest));
+  m_stiffness.prepare(system, state.x, 1.0 / (kSlowest * kSlowest));
   m_momentum.resize(state.x.size());
   m_displacement.resize(state.x.size());
   for (std::size_t i = 0; i < state.x.size(); ++i) m_displacement[i] = state.x[i] - m_rest[i];
@@ -264,8 +264,8 @@ double ErrorGauge::swing(const System& system, double distance, const NodeArray&
     all += system.mass()[i] * dot(displacement, displacement);
   }
   if (!(energy > 0.0)) return distance;
-  const double bound = m_compliance.below(system, m_momentum, std::numeric_limits<double>::infinity(),
-                                          kIterations, &m_displacement);
+  const double bound = m_stiffness.below(system, m_momentum, std::numeric_limits<double>::infinity(),
+                                         kIterations, &m_displacement);
   const double speed = rms(sumOfSquares(otherV, state.v), m_count);
   const double squaredTime = bound / energy; // not a number where tangents are infinite
   const double time = squaredTime < kSlowest * kSlowest ? std::sqrt(squaredTime) : kSlowest;

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/compliance_bound.h"
+#include "core/dynamics/stiffness_cg.h"
 #include "core/dynamics/system.h"
 
 #include <limits>
@@ -116,7 +116,7 @@ private:
   double peak(double left, double meanSpent) const noexcept;
 
   NodeArray m_rest; ///< positions at t = 0 [m]
-  ComplianceBound m_compliance;
+  StiffnessCg m_stiffness;
   NodeArray m_displacement, m_momentum; ///< at prepareSwing() [m]; difference of two ends [kg m/s]
   std::size_t m_count = 0;
   double m_squareElsewhere = 0.0;

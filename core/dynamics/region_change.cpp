@@ -160,6 +160,7 @@ void RegionDriver::enterWhole()
   m_changed = false;
   m_region.update(m_fresh);
   m_mode = Mode::Whole;
+  m_settling.forget();
   m_stirred = m_body.motion.time;
   m_squareAsleep = 0.0;
   m_tensions.prepare(static_cast<std::size_t>(m_body.net.springCount()));
@@ -174,6 +175,7 @@ void RegionDriver::enterPart()
 {
   m_region.update(m_fresh);
   m_mode = Mode::Part;
+  m_settling.forget();
   for (const ActiveRegion::Layered& layer : m_region.layers())
     if (const auto i = static_cast<std::size_t>(layer.node); layer.nearFresh) m_still[i] = m_body.motion.x[i];
   m_part = m_cutter.cut(m_body.net, m_body.loads, m_region);
@@ -213,6 +215,19 @@ void RegionDriver::gather()
       tools.push_back(tool);
     }
   m_partSystem.setTools(tools, m_partMotion.x);
+}
+
+/// The part's motion to the body, but not its time.
+void RegionDriver::scatter()
+{
+  MotionState& motion = m_body.motion;
+  for (const Index node : m_region.awake()) {
+    const auto from = static_cast<std::size_t>(m_cutter.placeOf(node)), to = static_cast<std::size_t>(node);
+    motion.x[to] = m_partMotion.x[from];
+    motion.v[to] = m_partMotion.v[from];
+  }
+  motion.work = m_partMotion.work;
+  motion.heat = m_partMotion.heat;
 }
 
 void RegionDriver::letSleep(const std::vector<Index>& nodes)
@@ -264,6 +279,17 @@ double RegionDriver::budget() const noexcept
   if (time > 0.0) square = std::max(square, scale.squareOverTime / time);
   const double share = kShare * m_settings.tolerance;
   return share * share * square * static_cast<double>(m_body.motion.x.size());
+}
+
+/// The same where a motion ends as a whole, so that no step errs any more: what the steps have not spent of
+/// the mean square, up to four fifths of the tolerance.
+double RegionDriver::settlingBudget() const noexcept
+{
+  constexpr double kAll = 0.8, kMost = 0.64; // of the square
+  const ErrorScale scale = m_driver.errorScale();
+  const double all = m_settings.tolerance * m_settings.tolerance * scale.squareOverTime;
+  const double spent = all > 0.0 ? scale.spentSquare / all : 1.0, own = kShare * kShare;
+  return budget() / own * std::clamp(kAll - spent, own, kMost);
 }
 
 /// Layers next to sleepers that are watched.

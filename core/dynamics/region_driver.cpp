@@ -134,15 +134,10 @@ bool RegionDriver::stretchPart(double target, std::int64_t maxSteps, StepReport&
     applyChange();
     return true;
   }
-  for (const Index node : m_region.awake()) {
-    const auto from = static_cast<std::size_t>(m_cutter.placeOf(node)), to = static_cast<std::size_t>(node);
-    motion.x[to] = m_partMotion.x[from];
-    motion.v[to] = m_partMotion.v[from];
-  }
+  m_settling.countWork(part.springsEvaluated);
+  scatter();
   m_moved.insert(m_moved.end(), m_region.awake().begin(), m_region.awake().end());
   m_allMoved = m_allMoved || m_moved.size() > 2 * motion.x.size();
-  motion.work = m_partMotion.work;
-  motion.heat = m_partMotion.heat;
   takeOver(m_partMotion.time);
   if (part.good() && missed > 0.25 * allowed) grow(false);
   applyChange();
@@ -178,13 +173,17 @@ void RegionDriver::look(StepReport& report)
   applyChange();
 }
 
-/// Whether the whole net could be brought to rest at once.
+/// Whether all that moves could be brought to rest at once.
 bool RegionDriver::settles(StepReport& report)
 {
-  const ErrorScale& scale = m_driver.errorScale();
-  return m_mode == Mode::Whole && !isMoved() &&
-         m_settling.settleIfDue(m_body.system, m_body.motion, scale.speed,
-                                {budget(), undisturbed(), fadingTime(scale)}, m_settings.effort, report);
+  if (isMoved()) return false;
+  const bool isPart = m_mode == Mode::Part;
+  const SettlingBudget missable{settlingBudget(), undisturbed(), fadingTime(m_driver.errorScale())};
+  if (!m_settling.settleIfDue(isPart ? m_partSystem : m_body.system, isPart ? m_partMotion : m_body.motion,
+                              missable, m_settings.effort, report))
+    return false;
+  if (isPart) scatter();
+  return true;
 }
 
 /// By loads or tools.

@@ -40,7 +40,7 @@ struct Body {
 ///
 /// **Sleeping.** RestWatch says who is slow: within a quarter of the budget in all. Slow nodes that are some
 /// layers away from faster ones fall asleep, if they are enough to make the change worth while. Their
-/// kinetic energy, which is negligible, counts as heat. A whole net that is near its goal is moved there
+/// kinetic energy, which is negligible, counts as heat. What moves is moved to its goal when it is near there
 /// (Settling), which ends its motion long before each of its nodes is slow. Nets of less than two thousand
 /// nodes sleep as a whole or not at all: there a part would hardly be cheaper. So do nets with pressure,
 /// which acts on all at once.
@@ -95,6 +95,7 @@ private:
   void enterWhole();
   void enterPart();
   void gather();
+  void scatter();
   void letSleep(const std::vector<Index>& nodes);
   void keepTensions();
   double largestTension(double awake);
@@ -103,6 +104,7 @@ private:
   bool grow(bool late);
   int edgeDepth() const noexcept;
   double budget() const noexcept;
+  double settlingBudget() const noexcept;
 
   SolverSettings m_settings;
   Body& m_body;

@@ -24,6 +24,9 @@ constexpr int kMostCorrections = 3;
 constexpr double kMostLocal = 25.0;
 constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
 constexpr double kNear = 5.0; ///< speeds with which nets of usual frequencies are as near as they must be
+constexpr double kGradientsCost = 80.0; ///< force passes, of both solutions
+/// Iterations of conjugate gradients; fewer where a factor might cost less.
+constexpr int kFewIterations = 48, kMostIterations = 400;
 constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
 constexpr double kLongestLayout = 4.0; ///< frames
 constexpr double kPatience = 3.0;
@@ -32,10 +35,20 @@ constexpr int kWaitUnknown = 4;  ///< the same after an attempt that told no dis
 /// Of the time in which amplitudes fade to what may be missed: no attempt before. They are not known to fade
 /// faster than that, and a swing that is slow where it turns is no nearer to its end.
 constexpr double kLeastWait = 0.4;
+/// Of the amplitude that may be missed: from there on the next attempt only waits for what has to fade. Where
+/// waves meet on their way about an organ its speed rises once more.
+constexpr double kNearlyThere = 1.2;
 constexpr int kGlances = 16;          ///< iterations of each bound
 constexpr double kGlanceCost = 40.0;  ///< force passes, with all of them
 constexpr double kFarEnough = 16.0;   ///< share of what may be missed, that a bound need not go beyond
 constexpr double kMostSquares = 16.0; ///< see SettlingBudget
+
+/// Mean square over what is left of the motion, if that ended now.
+/// @param way, swing  sums of squares: how far the goal is, and how far the velocities carry a net beyond it
+double missedOf(double way, double swing) noexcept
+{
+  return std::max(way, 0.5 * (way + swing));
+}
 
 /// What is missed over what may be; a net that creeps takes amplitude over speed to its goal, if that is
 /// longer than it takes to fade. Rises with what is missed.
@@ -67,12 +80,6 @@ double Settling::forcesAt(System& system, double time, NodeArray& x, StepReport&
   return std::sqrt(sumOfSquares(m_force));
 }
 
-void Settling::layOut(const System& system)
-{
-  m_matrix.prepare(system);
-  m_isLaidOut = true;
-}
-
 void Settling::begin() noexcept
 {
   forget();
@@ -80,26 +87,43 @@ void Settling::begin() noexcept
   m_looksLeft = 0;
 }
 
+void Settling::forget() noexcept
+{
+  m_isLaidOut = m_gradientsFail = false;
+}
+
+/// The pressure of a body couples all of its nodes, which only the factor knows.
+bool Settling::takesFactor(const System& system) const noexcept
+{
+  return m_gradientsFail || !system.forces().pressure().isEmpty();
+}
+
+bool Settling::mayGlance(const System& system) const noexcept
+{
+  const double cost = kGlanceCost * static_cast<double>(system.forces().activeSprings());
+  return kPatience * cost <= m_work - m_workAtGlance;
+}
+
 /// By what is known so far: what a factor costs is so once it is laid out.
-bool Settling::isAffordable(const System& system, double effort) const noexcept
+bool Settling::mayAttempt(const System& system, double effort) const noexcept
 {
-  const double passes = kGlanceCost * static_cast<double>(system.forces().activeSprings());
-  if (kPatience * passes > m_work - m_workAtGlance) return false;
-  if (m_isLaidOut) return attemptCost() <= std::min(m_work / kPatience, effort);
-  return kLayoutCost * static_cast<double>(system.nodeCount()) <= std::min(m_work, kLongestLayout * effort);
+  if (!takesFactor(system) || m_isLaidOut) return attemptCost(system) <= std::min(m_work / kPatience, effort);
+  return system.nodeCount() <= kMostNodes &&
+         kLayoutCost * static_cast<double>(system.nodeCount()) <= std::min(m_work, kLongestLayout * effort);
 }
 
-double Settling::attemptCost() const noexcept
+double Settling::attemptCost(const System& system) const noexcept
 {
-  return m_matrix.factorCost() + 2.0 * m_matrix.solveCost();
+  return takesFactor(system) ? m_matrix.factorCost() + 2.0 * m_matrix.solveCost()
+                             : kGradientsCost * static_cast<double>(system.forces().activeSprings());
 }
 
-bool Settling::settleIfDue(System& system, MotionState& motion, double speed, const SettlingBudget& budget,
-                           double effort, StepReport& report)
+bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
+                           StepReport& report)
 {
+  const double speed = std::sqrt(sumOfSquares(motion.v) / static_cast<double>(motion.x.size())); // RMS
   const double most = budget.squareAt(budget.fading);
   const double within = std::sqrt(most / static_cast<double>(motion.x.size()));
-  if (motion.x.size() > kMostNodes) return false;
   if (speed * kFrame > kNear * within) {
     m_dueSpeed = std::numeric_limits<double>::infinity();
     return false;
@@ -108,16 +132,12 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
     --m_looksLeft;
     return false;
   }
-  if (!isAffordable(system, effort)) return false;
+  if (!mayGlance(system) || !mayAttempt(system, effort)) return false;
   m_looksLeft = kLongestWait;
   m_workAtGlance = m_work;
   double missed = glance(system, motion, budget, report);
   if (missed <= 1.0) {
-    if (!m_isLaidOut) {
-      layOut(system);
-      if (attemptCost() > std::min(m_work, effort)) return false;
-    }
-    missed = settle(system, motion, budget, report);
+    missed = attempt(system, motion, budget, effort, report);
     m_work = m_workAtGlance = 0.0;
   }
   if (!std::isfinite(missed)) { // nothing to go by
@@ -126,37 +146,50 @@ bool Settling::settleIfDue(System& system, MotionState& motion, double speed, co
     return false;
   }
   const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
-  m_dueSpeed = 0.9 * speed / times;
+  m_dueSpeed = times < kNearlyThere ? std::numeric_limits<double>::infinity() : 0.9 * speed / times;
   m_dueTime = motion.time + kLeastWait * budget.fading * std::log(times);
   return missed <= 1.0;
+}
+
+/// settle(); once more by a factor where gradients take too long, if that is worth it.
+double Settling::attempt(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
+                         StepReport& report)
+{
+  if (!takesFactor(system)) {
+    const double missed = settle(system, motion, budget, report);
+    if (!m_gradientsFail) return missed;
+  }
+  if (!mayAttempt(system, effort)) return kUnknown;
+  if (!m_isLaidOut) layOut(system);
+  return attemptCost(system) <= std::min(m_work, effort) ? settle(system, motion, budget, report) : kUnknown;
 }
 
 double Settling::glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
   if (!system.forces().pressure().isEmpty()) return 0.0;
-  m_bound.prepare(system, motion.x, kInertia);
+  m_gradients.prepare(system, motion.x, kInertia);
   const double speed = sumOfSquares(motion.v), enough = kFarEnough * budget.squareAt(budget.fading);
   m_way.resize(motion.x.size());
   scaleNodes(m_way.size(), system.mass().data(), motion.v.data(), m_way.data());
   const double momentum = std::sqrt(sumOfSquares(m_way));
-  double missed = 0.0;
+  double way = 0.0, swing = 0.0;
   if (momentum > 0.0) {
     const double perEnergy = std::sqrt(speed) / momentum; // |v| |y| >= |v|/|M v| (M v).y
-    missed = perEnergy * m_bound.below(system, m_way, enough / perEnergy, kGlances);
+    swing = perEnergy * m_gradients.below(system, m_way, 2.0 * enough / perEnergy, kGlances);
   }
-  if (missed <= enough && !m_bound.metNegative()) {
+  if (missedOf(way, swing) <= enough && !m_gradients.metNegative()) {
     const double force = forcesAt(system, motion.time, motion.x, report);
     if (force > 0.0)
-      missed += std::pow(m_bound.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
+      way = std::pow(m_gradients.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
   }
-  return m_bound.metNegative() ? kUnknown : shareOf(missed, speed, budget);
+  return m_gradients.metNegative() ? kUnknown : shareOf(missedOf(way, swing), speed, budget);
 }
 
 /// What is missed over what may be, by m_way and m_swing.
 double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& budget) const noexcept
 {
   const double speed = sumOfSquares(motion.v);
-  double missed = sumOfSquares(m_way) + std::sqrt(speed * sumOfSquares(m_swing)), local = 0.0;
+  double missed = missedOf(sumOfSquares(m_way), std::sqrt(speed * sumOfSquares(m_swing))), local = 0.0;
   for (std::size_t i = 0; i < m_way.size(); ++i)
     local = std::max(local, dot(m_way[i], m_way[i]) +
                               std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
@@ -164,22 +197,51 @@ double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& bud
   return shareOf(missed, speed, budget);
 }
 
+void Settling::layOut(const System& system)
+{
+  m_matrix.prepare(system);
+  m_isLaidOut = true;
+}
+
+/// @return whether the stiffness is positive definite, as far as known.
+bool Settling::prepareSolve(System& system, const NodeArray& x, StepReport& report)
+{
+  if (!takesFactor(system)) {
+    m_gradients.prepare(system, x, kInertia);
+    return !m_gradients.givesWay(system);
+  }
+  if (!m_isLaidOut) layOut(system);
+  m_matrix.constraintsChanged(system);
+  ++report.factorizations;
+  return m_matrix.factor(system, x, m_still, {kInertia, 0.0, 1.0}, false) && m_matrix.negativePivots() == 0;
+}
+
+/// vector = K^-1 vector. @return false where that cannot be told.
+bool Settling::solve(System& system, NodeArray& vector)
+{
+  if (takesFactor(system)) {
+    m_matrix.solve(vector);
+    return true;
+  }
+  const bool isLarge = vector.size() > kMostNodes;
+  const StiffnessCg::Result result =
+    m_gradients.solve(system, vector, isLarge ? kMostIterations : kFewIterations);
+  m_gradientsFail = result == StiffnessCg::Result::TooSlow;
+  return result == StiffnessCg::Result::Solved;
+}
+
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
-  m_matrix.constraintsChanged(system);
   m_goal = motion.x;
   const double force = forcesAt(system, motion.time, m_goal, report);
-  ++report.factorizations;
-  if (!m_matrix.factor(system, motion.x, m_still, {kInertia, 0.0, 1.0}, false) ||
-      m_matrix.negativePivots() > 0)
-    return kUnknown;
+  if (!prepareSolve(system, motion.x, report)) return kUnknown;
   m_swing.resize(motion.x.size());
-  for (std::size_t i = 0; i < m_swing.size(); ++i) m_swing[i] = motion.v[i] * system.mass()[i];
-  m_matrix.solve(m_swing);
+  scaleNodes(m_swing.size(), system.mass().data(), motion.v.data(), m_swing.data());
+  if (!solve(system, m_swing)) return kUnknown;
   m_way.assign(motion.x.size(), Lanes{0, 0, 0, 0});
   double share = 0.0, last = kUnknown; // of the way so far; length of its last step
   for (int corrections = 0;; ++corrections) {
-    m_matrix.solve(m_force);
+    if (!solve(system, m_force)) return kUnknown;
     const double length = std::sqrt(sumOfSquares(m_force));
     if (!(length <= kLeft * last)) return kUnknown;
     last = length;

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/compliance_bound.h"
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/step_report.h"
+#include "core/dynamics/stiffness_cg.h"
 
 namespace esm {
 
@@ -29,16 +29,17 @@ struct SettlingBudget {
 /// Near its goal a net swings about it, or creeps towards it. With F the forces on nodes that stand still, K
 /// the tangent stiffness and M the masses, the goal is d = K^-1 F away, and what the velocities carry the
 /// net beyond it has y = K^-1 M v with |v| |y| >= the sum of squares of that part of the amplitude (one mode:
-/// equal). So two solutions with one factor tell how far the net can still get, however slow its slowest
-/// mode; speeds and accelerations at single nodes do not, as a slow sway hides behind them. A factor costs as
-/// much as hundreds of force passes, and most looks find that it is too early: so bounds from below come
-/// first (ComplianceBound), by b.K^-1 b <= |b| |K^-1 b| for both.
+/// equal). Over a swing the two take turns, so that half of their sum is missed in the mean; a net that
+/// creeps, or stands at its turning point, misses d^2 at least. So two solutions tell how far the net can
+/// still get, however slow its slowest mode; speeds and accelerations at single nodes do not, as a slow sway
+/// hides behind them. Conjugate gradients find them (StiffnessCg), for less than a frame costs; where these
+/// take too long, or where pressure acts, a factor does, if the net is not too large for one. Most looks find
+/// that it is too early: so bounds from below come first, by b.K^-1 b <= |b| |K^-1 b| for both.
 /// @note One thread. Allocates when a net is laid out.
 class Settling {
 public:
-  void begin() noexcept;                          ///< after creation and reset of the net
-  void forget() noexcept { m_isLaidOut = false; } ///< other parameters
-  void layOut(const System& system);
+  void begin() noexcept;  ///< after creation and reset of the net
+  void forget() noexcept; ///< other parameters, or another net
   /// The net has moved at this cost [spring evaluations].
   void countWork(std::int64_t springs) noexcept { m_work += static_cast<double>(springs); }
   /// settle() where it is worth a try, which it seldom is: glance() leaves a hope, the first attempt costs no
@@ -46,17 +47,16 @@ public:
   /// when the net is as slow as it should be by what that one found, and that had time to fade; or after some
   /// time. Nobody should wait for them longer than some frames, and nobody sees these, since nothing moves
   /// much.
-  /// @param speed  of the net now, RMS over its nodes [m/s]
   /// @param effort  see SolverSettings
   /// @return whether the net is at rest now. @pre no load moves.
-  bool settleIfDue(System& system, MotionState& motion, double speed, const SettlingBudget& budget,
-                   double effort, StepReport& report);
+  bool settleIfDue(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
+                   StepReport& report);
   /// Moves the net into balance and takes its velocity, if no more than the budget is missed by that, nor at
   /// a single node more than five times the mean; its energy becomes heat. A net that creeps takes amplitude
   /// over speed to its goal, if that is longer than it takes to fade. Nothing is done if more is missed, if
   /// the stiffness is not positive definite (what nothing holds is held by its inertia over ten seconds), or
   /// if the forces are not smaller there.
-  /// @pre layOut(), and no load moves.
+  /// @pre no load moves.
   /// @return what is missed, a sum of squares, over what may be; infinity where it cannot be told; done if
   /// <= 1.
   double settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report);
@@ -67,17 +67,25 @@ public:
 private:
   double forcesAt(System& system, double time, NodeArray& x, StepReport& report);
   double shareOfWay(const MotionState& motion, const SettlingBudget& budget) const noexcept;
-  bool isAffordable(const System& system, double effort) const noexcept;
-  double attemptCost() const noexcept; ///< of one settle() once laid out [spring evaluations]
+  bool takesFactor(const System& system) const noexcept;
+  bool mayGlance(const System& system) const noexcept;
+  bool mayAttempt(const System& system, double effort) const noexcept;
+  double attempt(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
+                 StepReport& report);
+  double attemptCost(const System& system) const noexcept; ///< of one settle() [spring evaluations]
+  void layOut(const System& system);
+  bool prepareSolve(System& system, const NodeArray& x, StepReport& report);
+  bool solve(System& system, NodeArray& vector);
 
   ImplicitMatrix m_matrix;
-  ComplianceBound m_bound;
+  StiffnessCg m_gradients;
   bool m_isLaidOut = false;
-  double m_dueSpeed = 0.0;     ///< below which the next attempt comes [m/s]
-  double m_dueTime = 0.0;      ///< and before which none comes [s]
-  int m_looksLeft = 0;         ///< or after so many looks
-  double m_work = 0.0;         ///< since the last attempt [spring evaluations]
-  double m_workAtGlance = 0.0; ///< m_work when glance() was asked last
+  bool m_gradientsFail = false; ///< they took too long once
+  double m_dueSpeed = 0.0;      ///< below which the next attempt comes [m/s]
+  double m_dueTime = 0.0;       ///< and before which none comes [s]
+  int m_looksLeft = 0;          ///< or after so many looks
+  double m_work = 0.0;          ///< since the last attempt [spring evaluations]
+  double m_workAtGlance = 0.0;  ///< m_work when glance() was asked last
   NodeArray m_force, m_still, m_goal;
   NodeArray m_way, m_swing; ///< K^-1 F, K^-1 M v
 };

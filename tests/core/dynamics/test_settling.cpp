@@ -35,7 +35,6 @@ struct Oscillator {
     motion.x[1] = Lanes{1.0 + displacement, 0, 0, 0};
     motion.v[1] = Lanes{speed, 0, 0, 0};
     system.enter(motion, true);
-    settling.layOut(system);
   }
   double glance(double mostSquare) { return settling.glance(system, motion, {mostSquare, 0.0, 0.0}, report); }
   double settle(double mostSquare, double since = 0.0)
@@ -77,7 +76,7 @@ double exactCompliance(const SpringNet& net, const NodeArray& b)
 
 // Each iteration comes nearer to b.K^-1 b, from below; as many as there are eigenvalues reach it, up to
 // rounding. What pushes at held nodes moves nothing.
-TEST(ComplianceBound, RisesToTheCompliance)
+TEST(StiffnessCg, RisesToTheCompliance)
 {
   SpringNet net = beddedSheet(4);
   for (Index i = 0; i < net.nodeCount(); ++i) net.mass[i] *= 1.0 + 0.3 * (i % 4);
@@ -88,7 +87,7 @@ TEST(ComplianceBound, RisesToTheCompliance)
   for (std::size_t i = 0; i < b.size(); ++i)
     b[i] = Lanes{std::sin(1.0 + 2.0 * static_cast<double>(i)), std::cos(static_cast<double>(i)), 0.3, 0.0};
   const double exact = exactCompliance(net, b), enough = std::numeric_limits<double>::infinity();
-  ComplianceBound bound;
+  StiffnessCg bound;
   bound.prepare(system, motion.x, 0.0);
   double before = 0.0;
   for (const int most : {1, 2, 4, 8, 16}) {
@@ -113,7 +112,7 @@ TEST(ComplianceBound, RisesToTheCompliance)
 }
 
 // A pressed column gives way sidewards: nothing bounds how far.
-TEST(ComplianceBound, SeesWhatIsUnstable)
+TEST(StiffnessCg, SeesWhatIsUnstable)
 {
   SpringNet column = chain(3);
   column.fixed[0] = column.fixed[2] = 1;
@@ -123,7 +122,7 @@ TEST(ComplianceBound, SeesWhatIsUnstable)
   motion.x = {Lanes{0, 0, 0, 0}, Lanes{1, 0, 0, 0}, Lanes{2, 0, 0, 0}};
   motion.v.assign(3, Lanes{0, 0, 0, 0});
   system.enter(motion, true);
-  ComplianceBound bound;
+  StiffnessCg bound;
   bound.prepare(system, motion.x, 0.0);
   const NodeArray sidewards = {Lanes{0, 0, 0, 0}, Lanes{0, 1, 0, 0}, Lanes{0, 0, 0, 0}};
   EXPECT_EQ(bound.below(system, sidewards, 1.0, 16), 0.0);
@@ -136,13 +135,13 @@ TEST(ComplianceBound, SeesWhatIsUnstable)
 }
 
 // Along K^-1 b itself the bound is what it bounds, at once; along anything else it is no more.
-TEST(ComplianceBound, LooksWhereItIsTold)
+TEST(StiffnessCg, LooksWhereItIsTold)
 {
   const SpringNet net = beddedSheet(4);
   System system(net, {});
   MotionState motion = startOf(net);
   system.enter(motion, true);
-  ComplianceBound bound;
+  StiffnessCg bound;
   bound.prepare(system, motion.x, 0.0);
   const double enough = std::numeric_limits<double>::infinity();
   NodeArray b(motion.x.size()), solution = b, other = b;
@@ -164,7 +163,7 @@ TEST(ComplianceBound, LooksWhereItIsTold)
 
 // Half of a sheet a million times as stiff as the other one: few iterations find most of what the soft one
 // gives. With the masses as preconditioner eight found a ten-thousandth.
-TEST(ComplianceBound, SeesSoftPartsBesideStiffOnes)
+TEST(StiffnessCg, SeesSoftPartsBesideStiffOnes)
 {
   SpringNet net = beddedSheet(8);
   for (Index s = 0; s < net.springCount(); ++s)
@@ -177,7 +176,7 @@ TEST(ComplianceBound, SeesSoftPartsBesideStiffOnes)
     b[i] = Lanes{std::sin(1.0 + 2.0 * static_cast<double>(i * i)), std::cos(3.0 * static_cast<double>(i)),
                  std::sin(5.0 * static_cast<double>(i)), 0.0} *
            net.mass[static_cast<Index>(i)];
-  ComplianceBound bound;
+  StiffnessCg bound;
   bound.prepare(system, motion.x, 0.0);
   const double exact = exactCompliance(net, b);
   const double found = bound.below(system, b, std::numeric_limits<double>::infinity(), 8);
@@ -185,8 +184,64 @@ TEST(ComplianceBound, SeesSoftPartsBesideStiffOnes)
   EXPECT_LE(found, exact);
 }
 
-// An oscillator gets sqrt(x^2 + v^2/w^2) far, wherever in its period it is: at the turning point, in the
-// middle, in between. The inertia over ten seconds makes 2.5e-5 of it.
+// The solution is the one that a dense factor finds, to a hundredth; and what a single node takes is exact.
+TEST(StiffnessCg, SolvesAsAFactorDoes)
+{
+  SpringNet net = beddedSheet(12);
+  net.fixed[7] = 1;
+  System system(net, {});
+  MotionState motion = startOf(net);
+  system.enter(motion, true);
+  NodeArray vector(motion.x.size());
+  for (std::size_t i = 0; i < vector.size(); ++i)
+    vector[i] = Lanes{std::sin(0.1 * static_cast<double>(i)), std::cos(static_cast<double>(i)), 0.3, 0.0};
+  Eigen::MatrixXd k = stiffnessOf(net);
+  Eigen::VectorXd load(k.rows());
+  for (std::size_t i = 0; i < vector.size(); ++i)
+    load.segment<3>(3 * static_cast<Eigen::Index>(i)) = toVector(vector[i]);
+  k.middleRows<3>(21).setZero();
+  k.middleCols<3>(21).setZero();
+  k.block<3, 3>(21, 21).setIdentity();
+  load.segment<3>(21).setZero();
+  const Eigen::VectorXd exact = k.ldlt().solve(load);
+  StiffnessCg gradients;
+  gradients.prepare(system, motion.x, 0.0);
+  const NodeArray given = vector;
+  EXPECT_EQ(gradients.solve(system, vector, 1000), StiffnessCg::Result::Solved);
+  Eigen::VectorXd found(k.rows());
+  for (std::size_t i = 0; i < vector.size(); ++i)
+    found.segment<3>(3 * static_cast<Eigen::Index>(i)) = toVector(vector[i]);
+  EXPECT_LT((found - exact).norm(), 1e-2 * exact.norm());
+  EXPECT_EQ(toVector(vector[7]), Eigen::Vector3d::Zero());
+  vector = given;
+  EXPECT_EQ(gradients.solve(system, vector, 3), StiffnessCg::Result::TooSlow);
+  vector.assign(vector.size(), Lanes{0, 0, 0, 0});
+  EXPECT_EQ(gradients.solve(system, vector, 3), StiffnessCg::Result::Solved);
+}
+
+// A straight column under pressure is in balance, so that no force points where it would fall; one under
+// tension falls nowhere.
+TEST(StiffnessCg, SeesThatABalanceIsUnstable)
+{
+  for (const bool isPressed : {true, false}) {
+    SpringNet column = chain(20);
+    column.fixed.front() = column.fixed.back() = 1;
+    column.restLength.setConstant(isPressed ? 1.2 : 0.8);
+    System system(column, {});
+    MotionState motion = startOf(column);
+    system.enter(motion, true);
+    StiffnessCg gradients;
+    gradients.prepare(system, motion.x, 0.0);
+    EXPECT_EQ(gradients.givesWay(system), isPressed);
+    NodeArray along(motion.x.size(), Lanes{1, 0, 0, 0});
+    EXPECT_EQ(gradients.solve(system, along, 1000), StiffnessCg::Result::Solved);
+    NodeArray aside(motion.x.size(), Lanes{0, 1, 0, 0});
+    EXPECT_EQ(gradients.solve(system, aside, 1000) == StiffnessCg::Result::GivesWay, isPressed);
+  }
+}
+
+// An oscillator gets A = sqrt(x^2 + v^2/w^2) far, and misses A^2/2 in the mean; at its turning point it might
+// as well creep, and counts in full. The inertia over ten seconds makes 2.5e-5 of it.
 TEST(Settling, KnowsHowFarAnOscillatorGets)
 {
   const double cases[][2] = {
@@ -194,7 +249,8 @@ TEST(Settling, KnowsHowFarAnOscillatorGets)
   for (const auto& [displacement, speed] : cases) {
     Oscillator oscillator(displacement, speed);
     const MotionState before = oscillator.motion;
-    const double square = std::pow(displacement, 2) + std::pow(speed / Oscillator::kRate, 2);
+    const double way = std::pow(displacement, 2), swing = std::pow(speed / Oscillator::kRate, 2);
+    const double square = std::max(way, 0.5 * (way + swing));
     // One node, one iteration: here the bound is what it bounds.
     EXPECT_NEAR(oscillator.glance(1e-6), square / 1e-6, 1e-4 * square / 1e-6);
     EXPECT_NEAR(oscillator.settle(1e-9), square / 1e-9, 1e-4 * square / 1e-9);
@@ -246,13 +302,13 @@ TEST(Settling, MissesNoMoreInTheMeanThanForGood)
 }
 
 // An oscillator reaches its goal in 1/w: a motion of four times that may miss nine times the square, and one
-// that has just begun no more than it would for good.
+// that has just begun no more than it would for good; half of 1e-4 is missed in the mean.
 TEST(Settling, LongMotionMayMissMore)
 {
   const double length = 4.0 / Oscillator::kRate, square = 1e-6;
   for (const auto& [since, gain] : {std::pair{0.0, 1.0}, std::pair{length, 9.0}}) {
     Oscillator oscillator(0.0, 1e-2 * Oscillator::kRate);
-    EXPECT_NEAR(oscillator.settle(square, since), 1e-4 / square / gain, 1e-2 / square / gain) << since;
+    EXPECT_NEAR(oscillator.settle(square, since), 0.5e-4 / square / gain, 0.5e-2 / square / gain) << since;
   }
 }
 
@@ -271,27 +327,27 @@ TEST(Settling, LeavesUnstableBalanceAndDriftAlone)
     motion.v.assign(3, Lanes{0, drifts ? 1e-4 : 0.0, 0, 0});
     system.enter(motion, true);
     Settling settling;
-    settling.layOut(system);
     StepReport report;
     EXPECT_GT(settling.settle(system, motion, {1e-8}, report), 1.0);
     EXPECT_EQ(motion.v[1][1], drifts ? 1e-4 : 0.0);
   }
 }
 
-// A net that is slow enough to try but has too far to go is seen to be so without a factor.
-TEST(Settling, TakesNoFactorToSeeThatItIsTooEarly)
+// A net that is slow enough to try but has too far to go is seen to be so at a glance: forces are asked for
+// once, where a try looks at them at the goal, too.
+TEST(Settling, SeesAtAGlanceThatItIsTooEarly)
 {
   Oscillator oscillator(1e-3, 0.0);
   oscillator.settling.countWork(1'000'000);
   const auto tryWith = [&](double square) {
-    return oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, 0.0, {square, 0.0, 0.0}, 1e6,
+    return oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, {square, 0.0, 0.0}, 1e6,
                                            oscillator.report);
   };
   EXPECT_FALSE(tryWith(0.5e-6));
-  EXPECT_EQ(oscillator.report.factorizations, 0);
+  EXPECT_EQ(oscillator.report.springsEvaluated, 1);
   oscillator.settling.countWork(1'000'000);
   EXPECT_TRUE(tryWith(2e-6));
-  EXPECT_EQ(oscillator.report.factorizations, 1);
+  EXPECT_EQ(oscillator.report.springsEvaluated, 4);
 }
 
 // Amplitudes that are ten times too large take fading times ln 10 to come down. Until near then nobody looks
@@ -303,7 +359,7 @@ TEST(Settling, WaitsForWhatHasToFade)
     oscillator.settling.countWork(1'000'000);
     oscillator.motion.time = time;
     const std::int64_t before = oscillator.report.springsEvaluated;
-    oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, 0.0, {1e-8, 0.0, 1.0}, 1e6,
+    oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, {1e-8, 0.0, 1.0}, 1e6,
                                     oscillator.report);
     return oscillator.report.springsEvaluated > before;
   };
@@ -321,7 +377,7 @@ TEST(Settling, LooksAgainAfterSomeTimeWhateverItHasSeen)
   for (int look = 0; look < 100; ++look) {
     oscillator.settling.countWork(1'000'000);
     const std::int64_t before = oscillator.report.springsEvaluated;
-    oscillator.settling.settleIfDue(oscillator.system, oscillator.motion, 0.0,
+    oscillator.settling.settleIfDue(oscillator.system, oscillator.motion,
                                     {1e-8, 0.0, std::numeric_limits<double>::infinity()}, 1e6,
                                     oscillator.report);
     found += oscillator.report.springsEvaluated > before ? 1 : 0;
@@ -348,7 +404,6 @@ TEST(Settling, GoesOnToTheGoalWhereTheFirstStepStretchesSprings)
   motion.v.assign(2, Lanes{0, 0, 0, 0});
   system.enter(motion, true);
   Settling settling;
-  settling.layOut(system);
   StepReport report;
   const double share = settling.settle(system, motion, {1e-3, 0.0, 0.0}, report);
   // The stretch by L a^2/2 is taken back along the first direction, a aside of where it pulls now.
@@ -370,7 +425,6 @@ TEST(Settling, GlancesFromBelow)
   Simulation simulation = simulate(net, loads, settingsOf(1e-4, false));
   System system(net, loads);
   Settling settling;
-  settling.layOut(system);
   StepReport report;
   for (int frame = 0; frame < 30; ++frame) {
     ASSERT_TRUE(simulation.advance(1.0 / 60.0).good());
@@ -398,7 +452,6 @@ TEST(Settling, LetsASingleSpotSwingOn)
   motion.x[50][1] += 1e-3;
   system.enter(motion, true);
   Settling settling;
-  settling.layOut(system);
   StepReport report;
   EXPECT_NEAR(settling.settle(system, motion, {1e-6}, report), 100.0 / 25.0, 1e-3);
   EXPECT_EQ(motion.x[50][1], 1e-3);
@@ -425,11 +478,81 @@ TEST(Settling, EndsARunInBalanceWithinTheTolerance)
     const Frames frames = play(simulation, 60);
     EXPECT_LT(errorOf(frames, reference), tolerance);
     EXPECT_EQ(frames.report.back().springsEvaluated, 0);
-    // One of Newton's steps over a way of a third of the tolerance leaves the square of it, about.
-    EXPECT_LT((frames.position.back() - balance.position.back()).norm(), tolerance * tolerance * way);
+    // One of Newton's steps over a way of a third of the tolerance leaves the square of it, about; and it is
+    // known to a hundredth.
+    EXPECT_LT((frames.position.back() - balance.position.back()).norm(),
+              tolerance * (tolerance + 1e-2) * way);
     // The quadrature of work and heat is as good as the tolerance asks.
     EXPECT_NEAR(test::balance(simulation), energy, std::max(5e-3, tolerance) * simulation.dissipatedEnergy());
   }
+}
+
+// A poke that is held ends where it is, beside nodes that never woke, as soon as what is left of it may be
+// missed: after 8 frames at 1e-2 and 10 at 1e-3, not when each of its nodes has become slow, which takes 15
+// and 16.
+TEST(Settling, EndsTheMotionOfAPart)
+{
+  const SpringNet net = beddedSheet(100);
+  Loads loads;
+  loads.forces.push_back(
+    {{5050, 5051}, curve({0.0, 0.1}, (Eigen::Matrix3Xd(3, 2) << 0, 0, 0, 2e-3, 0, 5e-3).finished())});
+  Simulation full = simulate(net, loads, settingsOf(1e-5, false));
+  const Frames reference = play(full, 40);
+  for (const double tolerance : {1e-2, 1e-3}) {
+    SCOPED_TRACE(tolerance);
+    Simulation simulation = simulate(net, loads, settingsOf(tolerance, true));
+    const Frames frames = play(simulation, 40);
+    EXPECT_LT(errorOf(frames, reference), tolerance);
+    std::size_t rested = 0;
+    while (rested < 40 && frames.report[rested].nodesAwake > 0) {
+      EXPECT_LT(frames.report[rested].nodesAwake, net.nodeCount() / 2);
+      ++rested;
+    }
+    EXPECT_LE(rested, 12u);
+  }
+}
+
+// What pulls at the end of a long chain passes through one link per iteration: too slow, so that a factor
+// takes the net to its goal.
+TEST(Settling, TakesAFactorWhereGradientsAreSlow)
+{
+  SpringNet net = chain(300);
+  net.fixed.front() = 1;
+  net.stiffness.setConstant(1e8);
+  System system(net, {});
+  MotionState motion = startOf(net);
+  for (std::size_t i = 0; i < motion.x.size(); ++i) motion.x[i][0] += 1e-6 * static_cast<double>(i);
+  system.enter(motion, true);
+  Settling settling;
+  settling.countWork(1'000'000'000);
+  StepReport report;
+  EXPECT_TRUE(settling.settleIfDue(system, motion, {1.0, 0.0, 0.0}, 1e12, report));
+  EXPECT_EQ(report.factorizations, 1);
+  EXPECT_NEAR(motion.x[299][0], net.restPosition(0, 299), 1e-2 * 299e-6);
+}
+
+// Nets that are too large for a factor are taken to rest as well: a sheet of 12,100 nodes that swings as a
+// whole, known in closed form, since all nodes move alike.
+TEST(Settling, EndsTheMotionOfALargeNet)
+{
+  SpringNet net = beddedSheet(110);
+  System system(net, {});
+  MotionState motion = startOf(net);
+  for (Lanes& x : motion.x) x[0] += 1e-6;
+  system.enter(motion, true);
+  Settling settling;
+  settling.countWork(1'000'000'000);
+  StepReport report;
+  const double square = 1e-12 * static_cast<double>(motion.x.size());
+  EXPECT_FALSE(settling.settleIfDue(system, motion, {0.9 * square, 0.0, 0.0}, 1e12, report));
+  settling.forget();
+  settling.countWork(1'000'000'000);
+  motion.time = 10.0;
+  EXPECT_TRUE(settling.settleIfDue(system, motion, {1.1 * square, 0.0, 0.0}, 1e12, report));
+  EXPECT_EQ(report.factorizations, 0);
+  EXPECT_NEAR(motion.x[50][0], net.restPosition(0, 50), 1e-2 * 1e-6);
+  const double energy = 0.5 * 5.0 * square;
+  EXPECT_NEAR(motion.heat, energy, 1e-3 * energy);
 }
 
 } // namespace esm::test

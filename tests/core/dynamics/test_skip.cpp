@@ -4,6 +4,9 @@
 // Who rests costs nothing, and what is left out stays within the tolerance.
 #include "tests/core/dynamics/skip_nets.h"
 
+#include <algorithm>
+#include <cstdint>
+
 namespace esm::test {
 // A net without cause to move is not looked at, from the first step on.
 TEST(Skip, NetAtRestCostsNothingFromTheStart)
@@ -57,6 +60,14 @@ TEST(Skip, TouchedSleeperMovesAsIfAwake)
   }
 }
 
+/// At the end of a frame.
+std::int64_t mostAwake(const Frames& frames)
+{
+  std::int64_t most = 0;
+  for (const StepReport& report : frames.report) most = std::max(most, report.nodesAwake);
+  return most;
+}
+
 // A poke into tissue that is bedded softly moves a few hundred nodes. The others sleep, and the error of all
 // keeps the tolerance, with an explicit and an implicit method.
 TEST(Skip, FarNodesSleepUnderALocalPoke)
@@ -72,13 +83,13 @@ TEST(Skip, FarNodesSleepUnderALocalPoke)
     Simulation skipping = simulate(net, {}, settingsOf(tolerance, true, solver));
     const Frames frames = play(skipping, 6, {&tool, 1});
     EXPECT_LT(errorOf(frames, reference), tolerance);
-    EXPECT_LT(frames.report.back().nodesAwake, 0.5 * net.nodeCount());
-    EXPECT_GT(frames.report.back().nodesAwake, 100);
+    EXPECT_LT(mostAwake(frames), 0.5 * net.nodeCount());
+    EXPECT_GT(mostAwake(frames), 100);
     EXPECT_EQ(frames.position.back().col(0), net.restPosition.col(0));
   }
 }
 
-/// A sheet that swings as a whole, too many nodes for it to settle at once: amplitudes fade in 2m/c = 0.1 s.
+/// A sheet that swings as a whole: amplitudes fade in 2m/c = 0.1 s.
 SpringNet swingingSheet()
 {
   SpringNet net = beddedSheet(110);
@@ -89,11 +100,11 @@ SpringNet swingingSheet()
   return net;
 }
 
-// What a motion that fades misses counts in the mean over its length: nodes that have long been left alone
-// sleep sooner than such as have just been touched, and the error keeps the tolerance with both.
+// What a motion that fades misses counts in the mean over its length: a net that has long been left alone
+// rests sooner than one that has just been touched, and the error keeps the tolerance with both.
 TEST(Skip, AFadingMotionSleepsTheSoonerTheLongerItHasBeenLeftAlone)
 {
-  constexpr int kFrames = 60, kTouch = 40;
+  constexpr int kFrames = 60, kTouch = 30;
   constexpr double kTolerance = 1e-2;
   const SpringNet net = swingingSheet();
   Simulation full = simulate(net, {}, fixedSteps("stoermer", 1e-4)); // error below 1e-6
