@@ -145,6 +145,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_gauge.setPart(part.rest, part.wholeCount, part.squareElsewhere);
   m_names = std::move(part.nodes);
   m_onset.longest = 0.0;
+  m_grown = 0.0; // what a larger part had gained could be more than all that this one has
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_bound.prepare(system, asksForDecay());
   setBound(system, state);
