@@ -136,10 +136,7 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
   m_looksLeft = kLongestWait;
   m_workAtGlance = m_work;
   double missed = glance(system, motion, budget, report);
-  if (missed <= 1.0) {
-    missed = attempt(system, motion, budget, effort, report);
-    m_work = m_workAtGlance = 0.0;
-  }
+  if (missed <= 1.0) missed = attempt(system, motion, budget, effort, report);
   if (!std::isfinite(missed)) { // nothing to go by
     m_looksLeft = kWaitUnknown;
     m_dueSpeed = 0.0;
@@ -151,17 +148,21 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
   return missed <= 1.0;
 }
 
-/// settle(); once more by a factor where gradients take too long, if that is worth it.
+/// settle(); once more by a factor where gradients take too long, as soon as that is worth it.
 double Settling::attempt(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
                          StepReport& report)
 {
+  double missed = kUnknown;
   if (!takesFactor(system)) {
-    const double missed = settle(system, motion, budget, report);
-    if (!m_gradientsFail) return missed;
+    missed = settle(system, motion, budget, report);
+    if (m_gradientsFail) return attempt(system, motion, budget, effort, report);
+  } else {
+    if (!mayAttempt(system, effort)) return kUnknown;
+    if (!m_isLaidOut) layOut(system);
+    if (attemptCost(system) <= std::min(m_work, effort)) missed = settle(system, motion, budget, report);
   }
-  if (!mayAttempt(system, effort)) return kUnknown;
-  if (!m_isLaidOut) layOut(system);
-  return attemptCost(system) <= std::min(m_work, effort) ? settle(system, motion, budget, report) : kUnknown;
+  m_work = m_workAtGlance = 0.0;
+  return missed;
 }
 
 double Settling::glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
