@@ -15,6 +15,8 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 constexpr double kInertia = 1e-2; ///< share of the mass in the stiffness, 1/(10 s)^2 [1/s^2]
 /// Of the forces, that may be left at the goal: the net is nearly linear on its way there, or it is not near.
 constexpr double kLeft = 0.5;
+/// Of the sum of squares that may be missed for good: what is left of the way does not fade.
+constexpr double kForGood = 0.1;
 /// Further steps with the same factor, each of which must be that much shorter than the one before: forces
 /// along stiff springs hardly fall with the first one, which knows them at the start only, and vanish with
 /// the second.
@@ -23,7 +25,7 @@ constexpr int kMostCorrections = 3;
 /// Of the mean square over the nodes, that a single one may miss: nobody shall see one spot stop at a blow.
 constexpr double kMostLocal = 25.0;
 constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
-constexpr double kNear = 5.0; ///< speeds with which nets of usual frequencies are as near as they must be
+constexpr double kNear = 12.0; ///< speeds with which nets of usual frequencies are as near as they must be
 constexpr double kGradientsCost = 80.0; ///< force passes, of both solutions
 /// Iterations of conjugate gradients; fewer where a factor might cost less.
 constexpr int kFewIterations = 48, kMostIterations = 400;
@@ -35,9 +37,10 @@ constexpr int kWaitUnknown = 4;  ///< the same after an attempt that told no dis
 /// Of the time in which amplitudes fade to what may be missed: no attempt before. They are not known to fade
 /// faster than that, and a swing that is slow where it turns is no nearer to its end.
 constexpr double kLeastWait = 0.4;
-/// Of the amplitude that may be missed: from there on the next attempt only waits for what has to fade. Where
-/// waves meet on their way about an organ its speed rises once more.
-constexpr double kNearlyThere = 1.2;
+/// Of the amplitude that may be missed: from there on each attempt only waits for what has to fade, and may
+/// cost more, as it may save the next frame. Where waves meet on their way about an organ its speed rises
+/// once more.
+constexpr double kNearlyThere = 1.5;
 constexpr int kGlances = 16;          ///< iterations of each bound
 constexpr double kGlanceCost = 40.0;  ///< force passes, with all of them
 constexpr double kFarEnough = 16.0;   ///< share of what may be missed, that a bound need not go beyond
@@ -83,6 +86,7 @@ double Settling::forcesAt(System& system, double time, NodeArray& x, StepReport&
 void Settling::begin() noexcept
 {
   forget();
+  m_isNear = false;
   m_dueSpeed = m_dueTime = m_work = m_workAtGlance = 0.0;
   m_looksLeft = 0;
 }
@@ -98,16 +102,22 @@ bool Settling::takesFactor(const System& system) const noexcept
   return m_gradientsFail || !system.forces().pressure().isEmpty();
 }
 
+double Settling::patience() const noexcept
+{
+  return m_isNear ? 1.0 : kPatience;
+}
+
 bool Settling::mayGlance(const System& system) const noexcept
 {
   const double cost = kGlanceCost * static_cast<double>(system.forces().activeSprings());
-  return kPatience * cost <= m_work - m_workAtGlance;
+  return patience() * cost <= m_work - m_workAtGlance;
 }
 
 /// By what is known so far: what a factor costs is so once it is laid out.
 bool Settling::mayAttempt(const System& system, double effort) const noexcept
 {
-  if (!takesFactor(system) || m_isLaidOut) return attemptCost(system) <= std::min(m_work / kPatience, effort);
+  if (!takesFactor(system) || m_isLaidOut)
+    return attemptCost(system) <= std::min(m_work / patience(), effort);
   return system.nodeCount() <= kMostNodes &&
          kLayoutCost * static_cast<double>(system.nodeCount()) <= std::min(m_work, kLongestLayout * effort);
 }
@@ -137,13 +147,14 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
   m_workAtGlance = m_work;
   double missed = glance(system, motion, budget, report);
   if (missed <= 1.0) missed = attempt(system, motion, budget, effort, report);
+  const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
+  m_isNear = times < kNearlyThere;
   if (!std::isfinite(missed)) { // nothing to go by
     m_looksLeft = kWaitUnknown;
     m_dueSpeed = 0.0;
     return false;
   }
-  const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
-  m_dueSpeed = times < kNearlyThere ? std::numeric_limits<double>::infinity() : 0.9 * speed / times;
+  m_dueSpeed = m_isNear ? std::numeric_limits<double>::infinity() : 0.9 * speed / times;
   m_dueTime = motion.time + kLeastWait * budget.fading * std::log(times);
   return missed <= 1.0;
 }
@@ -252,7 +263,9 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
     }
     share = shareOfWay(motion, budget);
     if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
-    if (forcesAt(system, motion.time, m_goal, report) <= kLeft * force) break;
+    const double forceThere = forcesAt(system, motion.time, m_goal, report);
+    const double left = force > 0.0 ? forceThere / force : 0.0; // of the way, about
+    if (left <= kLeft && left * left * sumOfSquares(m_way) <= kForGood * budget.square) break;
     if (corrections == kMostCorrections) return kUnknown;
   }
   const double loads = system.loadPower(motion.time, m_way); // over the way: their work

@@ -43,10 +43,10 @@ public:
   /// The net has moved at this cost [spring evaluations].
   void countWork(std::int64_t springs) noexcept { m_work += static_cast<double>(springs); }
   /// settle() where it is worth a try, which it seldom is: glance() leaves a hope, the first attempt costs no
-  /// more than what has been done until then, others a third of the work since the last one, and they come
-  /// when the net is as slow as it should be by what that one found, and that had time to fade; or after some
-  /// time. Nobody should wait for them longer than some frames, and nobody sees these, since nothing moves
-  /// much.
+  /// more than what has been done until then, others a third of the work since the last one (all of it when
+  /// the net was nearly there), and they come when the net is as slow as it should be by what that one found,
+  /// and that had time to fade; or after some time. Nobody should wait for them longer than some frames, and
+  /// nobody sees these, since nothing moves much.
   /// @param effort  see SolverSettings
   /// @return whether the net is at rest now. @pre no load moves.
   bool settleIfDue(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
@@ -68,6 +68,7 @@ private:
   double forcesAt(System& system, double time, NodeArray& x, StepReport& report);
   double shareOfWay(const MotionState& motion, const SettlingBudget& budget) const noexcept;
   bool takesFactor(const System& system) const noexcept;
+  double patience() const noexcept;
   bool mayGlance(const System& system) const noexcept;
   bool mayAttempt(const System& system, double effort) const noexcept;
   double attempt(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
@@ -81,6 +82,7 @@ private:
   StiffnessCg m_gradients;
   bool m_isLaidOut = false;
   bool m_gradientsFail = false; ///< they took too long once
+  bool m_isNear = false;        ///< at the last attempt
   double m_dueSpeed = 0.0;      ///< below which the next attempt comes [m/s]
   double m_dueTime = 0.0;       ///< and before which none comes [s]
   int m_looksLeft = 0;          ///< or after so many looks
