@@ -27,13 +27,14 @@ constexpr double kMostLocal = 25.0;
 constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
 constexpr double kNear = 12.0; ///< speeds with which nets of usual frequencies are as near as they must be
 constexpr double kGradientsCost = 80.0; ///< force passes, of both solutions
-/// Iterations of conjugate gradients; fewer where a factor might cost less.
+/// Iterations of conjugate gradients; few where a factor might cost less, else as many as some frames may
+/// cost.
 constexpr int kFewIterations = 48, kMostIterations = 400;
 constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
-constexpr double kLongestLayout = 4.0; ///< frames
+constexpr double kLongestTry = 4.0;    ///< frames
 constexpr double kPatience = 3.0;
 constexpr int kLongestWait = 32; ///< looks
-constexpr int kWaitUnknown = 4;  ///< the same after an attempt that told no distance: the net bends too much
+constexpr int kWaitUnknown = 3;  ///< the same after an attempt that told no distance: the net bends too much
 /// Of the time in which amplitudes fade to what may be missed: no attempt before. They are not known to fade
 /// faster than that, and a swing that is slow where it turns is no nearer to its end.
 constexpr double kLeastWait = 0.4;
@@ -119,7 +120,7 @@ bool Settling::mayAttempt(const System& system, double effort) const noexcept
   if (!takesFactor(system) || m_isLaidOut)
     return attemptCost(system) <= std::min(m_work / patience(), effort);
   return system.nodeCount() <= kMostNodes &&
-         kLayoutCost * static_cast<double>(system.nodeCount()) <= std::min(m_work, kLongestLayout * effort);
+         kLayoutCost * static_cast<double>(system.nodeCount()) <= std::min(m_work, kLongestTry * effort);
 }
 
 double Settling::attemptCost(const System& system) const noexcept
@@ -165,6 +166,10 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
 {
   double missed = kUnknown;
   if (!takesFactor(system)) {
+    const double springs = std::max(static_cast<double>(system.forces().activeSprings()), 1.0);
+    const double most = motion.x.size() > kMostNodes ? kMostIterations : kFewIterations;
+    m_mostIterations = // of each of two solutions
+      static_cast<int>(std::clamp(0.5 * kLongestTry * effort / springs, double{kFewIterations}, most));
     missed = settle(system, motion, budget, report);
     if (m_gradientsFail) return attempt(system, motion, budget, effort, report);
   } else {
@@ -235,9 +240,7 @@ bool Settling::solve(System& system, NodeArray& vector)
     m_matrix.solve(vector);
     return true;
   }
-  const bool isLarge = vector.size() > kMostNodes;
-  const StiffnessCg::Result result =
-    m_gradients.solve(system, vector, isLarge ? kMostIterations : kFewIterations);
+  const StiffnessCg::Result result = m_gradients.solve(system, vector, m_mostIterations);
   m_gradientsFail = result == StiffnessCg::Result::TooSlow;
   return result == StiffnessCg::Result::Solved;
 }

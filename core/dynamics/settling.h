@@ -82,6 +82,7 @@ private:
   StiffnessCg m_gradients;
   bool m_isLaidOut = false;
   bool m_gradientsFail = false; ///< they took too long once
+  int m_mostIterations = 400;   ///< of gradients, for each solution
   bool m_isNear = false;        ///< at the last attempt
   double m_dueSpeed = 0.0;      ///< below which the next attempt comes [m/s]
   double m_dueTime = 0.0;       ///< and before which none comes [s]
