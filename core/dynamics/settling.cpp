@@ -27,9 +27,8 @@ constexpr double kMostLocal = 25.0;
 constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
 constexpr double kNear = 12.0; ///< speeds with which nets of usual frequencies are as near as they must be
 constexpr double kGradientsCost = 80.0; ///< force passes, of both solutions
-/// Iterations of conjugate gradients; few where a factor might cost less, else as many as some frames may
-/// cost.
-constexpr int kFewIterations = 48, kMostIterations = 400;
+/// Iterations of conjugate gradients where a factor might cost less; else as many as some frames may cost.
+constexpr int kFewIterations = 48;
 constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
 constexpr double kLongestTry = 4.0;    ///< frames
 constexpr double kPatience = 3.0;
@@ -174,7 +173,7 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
     if (m_gradientsFail) return attempt(system, motion, budget, effort, report);
   } else {
     if (!mayAttempt(system, effort)) return kUnknown;
-    if (!m_isLaidOut) layOut(system);
+    layOut(system);
     if (attemptCost(system) <= std::min(m_work, effort)) missed = settle(system, motion, budget, report);
   }
   m_work = m_workAtGlance = 0.0;
@@ -216,6 +215,7 @@ double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& bud
 
 void Settling::layOut(const System& system)
 {
+  if (m_isLaidOut) return;
   m_matrix.prepare(system);
   m_isLaidOut = true;
 }
@@ -227,7 +227,7 @@ bool Settling::prepareSolve(System& system, const NodeArray& x, StepReport& repo
     m_gradients.prepare(system, x, kInertia);
     return !m_gradients.givesWay(system);
   }
-  if (!m_isLaidOut) layOut(system);
+  layOut(system);
   m_matrix.constraintsChanged(system);
   ++report.factorizations;
   return m_matrix.factor(system, x, m_still, {kInertia, 0.0, 1.0}, false) && m_matrix.negativePivots() == 0;

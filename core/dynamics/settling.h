@@ -65,6 +65,8 @@ public:
   double glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report);
 
 private:
+  static constexpr int kMostIterations = 400; ///< of gradients in nets that are too large for a factor
+
   double forcesAt(System& system, double time, NodeArray& x, StepReport& report);
   double shareOfWay(const MotionState& motion, const SettlingBudget& budget) const noexcept;
   bool takesFactor(const System& system) const noexcept;
@@ -74,21 +76,21 @@ private:
   double attempt(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
                  StepReport& report);
   double attemptCost(const System& system) const noexcept; ///< of one settle() [spring evaluations]
-  void layOut(const System& system);
+  void layOut(const System& system);                       ///< unless that is done
   bool prepareSolve(System& system, const NodeArray& x, StepReport& report);
   bool solve(System& system, NodeArray& vector);
 
   ImplicitMatrix m_matrix;
   StiffnessCg m_gradients;
   bool m_isLaidOut = false;
-  bool m_gradientsFail = false; ///< they took too long once
-  int m_mostIterations = 400;   ///< of gradients, for each solution
-  bool m_isNear = false;        ///< at the last attempt
-  double m_dueSpeed = 0.0;      ///< below which the next attempt comes [m/s]
-  double m_dueTime = 0.0;       ///< and before which none comes [s]
-  int m_looksLeft = 0;          ///< or after so many looks
-  double m_work = 0.0;          ///< since the last attempt [spring evaluations]
-  double m_workAtGlance = 0.0;  ///< m_work when glance() was asked last
+  bool m_gradientsFail = false;           ///< they took too long once
+  int m_mostIterations = kMostIterations; ///< of gradients, for each solution
+  bool m_isNear = false;                  ///< at the last attempt
+  double m_dueSpeed = 0.0;                ///< below which the next attempt comes [m/s]
+  double m_dueTime = 0.0;                 ///< and before which none comes [s]
+  int m_looksLeft = 0;                    ///< or after so many looks
+  double m_work = 0.0;                    ///< since the last attempt [spring evaluations]
+  double m_workAtGlance = 0.0;            ///< m_work when glance() was asked last
   NodeArray m_force, m_still, m_goal;
   NodeArray m_way, m_swing; ///< K^-1 F, K^-1 M v
 };
