@@ -37,6 +37,7 @@ QString solverHelp(const SolverInfo& info)
   constexpr std::pair<const char*, const char*> kKnown[] = {
     {"leapfrog", QT_TRANSLATE_NOOP("esm::Solver", "explicit, one force pass per step, second order")},
     {"chebyshev", QT_TRANSLATE_NOOP("esm::Solver", "explicit, with more viscous stages per step")},
+    {"stoermer3", QT_TRANSLATE_NOOP("esm::Solver", "the same by Stoermer's rule: waves keep in phase")},
     {"verlet", QT_TRANSLATE_NOOP("esm::Solver", "explicit, second order in viscosity too")},
     {"stoermer",
      QT_TRANSLATE_NOOP("esm::Solver", "explicit multistep, one force pass per step, fourth order")},

@@ -2728,6 +2728,10 @@
         <translation>explizit, mit mehr zähen Stufen je Schritt</translation>
     </message>
     <message>
+        <source>the same by Stoermer&apos;s rule: waves keep in phase</source>
+        <translation>ebenso, nach Störmers Regel: Wellen bleiben im Takt</translation>
+    </message>
+    <message>
         <source>explicit, second order in viscosity too</source>
         <translation>explizit, auch in der Zähigkeit zweite Ordnung</translation>
     </message>

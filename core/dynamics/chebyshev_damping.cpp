@@ -46,7 +46,8 @@ double peakPlace(int stages) noexcept
 
 } // namespace
 
-ChebyshevDamping::ChebyshevDamping(int stages, int order) : m_stages(stages)
+ChebyshevDamping::ChebyshevDamping(int stages, int order, bool inPhase)
+  : m_stages(stages), m_alternating(inPhase ? 4.0 / 3.0 : 1.0)
 {
   if (stages == 1) { // P = 1 - z
     m_w0 = 0.0;
@@ -92,9 +93,10 @@ double ChebyshevDamping::value(double z) const noexcept
 /// For h^2 M^-1 K, at the rate z; not a number where z is none, and nothing is stable then.
 double ChebyshevDamping::roomAt(double z) const noexcept
 {
-  if (z < 1e-9) return 4.0; // the difference would be one of roundings
+  if (z < 1e-9) return 4.0 / m_alternating; // the difference would be one of roundings
   const double p = value(z);
-  return p >= 1.0 ? std::numeric_limits<double>::infinity() : 2.0 * (1.0 + p) * z / (1.0 - p);
+  if (p >= 1.0) return std::numeric_limits<double>::infinity();
+  return 2.0 * (2.0 / m_alternating - 1.0 + p) * z / (1.0 - p);
 }
 
 bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcept

@@ -29,7 +29,8 @@ public:
   static constexpr int kMostStages = 8;
 
   /// @pre 1 <= stages <= kMostStages; order 1 or 2, order 2 with at least two stages.
-  ChebyshevDamping(int stages, int order);
+  /// @param inPhase  the kicks hold Stoermer's second difference, see stableStep(). The stages are the same.
+  ChebyshevDamping(int stages, int order, bool inPhase = false);
 
   int stages() const noexcept { return m_stages; }
   struct Stage {
@@ -47,6 +48,11 @@ public:
   /// `undamped` + M^-1 D/leastDamping, so at most any mean of both: one mean that is below for all
   /// eigenvalues of Z is enough. So steps may exceed 2/w where the fastest modes are the best damped, as they
   /// are in tissue.
+  ///
+  /// With the second difference of the forces F in the kick, F + (F - 2 F' + F'')/12, a mode that changes its
+  /// sign at every step meets 4/3 F, damping included: the same without matrices then reads
+  /// h^2 w2 < 3 f - 2 Z. That is where the limit was for dampers in proportion to the springs, whatever their
+  /// strength and the stages (by the recurrence's roots), and for all nets that were tried.
   double stableStep(const FastestMode& mode) const noexcept;
   /// What viscosity alone would allow [s].
   double viscousLimit(double damping) const noexcept { return m_reach / damping; }
@@ -63,6 +69,7 @@ private:
   void sampleRoom() noexcept;
 
   int m_stages;
+  double m_alternating = 1.0;         ///< what a force counts in the kick that changes its sign at every step
   double m_w0 = 1.0, m_w1 = 1.0;      ///< w0, w1
   double m_base = 0.0, m_swing = 1.0; ///< P = base + swing T_s
   double m_reach = 2.0;               ///< |P| < 1 up to here

@@ -25,6 +25,11 @@ public:
   virtual void prepare(const System& system) = 0;
   /// The state, the loads' lines or the parameters have changed from outside: forget the last step.
   virtual void restart() noexcept = 0;
+  /// The state will be taken back to this time perhaps, to be run from once more with another step: what a
+  /// check does. Copies what rewind() needs, if anything.
+  virtual void mark(double /*time*/) {}
+  /// The state is again what it was then; what was known there still holds. Like restart() if nothing is.
+  virtual void rewind(double /*time*/) noexcept { restart(); }
   /// The tools have moved, but hold the same nodes as before: what a hand does in every frame.
   virtual void toolsMoved() noexcept { restart(); }
   /// Nodes have become free or held.
@@ -83,12 +88,15 @@ struct IntegratorEntry {
   /// Of an error across the motion, the share that does not add up where dampers are stronger than springs,
   /// measured; see StepDriver::addingUp().
   double offset = 0.0;
+  /// The typical error where springs are stronger than dampers, 0 if it is the same.
+  double typicalErrorOfWaves = 0.0;
 };
 std::span<const IntegratorEntry> integratorTable() noexcept;
 std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for an unknown name
 
 std::unique_ptr<Integrator> makeLeapfrog();
 std::unique_ptr<Integrator> makeChebyshev();
+std::unique_ptr<Integrator> makeStoermer3();
 std::unique_ptr<Integrator> makeVerlet();
 std::unique_ptr<Integrator> makeStoermer();
 std::unique_ptr<Integrator> makeRungeKutta4();

@@ -18,6 +18,8 @@ std::span<const IntegratorEntry> integratorTable() noexcept
       &makeLeapfrog, Explicit, 4e-2},
     IntegratorEntry{"chebyshev", "the same with more viscous stages: second order in viscosity too",
                     &makeChebyshev, Explicit, 1e-2, 0.5},
+    IntegratorEntry{"stoermer3", "the same by Stoermer's rule of third order, which keeps waves in phase",
+                    &makeStoermer3, Explicit, 3e-3, 0.7, 3e-4},
     IntegratorEntry{"verlet",
                     "velocity Verlet: second order in viscosity too, explicit, one force pass per step",
                     &makeVerlet, Explicit, 1.5e-3},

@@ -52,9 +52,12 @@ StepDriver::StepDriver(SolverSettings settings)
     const Method place = m_candidates.size();
     if (entry.name == "leapfrog") m_leapfrog = place;
     if (entry.name == "descent") m_descent = place;
+    if (entry.name == "chebyshev") m_blunt = place;
+    if (entry.name == "stoermer3") m_sharp = place;
     if (entry.role == MethodRole::Implicit) m_implicit = place;
     if (entry.name == m_settings.solver) m_method = place;
-    m_candidates.push_back({{}, entry.make(), entry.role, entry.typicalError, entry.offset});
+    m_candidates.push_back(
+      {{}, entry.make(), entry.role, entry.typicalError, entry.offset, entry.typicalErrorOfWaves});
   }
   m_onset.known.resize(m_candidates.size());
 }
@@ -107,7 +110,9 @@ void StepDriver::guessSteps()
 
 void StepDriver::guessStep(Candidate& candidate) const noexcept
 {
-  const double gain = m_settings.tolerance / (candidate.typicalError * m_gauge.typicalShare());
+  const bool areWaves = candidate.typicalErrorOfWaves > 0.0 && !isDamped();
+  const double typical = areWaves ? candidate.typicalErrorOfWaves : candidate.typicalError;
+  const double gain = m_settings.tolerance / (typical * m_gauge.typicalShare());
   candidate.accurateStep = candidate.estimate =
     candidate.integrator->stableStep(m_mode) * std::pow(gain, 1.0 / candidate.integrator->order());
 }
@@ -281,6 +286,24 @@ bool StepDriver::isDamped() const noexcept
   return m_mode.damping * m_mode.damping > m_mode.stiffness;
 }
 
+/// Whether its twin could take the same step, hardly dearer, and would err no more.
+bool StepDriver::isOutdone(Method method) const noexcept
+{
+  if (method != m_blunt) return false;
+  const Candidate& candidate = m_candidates[method];
+  return std::min(stableStep(candidate), candidate.accurateStep) <= stableStep(m_candidates[m_sharp]);
+}
+
+/// What has been measured of one of two twins bounds what is known of the other.
+void StepDriver::tellTwin(Method measured) noexcept
+{
+  Candidate &blunt = m_candidates[m_blunt], &sharp = m_candidates[m_sharp];
+  if (measured == m_blunt)
+    sharp.accurateStep = std::max(sharp.accurateStep, blunt.accurateStep);
+  else if (measured == m_sharp && sharp.accurateStep < stableStep(sharp))
+    blunt.accurateStep = std::min(blunt.accurateStep, sharp.accurateStep);
+}
+
 /// Among those that compete.
 /// @param patience  the present one's cost counts as this share of it: a change must pay
 StepDriver::Method StepDriver::cheapestExplicit(const System& system, double patience)
@@ -290,7 +313,7 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     const bool isLocal = candidate.role == MethodRole::Local;
-    if (!competes(candidate) || (isLocal && !isHeldUp())) continue;
+    if (!competes(candidate) || isOutdone(method) || (isLocal && !isHeldUp())) continue;
     if (isLocal && !candidate.prepared) {
       layOut(method, system); // its classes tell its step
       if (!candidate.isMeasured) guessStep(candidate);
@@ -326,6 +349,7 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
+    if (isOutdone(method)) continue;
     const double atLimit = costAtLimit(method, system), stable = std::min(stableStep(candidate), kFrame);
     if (atLimit >= least || !paysOff(kChance * (present - atLimit), checkLength() / kFrame * atLimit))
       continue;
@@ -396,7 +420,8 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
     const Method other = proven ? *proven : cheapestExplicit(system, patience());
     const double price =
       proven ? 0.0 : (1.0 + kFiner) * checkLength() / kFrame * cost(other, system); // of its check
-    if (paysOff(cost(before, system) - cost(other, system), price)) m_method = other;
+    const bool isTwin = other == m_sharp && isOutdone(before);
+    if (isTwin || paysOff(cost(before, system) - cost(other, system), price)) m_method = other;
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && isHeldUp() && accurate > 4.0 * stable) {
       m_candidates[m_implicit].accurateStep = std::min(kFrame, 0.5 * accurate); // like orders, like errors

@@ -165,8 +165,10 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     // A check that comes unforeseen has no look.
     m_look.steps = 0;
     const double workBefore = system.workDone();
-    Run result = !unchecked && m_untilCheck <= 0 ? runWithLook(system, state, end, steps, report)
-                                                 : run(system, state, end, steps, report);
+    const bool isPlanned = !unchecked && m_untilCheck <= 0;
+    if (isPlanned) current().mark(state.time);
+    Run result =
+      isPlanned ? runWithLook(system, state, end, steps, report) : run(system, state, end, steps, report);
     if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
       report.rejectedSteps += steps;
       state = m_start;
@@ -197,7 +199,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       m_coarse = state.x;
       m_coarseV = state.v;
       state = m_start;
-      current().restart();
+      current().rewind(state.time);
       m_coarseWork = system.workDone() - workBefore;
       result = runAgain(system, state, end, finer, report);
       m_finerWork = system.workDone() - workBefore - m_coarseWork;
@@ -390,7 +392,9 @@ void StepDriver::refreshBound(const System& system, const MotionState& state)
 
 FastestMode StepDriver::fastestMode(const System& system, const MotionState& state)
 {
-  return m_bound.compute(system, state.x, state.v);
+  StepBound bound =
+    m_bound; // each look changes how the next one looks: a question must not change the motion
+  return bound.compute(system, state.x, state.v);
 }
 
 double StepDriver::explicitStep(const FastestMode& mode) const noexcept

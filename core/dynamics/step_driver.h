@@ -105,8 +105,8 @@ private:
   struct Candidate : Knowledge {
     std::unique_ptr<Integrator> integrator;
     MethodRole role = MethodRole::ByName;
-    double typicalError = 0.0, offset = 0.0; ///< see IntegratorEntry
-    double affordableStep = 0.0;             ///< smaller ones would cost more than the effort [s]
+    double typicalError = 0.0, offset = 0.0, typicalErrorOfWaves = 0.0; ///< see IntegratorEntry
+    double affordableStep = 0.0; ///< smaller ones would cost more than the effort [s]
     bool prepared = false;
     int untilProbe = 0; ///< checks until it may be probed; long gaps count as several
     int probeGap = 1;
@@ -156,6 +156,8 @@ private:
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system, double patience);
+  bool isOutdone(Method method) const noexcept;
+  void tellTwin(Method measured) noexcept;
   double patience() const noexcept;
   std::optional<Method> worthAProbe(System& system, double& step);
   std::optional<Method> probeOthers(System& system, const MotionState& state, double allowed,
@@ -212,6 +214,7 @@ private:
   bool m_auto = false;
   Method m_leapfrog = 0, m_implicit = 0; ///< the planner's first explicit choice and its refuge
   Method m_descent = 0;                  ///< where that fails, too
+  Method m_blunt = 0, m_sharp = 0; ///< `chebyshev`, and `stoermer3`, which errs no more at the same step
   Method m_method = 0;
   std::string m_name, m_why;
   std::string m_limitText;             ///< of the last advance(), if its work limit ended it

@@ -213,7 +213,7 @@ class Simulate(ProgramTest):
 
     def test_every_solver_is_taken(self):
         solvers = self.json_of("solvers")
-        self.assertLessEqual(set("leapfrog chebyshev verlet stoermer rk4 dopri5 implicit lie multirate wavefront relax".split()),
+        self.assertLessEqual(set("leapfrog chebyshev stoermer3 verlet stoermer rk4 dopri5 implicit lie multirate wavefront relax".split()),
                              set(solvers))
         listed = self.run_program("solvers").stdout.splitlines()
         self.assertEqual([line.split(maxsplit=1) for line in listed], [list(pair) for pair in solvers.items()])

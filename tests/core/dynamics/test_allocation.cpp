@@ -11,7 +11,7 @@ namespace esm::test {
 // the accuracy included.
 TEST(Allocation, ExplicitFramesDoNotAllocate)
 {
-  for (const char* solver : {"leapfrog", "chebyshev", "verlet", "stoermer", "rk4", "dopri5"}) {
+  for (const char* solver : {"leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4", "dopri5"}) {
     SpringNet net = randomNet(3, 20, SpringLaw::Exponential);
     net.fixed[0] = 1;
     Loads loads;

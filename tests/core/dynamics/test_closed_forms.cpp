@@ -18,8 +18,8 @@ protected:
   }
 };
 INSTANTIATE_TEST_SUITE_P(Solvers, ClosedForms,
-                         ::testing::Values("auto", "leapfrog", "chebyshev", "verlet", "stoermer", "rk4",
-                                           "dopri5", "implicit"),
+                         ::testing::Values("auto", "leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer",
+                                           "rk4", "dopri5", "implicit"),
                          [](const auto& solver) { return std::string(solver.param); });
 
 namespace {

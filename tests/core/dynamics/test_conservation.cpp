@@ -31,14 +31,15 @@ protected:
   /// Velocities half a step beside the positions see dampers turned by that much: heat is of first order.
   bool isStaggered() const
   {
-    return std::string(GetParam()) == "leapfrog" || std::string(GetParam()) == "chebyshev";
+    const std::string solver = GetParam();
+    return solver == "leapfrog" || solver == "chebyshev" || solver == "stoermer3";
   }
   bool isFirstOrder() const { return std::string(GetParam()) == "leapfrog"; } ///< where dampers work
   bool isImplicit() const { return std::string(GetParam()) == "implicit"; }
 };
 INSTANTIATE_TEST_SUITE_P(Solvers, Conservation,
-                         ::testing::Values("leapfrog", "chebyshev", "verlet", "stoermer", "rk4", "dopri5",
-                                           "implicit"),
+                         ::testing::Values("leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4",
+                                           "dopri5", "implicit"),
                          [](const auto& solver) { return std::string(solver.param); });
 
 } // namespace

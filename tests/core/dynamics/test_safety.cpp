@@ -60,7 +60,8 @@ TEST(Safety, CreateRefusesWhatCannotBe)
   EXPECT_TRUE(contains(errorOf(net, twice), "motions 0 and 1"));
   SolverSettings settings;
   settings.solver = "magic";
-  EXPECT_TRUE(contains(errorOf(net, {}, settings), "auto, leapfrog, chebyshev, verlet, stoermer, rk4"));
+  EXPECT_TRUE(
+    contains(errorOf(net, {}, settings), "auto, leapfrog, chebyshev, stoermer3, verlet, stoermer, rk4"));
   settings = {};
   settings.tolerance = 0.0;
   EXPECT_TRUE(contains(errorOf(net, {}, settings), "tolerance"));
