@@ -340,20 +340,26 @@ bool StepDriver::paysOff(double saving, double price) const noexcept
 /// @param step  receives the smallest with which it would be cheap enough [s]
 std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double& step)
 {
-  constexpr double kGain = 0.7;   // of the present cost: below the patience of reconsider()
-  constexpr double kHope = 20.0;  // of the budget: guesses are that far off
-  constexpr double kChance = 0.3; // that a probe succeeds
-  const double present = cost(m_method, system), wanted = kGain * present;
-  double least = wanted;
+  constexpr double kGain = 0.7;      // of the present cost: below the patience of reconsider()
+  constexpr double kTwinGain = 0.85; // the same for longer steps of its twin, at coarse tolerances
+  constexpr double kHope = 20.0;     // of the budget: guesses are that far off
+  constexpr double kChance = 0.3;    // that a probe succeeds
+  const double present = cost(m_method, system);
+  double least = kInfinity;
   std::optional<Method> best;
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
-    if (isOutdone(method)) continue;
+    const bool isTwin = method == m_blunt && m_method == m_sharp && m_settings.tolerance >= kLooseTolerance;
+    if (isOutdone(method) && !isTwin) continue;
     const double atLimit = costAtLimit(method, system), stable = std::min(stableStep(candidate), kFrame);
-    if (atLimit >= least || !paysOff(kChance * (present - atLimit), checkLength() / kFrame * atLimit))
+    const double wanted = (isTwin ? kTwinGain : kGain) * present;
+    if (atLimit >= std::min(least, wanted) ||
+        !paysOff(kChance * (present - atLimit), checkLength() / kFrame * atLimit))
       continue;
-    const double tried = std::min(stable, std::max(stable * atLimit / wanted, candidate.accurateStep));
+    const double longer = isTwin ? stableStep(m_candidates[m_sharp]) : 0.0; // else it is outdone
+    const double tried =
+      std::min(stable, std::max({stable * atLimit / wanted, candidate.accurateStep, longer}));
     if (std::pow(tried / candidate.accurateStep, candidate.integrator->order()) > kHope) continue;
     least = atLimit;
     best = method;
