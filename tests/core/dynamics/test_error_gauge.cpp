@@ -228,6 +228,7 @@ ErrorGauge spentGauge(Index nodes, bool isPart, bool isDriven = true)
   if (isPart) gauge.setPart(part, static_cast<std::size_t>(nodes), 0.0);
   ErrorScale scale;
   scale.displacement = scale.spent = 1.0;
+  scale.calm = 1.0; // no event is near
   gauge.setScale(scale);
   return gauge;
 }
@@ -244,6 +245,10 @@ TEST(ErrorGauge, BelievesThatErrorsOfManyNodesAreLost)
   EXPECT_LT(growing(10000), growing(5000));
   EXPECT_GT(growing(100000), 1.0 / 60.0);
   EXPECT_EQ(growing(100000, true), growing(10));
+  // In the first frame after an event there are few stretches, and the first err the most.
+  ErrorGauge fresh = spentGauge(100000, false);
+  fresh.markEvent();
+  EXPECT_EQ(fresh.growing(0.0, kStretch, 1.0, 1.0, 0.25), growing(10));
 
   const auto budget = [](Index nodes, bool isPart = false) {
     MotionState state;
