@@ -101,7 +101,7 @@ ESM_INLINE void firstSweepInPhase(const Sweep& sweep) noexcept
 template <bool bedded>
 ESM_INLINE void firstOf(const Sweep& sweep) noexcept
 {
-  if (sweep.past == nullptr)
+  if (sweep.past == nullptr || sweep.older == nullptr)
     firstSweep<bedded>(sweep);
   else if (sweep.remembers)
     firstSweepInPhase<bedded, true>(sweep);
