@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/chebyshev_damping.h"
 #include "core/dynamics/integrator.h"
+#include "core/dynamics/past_forces.h"
 #include "core/forces/spring_pass.h"
 
 #include <algorithm>
@@ -24,28 +25,6 @@ ESM_CPU_CLONES void kickAndDrift(std::size_t count, double s, double h, const La
     x[i] += v[i] * h;
   }
 }
-
-/// What the present force and those at one and two steps before count.
-struct PastWeights {
-  double now = 1.0, past = 0.0, older = 0.0;
-
-  /// F + first F' + second F'', from forces that are `apart` [s].
-  static PastWeights series(double first, double second, double apart) noexcept
-  {
-    const double slope = first / apart, bend = second / (apart * apart);
-    return {1.0 + 1.5 * slope + bend, -2.0 * (slope + bend), 0.5 * slope + bend};
-  }
-  /// F `ratio` times as long ago as the past one.
-  static PastWeights interpolated(double ratio) noexcept
-  {
-    const double bend = 0.5 * ratio * (ratio - 1.0);
-    return {1.0 - ratio + bend, ratio - 2.0 * bend, bend};
-  }
-  ESM_INLINE void mean(const Lanes& f, const Lanes& p, const Lanes& o, Lanes& result) const noexcept
-  {
-    result = f * now + p * past + o * older;
-  }
-};
 
 /// The arrays of a staged kick, N entries each; `viscosity` of single nodes, or null.
 struct Sweep {
@@ -272,7 +251,7 @@ public:
     const double opening = 0.5 * (m_lastStep + h);
     const ChebyshevDamping &damping = m_damping[placeFor(h)],
                            &opener = m_damping[placeFor(std::max(opening, h))];
-    const Instants instants{begin, end, h, steps, m_inPhase && !(m_lastStep > 0.0) ? kStart : 0};
+    const RunInstants instants{begin, end, h, steps, m_inPhase && !(m_lastStep > 0.0) ? kStart : 0};
     m_x = state.x; // same size: no allocation
     m_v = m_lastStep > 0.0 ? m_half : state.v;
     double work = 0.0, heat = 0.0, step = m_lastStep, lastTime = begin;
@@ -349,26 +328,6 @@ private:
     return m_best;
   }
 
-  /// The instants of a run in equal steps h, the first of them in parts that double, the first two alike.
-  struct Instants {
-    double begin, end, h;
-    std::int64_t steps;
-    int halvings; ///< of h, to the first part
-
-    std::int64_t last() const noexcept { return steps + halvings; }
-    double time(std::int64_t i) const noexcept
-    {
-      if (i == last()) return end;
-      if (i > halvings) return begin + static_cast<double>(i - halvings) * h;
-      return i > 0 ? begin + std::ldexp(h, static_cast<int>(i) - 1 - halvings) : begin;
-    }
-    double stepBefore(std::int64_t i) const noexcept ///< @pre i > 0
-    {
-      return i - 1 > halvings ? h : std::ldexp(h, std::max(static_cast<int>(i) - 2, 0) - halvings);
-    }
-    double stepAfter(std::int64_t i) const noexcept { return i == last() ? 0.0 : stepBefore(i + 1); }
-  };
-
   /// Velocities `length` further with the forces in m_force, then positions `drift` further [s].
   struct Kick {
     const ChebyshevDamping* damping = nullptr;
@@ -383,9 +342,8 @@ private:
   {
     kick.next = {0.0, 1.0, 0.0};
     if (m_past.known < 2) return;
-    const double apart = before; // so far
     kick.push = PastWeights::series((after - before) / 3.0,
-                                    (after * after - after * before + before * before) / 12.0, apart);
+                                    (after * after - after * before + before * before) / 12.0, before);
     if (after > 0.0 && after != before) kick.next = PastWeights::interpolated(after / before);
   }
 

@@ -82,4 +82,13 @@ inline void advanceWell(Simulation& simulation, double time)
   ASSERT_TRUE(report.good()) << simulation.why();
 }
 
+/// Nodes one after the other.
+inline Eigen::VectorXd stacked(const NodeArray& nodes)
+{
+  Eigen::VectorXd result(3 * static_cast<Eigen::Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    result.segment<3>(3 * static_cast<Eigen::Index>(i)) = toVector(nodes[i]);
+  return result;
+}
+
 } // namespace esm::test

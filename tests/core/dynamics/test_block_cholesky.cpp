@@ -4,6 +4,7 @@
 // The sparse factor against what linear algebra says, with Eigen's dense solvers as witnesses.
 #include "core/dynamics/block_cholesky.h"
 #include "core/dynamics/preconditioned_cg.h"
+#include "tests/support/physics.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>
@@ -84,14 +85,6 @@ Vectors rightSide(Index nodes)
   return vector;
 }
 
-Eigen::VectorXd flat(const Vectors& vectors)
-{
-  Eigen::VectorXd result(3 * static_cast<Eigen::Index>(vectors.size()));
-  for (std::size_t i = 0; i < vectors.size(); ++i)
-    result.segment<3>(3 * static_cast<Eigen::Index>(i)) = toVector(vectors[i]);
-  return result;
-}
-
 /// |A x - b| / |b| of the sparse solution.
 double relativeResidual(const Example& example)
 {
@@ -99,9 +92,9 @@ double relativeResidual(const Example& example)
   cholesky.analyze(example.nodes, example.pairs);
   if (!cholesky.factor(example.diagonal.data(), example.coupling.data())) return 1e300;
   Vectors x = rightSide(example.nodes);
-  const Eigen::VectorXd b = flat(x);
+  const Eigen::VectorXd b = stacked(x);
   cholesky.solve(x.data());
-  return (example.dense * flat(x) - b).norm() / b.norm();
+  return (example.dense * stacked(x) - b).norm() / b.norm();
 }
 
 } // namespace
@@ -140,10 +133,10 @@ TEST(BlockCholesky, CountsNegativeEigenvalues)
     EXPECT_EQ(cholesky.negativePivots(), (values.array() < 0.0).count()) << shift;
     EXPECT_EQ(cholesky.negativePivots() == 0, shift == 0.05) << "the sweep must cross zero";
     Vectors x = rightSide(example.nodes);
-    const Eigen::VectorXd b = flat(x);
+    const Eigen::VectorXd b = stacked(x);
     cholesky.solve(x.data());
     // Without exchange of pivots rounding may grow, here by less than 1e5.
-    EXPECT_LT((example.dense * flat(x) - b).norm() / b.norm(), 1e-10) << shift;
+    EXPECT_LT((example.dense * stacked(x) - b).norm() / b.norm(), 1e-10) << shift;
   }
 }
 
@@ -204,7 +197,7 @@ TEST(PreconditionedCg, AgreesWithTheFactor)
   Vectors direct = rightSide(400), iterated = direct;
   cholesky.solve(direct.data());
   EXPECT_EQ(gradients.solve(iterated.data(), 1e-12, 400), PreconditionedCg::Result::Converged);
-  EXPECT_LT((flat(direct) - flat(iterated)).norm(), 1e-10 * flat(direct).norm());
+  EXPECT_LT((stacked(direct) - stacked(iterated)).norm(), 1e-10 * stacked(direct).norm());
   iterated = rightSide(400);
   EXPECT_EQ(gradients.solve(iterated.data(), 1e-12, 3), PreconditionedCg::Result::TooSlow);
   for (NodeBlock& block : example.diagonal)

@@ -24,15 +24,6 @@ Eigen::MatrixXd stiffnessOf(const SpringNet& net)
   return k;
 }
 
-/// Nodes one after the other.
-Eigen::VectorXd stacked(const NodeArray& nodes)
-{
-  Eigen::VectorXd result(3 * static_cast<Eigen::Index>(nodes.size()));
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    result.segment<3>(3 * static_cast<Eigen::Index>(i)) = toVector(nodes[i]);
-  return result;
-}
-
 /// b.K^-1 b
 double exactCompliance(const SpringNet& net, const NodeArray& b)
 {
