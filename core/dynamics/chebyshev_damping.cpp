@@ -99,14 +99,14 @@ double ChebyshevDamping::roomAt(double z) const noexcept
   return 2.0 * (2.0 / m_alternating - 1.0 + p) * z / (1.0 - p);
 }
 
-bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcept
+/// Whether a mean of two bounds is below the room for all rates: the room need not be convex.
+bool ChebyshevDamping::isStable(double h, double damping, const StiffnessBound& one,
+                                const StiffnessBound& other) const noexcept
 {
-  const double top = h * mode.damping, all = h * h * mode.stiffness;
-  const bool isOwed = mode.leastDamping > 0.0;
-  const double undamped = h * h * mode.undamped, perDamping = isOwed ? h / mode.leastDamping : 0.0;
-  double least = 0.0, most = isOwed ? 1.0 : 0.0; // the weights that serve
+  double least = 0.0, most = 1.0; // the weights of the other that serve
   const auto serve = [&](double z, double room) {
-    const double more = undamped + perDamping * z - all, left = room - all; // weight * more < left
+    const double all = h * (h * one.rest + z * one.perDamping);
+    const double more = h * (h * other.rest + z * other.perDamping) - all, left = room - all;
     if (more > 0.0)
       most = std::min(most, left / more);
     else if (more < 0.0)
@@ -115,9 +115,20 @@ bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcep
       return left > 0.0;
     return least <= most;
   };
+  const double top = h * damping;
   for (std::size_t i = 0; i < kSamples && rateOf(i) < top; ++i)
     if (!serve(rateOf(i), m_room[i])) return false;
   return serve(top, roomAt(top));
+}
+
+bool ChebyshevDamping::isStable(double h, const FastestMode& mode) const noexcept
+{
+  const StiffnessBound all{mode.stiffness, 0.0};
+  if (!(mode.leastDamping > 0.0)) return isStable(h, mode.damping, all, all);
+  const StiffnessBound owed{mode.undamped, 1.0 / mode.leastDamping};
+  if (!(mode.owedShare < 1.0)) return isStable(h, mode.damping, all, owed);
+  const StiffnessBound share{mode.undampedByShare, mode.owedShare / mode.leastDamping};
+  return isStable(h, mode.damping, all, share) || isStable(h, mode.damping, share, owed);
 }
 
 double ChebyshevDamping::stableStep(const FastestMode& mode) const noexcept

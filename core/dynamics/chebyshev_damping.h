@@ -44,10 +44,10 @@ public:
   ///
   /// With Z = h M^-1 D a leapfrog step is x' = x + h v', v' = P(Z) v - (1 - P(Z))/Z h M^-1 K x. In f(Z) =
   /// Z/(1 - P), all symmetric, it reads f (x'' - x') - f P (x' - x) + h^2 M^-1 K x' = 0, which is stable if
-  /// h^2 M^-1 K < 2 (1 + P) f; the matrices need not commute. M^-1 K is at most `stiffness`, and at most
-  /// `undamped` + M^-1 D/leastDamping, so at most any mean of both: one mean that is below for all
-  /// eigenvalues of Z is enough. So steps may exceed 2/w where the fastest modes are the best damped, as they
-  /// are in tissue.
+  /// h^2 M^-1 K < 2 (1 + P) f; the matrices need not commute. M^-1 K is at most `stiffness`, at most
+  /// `undamped` + M^-1 D/leastDamping, and at most the like with `owedShare`, so at most any mean of two of
+  /// them: one mean that is below for all eigenvalues of Z is enough. So steps may exceed 2/w where the
+  /// fastest modes are the best damped, as they are in tissue.
   ///
   /// With the second difference of the forces F in the kick, F + (F - 2 F' + F'')/12, a mode that changes its
   /// sign at every step meets 4/3 F, damping included: the same without matrices then reads
@@ -60,7 +60,13 @@ public:
 private:
   static constexpr std::size_t kSamples = 48; ///< of the damping rates, to look at stability
 
+  /// M^-1 K <= rest + perDamping M^-1 D
+  struct StiffnessBound {
+    double rest, perDamping; ///< [1/s^2], [1/s]
+  };
   bool isStable(double h, const FastestMode& mode) const noexcept;
+  bool isStable(double h, double damping, const StiffnessBound& one,
+                const StiffnessBound& other) const noexcept;
   double rateOf(std::size_t sample) const noexcept
   {
     return m_reach * static_cast<double>(sample) / kSamples;

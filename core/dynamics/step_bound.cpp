@@ -18,6 +18,12 @@ ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const d
   for (std::size_t i = 0; i < count; ++i) y[i] = y[i] * factor[i] + z[i] * diagonal[i];
 }
 
+/// What the sums know of measureUndamped().
+double undampedSum(const FastestMode& mode, double share) noexcept
+{
+  return mode.undamped + (1.0 - share) * mode.stiffness;
+}
+
 } // namespace
 
 void StepBound::prepare(const System& system, bool findsDecay)
@@ -214,17 +220,31 @@ double StepBound::measureDecay(const System& system, const FastestMode& mode)
   return decay;
 }
 
-/// Largest eigenvalue of M^-1 (K - D/leastDamping), where it is below the row sums. These are twice as large
-/// where taut springs without dampers (or the tension across damped ones) meet; each per cent of it is a
-/// step.
-double StepBound::measureUndamped(const System& system, const FastestMode& mode)
+/// Largest eigenvalue of M^-1 (K - share D/leastDamping), where it is below the row sums. These are twice as
+/// large where taut springs without dampers (or the tension across damped ones) meet; each per cent of it is
+/// a step.
+double StepBound::measureUndamped(const System& system, const FastestMode& mode, double share)
 {
   constexpr double kOfSpread = 0.004; ///< of all eigenvalues, that Ritz values of these may be off
-  if (!(mode.leastDamping > 0.0)) return mode.undamped;
-  const double perDamping = 1.0 / mode.leastDamping, room = kOfSpread * perDamping * mode.damping;
-  if (!(room < mode.undamped)) return mode.undamped;
+  const double perDamping = share / mode.leastDamping, room = kOfSpread * perDamping * mode.damping;
+  const double sum = undampedSum(mode, share);
+  if (!(room < sum)) return sum;
   const double measured = std::max(measure(system, {-perDamping, 1.0}), 0.0) + room;
-  return std::min(mode.undamped, measured); // not a number: the sums
+  return std::min(sum, measured); // not a number: the sums
+}
+
+/// Twice: for all that is owed, and for the share with which that leaves to the fastest damper just what
+/// `stiffness` is beyond it. Where dampers go with the springs, hardly more is undamped then: it is tension.
+void StepBound::measureShares(const System& system, const FastestMode& mode)
+{
+  m_undampedShare = m_owedShare = m_undampedByShare = 1.0;
+  if (!(mode.leastDamping > 0.0) || !(mode.damping > 0.0) || !std::isfinite(mode.damping)) return;
+  const double undamped = measureUndamped(system, mode, 1.0);
+  if (mode.undamped > 0.0) m_undampedShare = undamped / mode.undamped;
+  const double share = (mode.stiffness - undamped) * mode.leastDamping / mode.damping;
+  if (!(share > 0.0 && share < 1.0)) return;
+  m_owedShare = share;
+  m_undampedByShare = measureUndamped(system, mode, share) / undampedSum(mode, share);
 }
 
 /// Measures where the sums have moved, and at every other look: how far the sums are above the eigenvalues,
@@ -250,9 +270,11 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
     m_sinceMeasured = 0;
     const bool isDamped = mode.damping > 0.0 && std::isfinite(mode.damping);
     m_decayShare = isDamped && m_findsDecay ? measureDecay(system, mode) / mode.damping : 1.0;
-    m_undampedShare = isDamped && mode.undamped > 0.0 ? measureUndamped(system, mode) / mode.undamped : 1.0;
+    measureShares(system, mode);
   }
   mode.decay = m_decayShare * mode.damping;
+  mode.owedShare = m_owedShare;
+  mode.undampedByShare = m_undampedByShare * undampedSum(mode, m_owedShare);
   mode.undamped *= m_undampedShare;
 }
 

@@ -20,7 +20,10 @@ struct FastestMode {
   /// Part of `stiffness` that lends no damping (tension across the springs, springs without dampers) [1/s^2];
   /// to the rest every mode owes g >= leastDamping w2.
   double undamped = 0.0;
-  double leastDamping = 0.0;    ///< smallest c/k of the springs and anchors that are not in `undamped` [s]
+  double leastDamping = 0.0; ///< smallest c/k of the springs and anchors that are not in `undamped` [s]
+  /// The same for a share of what is owed, g >= share leastDamping (w2 - undampedByShare): with less of it a
+  /// little more is undamped [1/s^2], but the fastest mode owes no more than it has. No share: 1.
+  double owedShare = 1.0, undampedByShare = 0.0;
   Index node = kNoIndex;        ///< who sets the larger of the two rates
   double springStiffness = 0.0; ///< sum over that node's springs, anchors and tools [N/m]
 };
@@ -64,7 +67,8 @@ private:
   };
   double measure(const System& system, Blend blend);
   double measureDecay(const System& system, const FastestMode& mode);
-  double measureUndamped(const System& system, const FastestMode& mode);
+  double measureUndamped(const System& system, const FastestMode& mode, double share);
+  void measureShares(const System& system, const FastestMode& mode);
 
   Grouped<std::uint32_t> m_springsOf; ///< active springs by node
   std::vector<SpringTangent> m_tangents;
@@ -92,6 +96,7 @@ private:
   Sharpness m_stiffnessSharpness, m_dampingSharpness;
   // Of the damping and of the sums of what is undamped, measured when one of those was.
   double m_decayShare = 0.0, m_undampedShare = 1.0;
+  double m_owedShare = 1.0, m_undampedByShare = 1.0; ///< the latter in sums, too
   bool m_findsDecay = true;
   int m_sinceMeasured = 0; ///< calls of compute()
 };
