@@ -18,6 +18,11 @@ ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const d
   for (std::size_t i = 0; i < count; ++i) y[i] = y[i] * factor[i] + z[i] * diagonal[i];
 }
 
+bool isDamped(const FastestMode& mode) noexcept
+{
+  return mode.damping > 0.0 && std::isfinite(mode.damping);
+}
+
 /// What the sums know of measureUndamped().
 double undampedSum(const FastestMode& mode, double share) noexcept
 {
@@ -238,7 +243,7 @@ double StepBound::measureUndamped(const System& system, const FastestMode& mode,
 void StepBound::measureShares(const System& system, const FastestMode& mode)
 {
   m_undampedShare = m_owedShare = m_undampedByShare = 1.0;
-  if (!(mode.leastDamping > 0.0) || !(mode.damping > 0.0) || !std::isfinite(mode.damping)) return;
+  if (!isDamped(mode) || !(mode.leastDamping > 0.0)) return;
   const double undamped = measureUndamped(system, mode, 1.0);
   if (mode.undamped > 0.0) m_undampedShare = undamped / mode.undamped;
   const double share = (mode.stiffness - undamped) * mode.leastDamping / mode.damping;
@@ -268,8 +273,7 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
   follow(mode.damping, m_dampingSharpness, {1.0, 0.0});
   if (isNew) {
     m_sinceMeasured = 0;
-    const bool isDamped = mode.damping > 0.0 && std::isfinite(mode.damping);
-    m_decayShare = isDamped && m_findsDecay ? measureDecay(system, mode) / mode.damping : 1.0;
+    m_decayShare = isDamped(mode) && m_findsDecay ? measureDecay(system, mode) / mode.damping : 1.0;
     measureShares(system, mode);
   }
   mode.decay = m_decayShare * mode.damping;
