@@ -90,6 +90,8 @@ struct IntegratorEntry {
   double offset = 0.0;
   /// The typical error where springs are stronger than dampers, 0 if it is the same.
   double typicalErrorOfWaves = 0.0;
+  /// Its twin, which takes the same steps for hardly more and errs no more in any of them; empty if none.
+  std::string_view sharperTwin = {};
 };
 std::span<const IntegratorEntry> integratorTable() noexcept;
 std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for an unknown name

@@ -17,7 +17,7 @@ std::span<const IntegratorEntry> integratorTable() noexcept
       "ones where viscosity would limit it; second order",
       &makeLeapfrog, Explicit, 4e-2},
     IntegratorEntry{"chebyshev", "the same with more viscous stages: second order in viscosity too",
-                    &makeChebyshev, Explicit, 1e-2, 0.5},
+                    &makeChebyshev, Explicit, 1e-2, 0.5, 0.0, "stoermer3"},
     IntegratorEntry{"stoermer3", "the same by Stoermer's rule of third order, which keeps waves in phase",
                     &makeStoermer3, Explicit, 3e-3, 0.7, 3e-4},
     IntegratorEntry{"verlet",

@@ -3,7 +3,7 @@
 #include "core/dynamics/chebyshev_damping.h"
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/past_forces.h"
-#include "core/forces/spring_pass.h"
+#include "core/dynamics/staged_kick.h"
 
 #include <algorithm>
 #include <array>
@@ -13,153 +13,6 @@
 
 namespace esm {
 namespace {
-
-// The sweeps over nodes, as wide as the processor allows. Held nodes have inverse mass 0: no kick.
-
-/// v += s F/m, x += h v
-ESM_CPU_CLONES void kickAndDrift(std::size_t count, double s, double h, const Lanes* force,
-                                 const double* inverseMass, Lanes* v, Lanes* x) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) {
-    v[i] += force[i] * (s * inverseMass[i]);
-    x[i] += v[i] * h;
-  }
-}
-
-/// The arrays of a staged kick, N entries each; `viscosity` of single nodes, or null.
-struct Sweep {
-  std::size_t count;
-  double s; ///< length of the kick [s]
-  const double *inverseMass, *viscosity;
-  Lanes* force;          ///< F(x, v), then the viscous forces at the stage
-  Lanes* a;              ///< s F/m
-  Lanes *past, *older;   ///< F before, or null where none is asked for
-  PastWeights push;      ///< what drives the kick
-  PastWeights next;      ///< what will have been a step before
-  bool remembers = true; ///< F for the next steps
-};
-
-/// The viscous forces of single nodes open the next pass over the springs.
-template <bool bedded>
-ESM_INLINE void setDrag(const Sweep& sweep, std::size_t i, const Lanes& d) noexcept
-{
-  const Lanes zero = {0, 0, 0, 0};
-  if constexpr (bedded)
-    sweep.force[i] = d * -sweep.viscosity[i];
-  else
-    sweep.force[i] = zero;
-}
-
-template <bool bedded>
-ESM_INLINE void firstSweep(const Sweep& sweep) noexcept
-{
-  for (std::size_t i = 0; i < sweep.count; ++i) {
-    sweep.a[i] = sweep.force[i] * (sweep.s * sweep.inverseMass[i]);
-    setDrag<bedded>(sweep, i, sweep.a[i]);
-  }
-}
-
-/// The same with forces of the past. F takes the place of the oldest, which becomes the newest.
-template <bool bedded, bool remembers>
-ESM_INLINE void firstSweepInPhase(const Sweep& sweep) noexcept
-{
-  for (std::size_t i = 0; i < sweep.count; ++i) {
-    const Lanes f = sweep.force[i], p = sweep.past[i], o = sweep.older[i];
-    Lanes push, before;
-    sweep.push.mean(f, p, o, push);
-    sweep.a[i] = push * (sweep.s * sweep.inverseMass[i]);
-    if constexpr (remembers) {
-      sweep.next.mean(f, p, o, before);
-      sweep.past[i] = before;
-      sweep.older[i] = f;
-    }
-    setDrag<bedded>(sweep, i, sweep.a[i]);
-  }
-}
-
-template <bool bedded>
-ESM_INLINE void firstOf(const Sweep& sweep) noexcept
-{
-  if (sweep.past == nullptr || sweep.older == nullptr)
-    firstSweep<bedded>(sweep);
-  else if (sweep.remembers)
-    firstSweepInPhase<bedded, true>(sweep);
-  else
-    firstSweepInPhase<bedded, false>(sweep);
-}
-
-/// d_j at a node; `known` of the differences before it are in d and before: none for stage 2, d_2 for
-/// stage 3.
-template <int known>
-ESM_INLINE void stageAt(const Sweep& sweep, const ChebyshevDamping::Stage& stage, std::size_t i,
-                        const Lanes* d, const Lanes* before, Lanes& next) noexcept
-{
-  next = sweep.a[i] * stage.push + sweep.force[i] * (stage.kick * sweep.s * sweep.inverseMass[i]);
-  if constexpr (known > 0) next += d[i] * stage.mu;
-  if constexpr (known > 1) next += before[i] * stage.nu;
-}
-
-template <int known, bool bedded>
-ESM_INLINE void middleSweep(const Sweep& sweep, const ChebyshevDamping::Stage& stage, const Lanes* d,
-                            Lanes* before) noexcept
-{
-  for (std::size_t i = 0; i < sweep.count; ++i) {
-    Lanes next;
-    stageAt<known>(sweep, stage, i, d, before, next);
-    before[i] = next;
-    setDrag<bedded>(sweep, i, next);
-  }
-}
-
-template <int known>
-ESM_INLINE void lastSweep(const Sweep& sweep, const ChebyshevDamping::Stage& stage, double h, const Lanes* d,
-                          const Lanes* before, Lanes* v, Lanes* x) noexcept
-{
-  for (std::size_t i = 0; i < sweep.count; ++i) {
-    Lanes next;
-    stageAt<known>(sweep, stage, i, d, before, next);
-    v[i] += next;
-    x[i] += v[i] * h;
-  }
-}
-
-/// d_1 = a
-ESM_CPU_CLONES void firstStage(const Sweep& sweep) noexcept
-{
-  sweep.viscosity ? firstOf<true>(sweep) : firstOf<false>(sweep);
-}
-
-/// d_{j-2} <- d_j
-template <int known>
-ESM_INLINE void middleOf(const Sweep& sweep, const ChebyshevDamping::Stage& stage, const Lanes* d,
-                         Lanes* before) noexcept
-{
-  sweep.viscosity ? middleSweep<known, true>(sweep, stage, d, before)
-                  : middleSweep<known, false>(sweep, stage, d, before);
-}
-
-ESM_CPU_CLONES void middleStage(const Sweep& sweep, const ChebyshevDamping::Stage& stage, int j,
-                                const Lanes* d, Lanes* before) noexcept
-{
-  if (j == 2)
-    middleOf<0>(sweep, stage, d, before);
-  else if (j == 3)
-    middleOf<1>(sweep, stage, d, before);
-  else
-    middleOf<2>(sweep, stage, d, before);
-}
-
-/// v += d_j, x += h v
-ESM_CPU_CLONES void lastStage(const Sweep& sweep, const ChebyshevDamping::Stage& stage, int j, double h,
-                              const Lanes* d, const Lanes* before, Lanes* v, Lanes* x) noexcept
-{
-  if (j == 2)
-    lastSweep<0>(sweep, stage, h, d, before, v, x);
-  else if (j == 3)
-    lastSweep<1>(sweep, stage, h, d, before, v, x);
-  else
-    lastSweep<2>(sweep, stage, h, d, before, v, x);
-}
 
 /// Leapfrog: positions at the steps, velocities half way between, one force pass per step. It is symplectic
 /// Euler with the velocities where they belong, and so of second order; a run opens and closes with half a
@@ -332,7 +185,7 @@ private:
   struct Kick {
     const ChebyshevDamping* damping = nullptr;
     double length = 0.0, drift = 0.0;
-    PastWeights push, next; ///< see Sweep
+    PastWeights push, next; ///< see StagedKick
   };
 
   /// Of a kick from the middle of a step of length `before` to that of a step of length `after` [s]; 0: from
@@ -347,7 +200,7 @@ private:
     if (after > 0.0 && after != before) kick.next = PastWeights::interpolated(after / before);
   }
 
-  Sweep sweepOf(const System& system, const Kick& kick, std::size_t first, std::size_t nodes) noexcept
+  StagedKick staged(const System& system, const Kick& kick, std::size_t first, std::size_t nodes) noexcept
   {
     const auto& viscosity = system.forces().nodeViscosity();
     return {nodes,
@@ -368,12 +221,11 @@ private:
   {
     const int last = kick.damping->stages();
     if (last == 1) return;
-    system.addDamping(m_damper.data(), m_a, m_force, [&](std::size_t f, std::size_t n) noexcept {
-      firstStage(sweepOf(system, kick, f, n));
-    });
+    system.addDamping(m_damper.data(), m_a, m_force,
+                      [&](std::size_t f, std::size_t n) noexcept { firstStage(staged(system, kick, f, n)); });
     for (int j = 2; j < last; ++j) {
       system.addDamping(m_damper.data(), m_before, m_force, [&](std::size_t f, std::size_t n) noexcept {
-        middleStage(sweepOf(system, kick, f, n), kick.damping->stage(j), j, m_d.data() + f,
+        middleStage(staged(system, kick, f, n), kick.damping->stage(j), j, m_d.data() + f,
                     m_before.data() + f);
       });
       std::swap(m_d, m_before);
@@ -387,7 +239,7 @@ private:
       kickAndDrift(nodes, kick.length, kick.drift, m_force.data() + first,
                    system.inverseMass().data() + first, m_v.data() + first, m_x.data() + first);
     else
-      lastStage(sweepOf(system, kick, first, nodes), kick.damping->stage(last), last, kick.drift,
+      lastStage(staged(system, kick, first, nodes), kick.damping->stage(last), last, kick.drift,
                 m_d.data() + first, m_before.data() + first, m_v.data() + first, m_x.data() + first);
   }
 

@@ -9,7 +9,7 @@
 namespace esm {
 namespace {
 
-constexpr int kPatience = 2; ///< looks between two measurements, see StepBound::sharpen()
+constexpr int kLooksBetween = 2; ///< two measurements, see StepBound::sharpen()
 
 /// y = factor y + diagonal z
 ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const double* diagonal,
@@ -46,7 +46,7 @@ void StepBound::prepare(const System& system, bool findsDecay)
   m_nodes.resize(nodes);
   m_stiffnessSharpness = m_dampingSharpness = Sharpness{};
   m_decayShare = 0.0; // the first guess is that nothing decays faster than it swings
-  m_sinceMeasured = kPatience;
+  m_sinceMeasured = kLooksBetween;
 }
 
 /// Nothing is done without pressure.
@@ -258,7 +258,7 @@ void StepBound::measureShares(const System& system, const FastestMode& mode)
 /// 1, the second likewise, while its sums moved by 2 %.
 void StepBound::sharpen(const System& system, FastestMode& mode)
 {
-  const bool isDue = ++m_sinceMeasured >= kPatience;
+  const bool isDue = ++m_sinceMeasured >= kLooksBetween;
   bool isNew = isDue;
   const auto follow = [&](double& bound, Sharpness& sharpness, Blend blend) {
     if (!(bound > 0.0) || !std::isfinite(bound)) return;

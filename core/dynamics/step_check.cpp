@@ -275,7 +275,7 @@ bool StepDriver::tryOut(Method method, double step, System& system, const Motion
     candidate.estimate = candidate.accurateStep * gain;
     if (!isKept(share)) candidate.accurateStep *= std::clamp(gain, kMostShrinking, kMostGrowth);
     candidate.isMeasured = true;
-    tellTwin(method);
+    tellTwins(method);
   }
   if (share <= 1.0) {
     candidate.untilProbe = 0;
@@ -390,7 +390,7 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
     for (Candidate& other : m_candidates)
       if (isExplicit(other)) other.accurateStep = std::max(other.accurateStep, accurate);
   here.isMeasured = true;
-  tellTwin(m_method);
+  tellTwins(m_method);
 }
 
 } // namespace esm

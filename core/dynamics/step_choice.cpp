@@ -11,12 +11,9 @@
 namespace esm {
 namespace {
 
-/// Explicit steps per frame beyond which it pays to lay out the other ways and weigh them.
-constexpr double kManySteps = 500.0;
 /// Implicit steps per frame to begin with; measured from then on.
 constexpr double kImplicitGuess = 4.0;
 
-constexpr double kLooseTolerance = 1e-2; ///< see caution() and spendable()
 /// Of what plain steps cost: local ones must be that cheap. They err as much as they may, plain ones at their
 /// limit of stability a hundred times less: for a twentieth saved in three frames a stiff net that snaps
 /// through ended at fourteen times a tolerance of 1e-3.
@@ -52,13 +49,18 @@ StepDriver::StepDriver(SolverSettings settings)
     const Method place = m_candidates.size();
     if (entry.name == "leapfrog") m_leapfrog = place;
     if (entry.name == "descent") m_descent = place;
-    if (entry.name == "chebyshev") m_blunt = place;
-    if (entry.name == "stoermer3") m_sharp = place;
     if (entry.role == MethodRole::Implicit) m_implicit = place;
     if (entry.name == m_settings.solver) m_method = place;
     m_candidates.push_back(
       {{}, entry.make(), entry.role, entry.typicalError, entry.offset, entry.typicalErrorOfWaves});
   }
+  const std::span<const IntegratorEntry> table = integratorTable();
+  for (Method blunt = 0; blunt < table.size(); ++blunt)
+    for (Method sharp = 0; sharp < table.size(); ++sharp)
+      if (table[blunt].sharperTwin == table[sharp].name) {
+        m_candidates[blunt].sharper = sharp;
+        m_candidates[sharp].blunter = blunt;
+      }
   m_onset.known.resize(m_candidates.size());
 }
 
@@ -205,72 +207,6 @@ void StepDriver::use(Method method, const System& system)
   m_checkGap = 1;
 }
 
-/// Spring evaluations per frame at the step that the method can take now, as far as known. Where accurate
-/// steps would cost more than the effort, those that it pays for, times what these err too much: who fails
-/// the least counts, not who would need the least to succeed. A uterus under a tool was left to `chebyshev`,
-/// which erred sixty times what plain steps did.
-double StepDriver::cost(Method method, const System& system)
-{
-  if (method == m_implicit) layOut(method, system);
-  Candidate& candidate = m_candidates[method];
-  const double stable = std::min(stableStep(candidate), kFrame);
-  const double accurate = std::min({stable, candidate.accurateStep, candidate.cheapStep});
-  const double step = std::max(accurate, std::min(candidate.affordableStep, stable)); // 0 for implicit ones
-  const double share = std::pow(step / accurate, candidate.integrator->order());
-  return candidate.integrator->stepCost(system, step) * std::ceil(kFrame / step) * share;
-}
-
-/// The same at the largest stable step, whatever it errs.
-double StepDriver::costAtLimit(Method method, const System& system)
-{
-  Candidate& candidate = m_candidates[method];
-  const double stable = std::min(stableStep(candidate), kFrame);
-  return candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
-}
-
-/// Whether a frame of it could be checked for the effort, or costs no more than plain steps do. Else nobody
-/// would ever learn that another one does for less: at coarse tolerances, where that is likely, and once less
-/// has been asked for than at first, because the clock could not be kept, it is not taken. A pulled uterus
-/// stayed with `stoermer` at a tolerance of 0.2, at a third of the speed.
-bool StepDriver::isPayable(Method method, const System& system)
-{
-  const bool isLess = m_settings.tolerance > m_firstTolerance || m_settings.effort < m_firstEffort;
-  if ((m_settings.tolerance < kLooseTolerance && !isLess) || method == m_leapfrog) return true;
-  return costAtLimit(method, system) <= std::max(m_settings.effort, costAtLimit(m_leapfrog, system));
-}
-
-/// Nets whose stiff part holds up explicit steps multiply errors a hundredfold when they snap through, and no
-/// check before sees it. Explicit steps at their limit err a hundred times less in the slow motion than they
-/// may, implicit ones as much as they may. So the former count for less than they cost by this factor, and
-/// themselves spend only this part of the budget (at 1e-6 `verlet` spent a third of it and ended at eight
-/// times the tolerance): second order at its limit is that good down to 1e-5, higher orders below. With a
-/// power of 0.4 two of twelve stiff nets at 1e-3 were left to implicit steps, one ended at 7.3 times that.
-double StepDriver::caution() const noexcept
-{
-  return std::min(1.0, std::pow(m_settings.tolerance / kLooseTolerance, 0.6));
-}
-
-/// Of the budget, what a method may spend; where dampers hardly brake waves, errors outlive the motion that
-/// they were measured against.
-double StepDriver::spendable(const Candidate& candidate) const noexcept
-{
-  if (!isExplicit(candidate)) return 1.0;
-  if (m_auto && isHeldUp()) return caution();
-  return isDamped() ? 1.0 : m_gauge.lastingShare(m_settings.tolerance, m_start.time);
-}
-
-/// The largest step that one force pass can take [s].
-double StepDriver::explicitLimit() const noexcept
-{
-  return m_candidates[m_leapfrog].integrator->stableStep(m_mode);
-}
-
-/// Whether explicit steps are so many that other ways are worth weighing.
-bool StepDriver::isHeldUp() const noexcept
-{
-  return kFrame / explicitLimit() > kManySteps;
-}
-
 /// Whether Integrator::asksForDecay() holds for any method that may run.
 bool StepDriver::asksForDecay() const noexcept
 {
@@ -280,28 +216,26 @@ bool StepDriver::asksForDecay() const noexcept
   });
 }
 
-/// Whether dampers brake the fastest waves more than springs throw them.
-bool StepDriver::isDamped() const noexcept
-{
-  return m_mode.damping * m_mode.damping > m_mode.stiffness;
-}
-
 /// Whether its twin could take the same step, hardly dearer, and would err no more.
 bool StepDriver::isOutdone(Method method) const noexcept
 {
-  if (method != m_blunt) return false;
   const Candidate& candidate = m_candidates[method];
-  return std::min(stableStep(candidate), candidate.accurateStep) <= stableStep(m_candidates[m_sharp]);
+  return candidate.sharper && std::min(stableStep(candidate), candidate.accurateStep) <=
+                                stableStep(m_candidates[*candidate.sharper]);
 }
 
 /// What has been measured of one of two twins bounds what is known of the other.
-void StepDriver::tellTwin(Method measured) noexcept
+void StepDriver::tellTwins(Method measured) noexcept
 {
-  Candidate &blunt = m_candidates[m_blunt], &sharp = m_candidates[m_sharp];
-  if (measured == m_blunt)
-    sharp.accurateStep = std::max(sharp.accurateStep, blunt.accurateStep);
-  else if (measured == m_sharp && sharp.accurateStep < stableStep(sharp))
-    blunt.accurateStep = std::min(blunt.accurateStep, sharp.accurateStep);
+  const Candidate& here = m_candidates[measured];
+  if (here.sharper) {
+    double& accurate = m_candidates[*here.sharper].accurateStep;
+    accurate = std::max(accurate, here.accurateStep);
+  }
+  if (here.blunter && here.accurateStep < stableStep(here)) {
+    double& accurate = m_candidates[*here.blunter].accurateStep;
+    accurate = std::min(accurate, here.accurateStep);
+  }
 }
 
 /// Among those that compete.
@@ -328,13 +262,6 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
   return best;
 }
 
-/// Whether what is saved in each frame until the end of the run, if that is known, makes up for a price; both
-/// in spring evaluations.
-bool StepDriver::paysOff(double saving, double price) const noexcept
-{
-  return saving * (knownEnd(m_start.time) - m_start.time) / kFrame >= price;
-}
-
 /// The method that would be cheapest at its stability limit, and cheap enough to change to, of those whose
 /// turn it is and whose errors, by what is known or guessed, leave a hope.
 /// @param step  receives the smallest with which it would be cheap enough [s]
@@ -350,14 +277,14 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     if (candidate.role != MethodRole::Explicit || method == m_method || candidate.untilProbe > 0) continue;
-    const bool isTwin = method == m_blunt && m_method == m_sharp && m_settings.tolerance >= kLooseTolerance;
+    const bool isTwin = candidate.sharper == m_method && m_settings.tolerance >= kLooseTolerance;
     if (isOutdone(method) && !isTwin) continue;
     const double atLimit = costAtLimit(method, system), stable = std::min(stableStep(candidate), kFrame);
     const double wanted = (isTwin ? kTwinGain : kGain) * present;
     if (atLimit >= std::min(least, wanted) ||
         !paysOff(kChance * (present - atLimit), checkLength() / kFrame * atLimit))
       continue;
-    const double longer = isTwin ? stableStep(m_candidates[m_sharp]) : 0.0; // else it is outdone
+    const double longer = isTwin ? stableStep(m_candidates[m_method]) : 0.0; // else it is outdone
     const double tried =
       std::min(stable, std::max({stable * atLimit / wanted, candidate.accurateStep, longer}));
     if (std::pow(tried / candidate.accurateStep, candidate.integrator->order()) > kHope) continue;
@@ -366,24 +293,6 @@ std::optional<StepDriver::Method> StepDriver::worthAProbe(System& system, double
     step = tried;
   }
   return best;
-}
-
-/// What a frame costs at least: plain steps at their limit or, where these are many, one implicit step. To
-/// ask for less would only lead to methods that cost more.
-void StepDriver::weighLeastCost(const System& system)
-{
-  const double steps = std::ceil(kFrame / explicitLimit());
-  m_leastCost = steps * m_candidates[m_leapfrog].integrator->stepCost(system, explicitLimit());
-  if (!m_auto || !isHeldUp()) return;
-  layOut(m_implicit, system);
-  m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system, kFrame));
-}
-
-bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
-{
-  const auto springs = static_cast<double>(system.forces().activeSprings());
-  const double cost = springs * kFrame / explicitLimit();
-  return cost > m_settings.effort && cost > 1.5 * m_leastCost;
 }
 
 void StepDriver::choose(System& system, const MotionState&)
@@ -426,7 +335,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
     const Method other = proven ? *proven : cheapestExplicit(system, patience());
     const double price =
       proven ? 0.0 : (1.0 + kFiner) * checkLength() / kFrame * cost(other, system); // of its check
-    const bool isTwin = other == m_sharp && isOutdone(before);
+    const bool isTwin = m_candidates[before].sharper == other && isOutdone(before);
     if (isTwin || paysOff(cost(before, system) - cost(other, system), price)) m_method = other;
     const double accurate = m_candidates[before].accurateStep, stable = explicitLimit();
     if (before == m_leapfrog && isHeldUp() && accurate > 4.0 * stable) {

@@ -356,26 +356,6 @@ void StepDriver::setBound(const System& system, const MotionState& state)
   weighLeastCost(system);
 }
 
-/// The smallest steps that a frame's effort pays for. One may cost some force passes (stages for dampers): to
-/// count it as one made steps at the effort's limit too dear, and left a net to descent for them.
-void StepDriver::weighEffort(const System& system, Candidate& candidate) const
-{
-  if (!isExplicit(candidate)) return;
-  const bool isPlain = candidate.role != MethodRole::Local; // whose costs are known before it is laid out
-  const double cost = isPlain
-                        ? candidate.integrator->stepCost(system, std::min(stableStep(candidate), kFrame))
-                        : static_cast<double>(system.forces().activeSprings());
-  candidate.affordableStep = kFrame * cost / m_settings.effort;
-}
-
-/// Of a step, in force passes; an implicit one counts as one.
-double StepDriver::passesOf(const System& system, double step)
-{
-  return m_method == m_implicit
-           ? 1.0
-           : current().stepCost(system, step) / std::max(system.forces().passCost(), 1.0);
-}
-
 /// A look at the bound costs up to thirty passes. It follows what stiffens within some frames, and what
 /// turns and bends; where it finds nothing new it comes less often.
 void StepDriver::refreshBound(const System& system, const MotionState& state)

@@ -85,6 +85,7 @@ private:
   static constexpr double kMostShrinking = 1.0 / 64.0;
   /// After an event, in which an onset may begin [s]: in any stretch of the first frame.
   static constexpr double kLatestOnset = 0.9 * kFrame;
+  static constexpr double kLooseTolerance = 1e-2; ///< see caution() and isPayable()
   static constexpr int kSettling = 2;   ///< checks before a method that has just been chosen may be left
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
@@ -108,6 +109,7 @@ private:
     double typicalError = 0.0, offset = 0.0, typicalErrorOfWaves = 0.0; ///< see IntegratorEntry
     double affordableStep = 0.0; ///< smaller ones would cost more than the effort [s]
     bool prepared = false;
+    std::optional<Method> sharper = std::nullopt, blunter = std::nullopt; ///< its twins, see IntegratorEntry
     int untilProbe = 0; ///< checks until it may be probed; long gaps count as several
     int probeGap = 1;
     double probedStep = 0.0; ///< in the present check; 0: in none [s]
@@ -157,7 +159,7 @@ private:
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system, double patience);
   bool isOutdone(Method method) const noexcept;
-  void tellTwin(Method measured) noexcept;
+  void tellTwins(Method measured) noexcept;
   double patience() const noexcept;
   std::optional<Method> worthAProbe(System& system, double& step);
   std::optional<Method> probeOthers(System& system, const MotionState& state, double allowed,
@@ -214,7 +216,6 @@ private:
   bool m_auto = false;
   Method m_leapfrog = 0, m_implicit = 0; ///< the planner's first explicit choice and its refuge
   Method m_descent = 0;                  ///< where that fails, too
-  Method m_blunt = 0, m_sharp = 0; ///< `chebyshev`, and `stoermer3`, which errs no more at the same step
   Method m_method = 0;
   std::string m_name, m_why;
   std::string m_limitText;             ///< of the last advance(), if its work limit ended it
