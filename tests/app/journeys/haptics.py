@@ -15,6 +15,7 @@ IDLE, ARMING, ACTIVE, FADING, FAULT = 1, 2, 3, 4, 5  # DeviceState
 NEEDS_HOME, RUNNING, BROKEN, LOST = 2, 3, 4, 5  # DevicePhase
 DEVICES, FORCE, POSITION, ENERGY, TIMING, PATH, EMULATOR = range(7)  # tabs
 LIMIT = 0.4  # [N]
+TRIES = 12  # of a way along which force must flow, where the computer stalls
 STEADY = 990.0  # [Hz]; mean of half a second: it falls by as much where 5 ms are missing
 FIRMWARE, HAND, LOG = OUT / "firmware.bin", OUT / "hand.csv", OUT / "felt.csv"
 
@@ -47,13 +48,13 @@ def arm():
 
 def unless_stalled(way, mend):
     """Goes a way along which force must flow, once more where the computer stalled."""
-    for _ in range(6):
+    for _ in range(TRIES):
         try:
             return way()
         except Stalled:
             print("note the computer stalled: once more", flush=True)
             mend()
-    raise AssertionError("the computer stalled six times")
+    raise AssertionError(f"the computer stalled {TRIES} times")
 
 
 def can_connect(s):
