@@ -45,7 +45,8 @@ StepDriver::StepDriver(SolverSettings settings)
   : m_settings(std::move(settings)), m_firstTolerance(m_settings.tolerance), m_firstEffort(m_settings.effort)
 {
   m_auto = m_settings.solver == "auto";
-  for (const IntegratorEntry& entry : integratorTable()) {
+  const std::span<const IntegratorEntry> table = integratorTable();
+  for (const IntegratorEntry& entry : table) {
     const Method place = m_candidates.size();
     if (entry.name == "leapfrog") m_leapfrog = place;
     if (entry.name == "descent") m_descent = place;
@@ -53,14 +54,9 @@ StepDriver::StepDriver(SolverSettings settings)
     if (entry.name == m_settings.solver) m_method = place;
     m_candidates.push_back(
       {{}, entry.make(), entry.role, entry.typicalError, entry.offset, entry.typicalErrorOfWaves});
+    const auto twin = std::ranges::find(table, entry.sharperTwin, &IntegratorEntry::name);
+    if (twin != table.end()) m_candidates.back().sharper = static_cast<Method>(twin - table.begin());
   }
-  const std::span<const IntegratorEntry> table = integratorTable();
-  for (Method blunt = 0; blunt < table.size(); ++blunt)
-    for (Method sharp = 0; sharp < table.size(); ++sharp)
-      if (table[blunt].sharperTwin == table[sharp].name) {
-        m_candidates[blunt].sharper = sharp;
-        m_candidates[sharp].blunter = blunt;
-      }
   m_onset.known.resize(m_candidates.size());
 }
 
@@ -228,13 +224,11 @@ bool StepDriver::isOutdone(Method method) const noexcept
 void StepDriver::tellTwins(Method measured) noexcept
 {
   const Candidate& here = m_candidates[measured];
-  if (here.sharper) {
-    double& accurate = m_candidates[*here.sharper].accurateStep;
-    accurate = std::max(accurate, here.accurateStep);
-  }
-  if (here.blunter && here.accurateStep < stableStep(here)) {
-    double& accurate = m_candidates[*here.blunter].accurateStep;
-    accurate = std::min(accurate, here.accurateStep);
+  for (Method method = 0; method < m_candidates.size(); ++method) {
+    Candidate& other = m_candidates[method];
+    if (here.sharper == method) other.accurateStep = std::max(other.accurateStep, here.accurateStep);
+    if (other.sharper == measured && here.accurateStep < stableStep(here))
+      other.accurateStep = std::min(other.accurateStep, here.accurateStep);
   }
 }
 

@@ -109,7 +109,7 @@ private:
     double typicalError = 0.0, offset = 0.0, typicalErrorOfWaves = 0.0; ///< see IntegratorEntry
     double affordableStep = 0.0; ///< smaller ones would cost more than the effort [s]
     bool prepared = false;
-    std::optional<Method> sharper = std::nullopt, blunter = std::nullopt; ///< its twins, see IntegratorEntry
+    std::optional<Method> sharper = std::nullopt; ///< its twin, see IntegratorEntry
     int untilProbe = 0; ///< checks until it may be probed; long gaps count as several
     int probeGap = 1;
     double probedStep = 0.0; ///< in the present check; 0: in none [s]
