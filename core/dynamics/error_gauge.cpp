@@ -93,6 +93,11 @@ double fadingTime(const ErrorScale& scale) noexcept
   return std::max(time(scale.recentKinetic, scale.recentHeat), time(scale.latestKinetic, scale.latestHeat));
 }
 
+double dampersPower(const ErrorScale& scale) noexcept
+{
+  return std::min(scale.recentHeat / kMemory, scale.latestHeat / kShortMemory);
+}
+
 double creepingTime(const ErrorScale& scale) noexcept
 {
   if (!(scale.recentPath > 0.0)) return std::numeric_limits<double>::infinity();

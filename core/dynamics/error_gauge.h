@@ -29,6 +29,9 @@ struct ErrorScale {
 /// @return time in which they do [s], by the last fifth of a second and by the last two frames, whichever is
 /// longer: a blow's first heat must not shorten what swings on after it. Infinity without damping.
 double fadingTime(const ErrorScale& scale) noexcept;
+/// @return power of the dampers [W], by the last fifth of a second and by the last two frames, whichever is
+/// less.
+double dampersPower(const ErrorScale& scale) noexcept;
 /// @return twice the time that a motion which creeps takes over the way from its start, at its speed of the
 /// last fifth of a second [s]. Infinity at rest.
 double creepingTime(const ErrorScale& scale) noexcept;

@@ -178,7 +178,10 @@ bool RegionDriver::settles(StepReport& report)
 {
   if (isMoved()) return false;
   const bool isPart = m_mode == Mode::Part;
-  const SettlingBudget missable{settlingBudget(), undisturbed(), fadingTime(m_driver.errorScale())};
+  const ErrorScale& scale = m_driver.errorScale();
+  const double erring = scale.spent * scale.spent * static_cast<double>(m_body.motion.x.size());
+  const SettlingBudget missable{settlingBudget(), undisturbed(), fadingTime(scale), dampersPower(scale),
+                                erring};
   if (!m_settling.settleIfDue(isPart ? m_partSystem : m_body.system, isPart ? m_partMotion : m_body.motion,
                               missable, m_settings.effort, report))
     return false;
@@ -195,14 +198,18 @@ bool RegionDriver::isMoved() const
   });
 }
 
-/// How long the net has been left alone or, where the end is known, will have been looked at [s]; 0 while
-/// something moves it.
+/// How long the net has been left alone or, where the end is known, the time over which budget() will be the
+/// mean that is allowed [s]; 0 while something moves it.
 double RegionDriver::undisturbed() const
 {
   if (isMoved()) return 0.0;
   const double time = m_body.motion.time, end = m_driver.knownEnd(time);
-  const double since = std::min(m_driver.errorScale().calm, time - m_stirred);
-  return std::isfinite(end) ? std::max(since, end) : since;
+  const ErrorScale& scale = m_driver.errorScale();
+  const double since = std::min(scale.calm, time - m_stirred);
+  const double now = scale.displacement * scale.displacement;
+  const double mean = time > 0.0 ? std::max(now, scale.squareOverTime / time) : now;
+  if (!std::isfinite(end) || !(mean > 0.0)) return since;
+  return std::max(since, (scale.squareOverTime + now * (end - time)) / mean);
 }
 
 FastestMode RegionDriver::fastestMode()

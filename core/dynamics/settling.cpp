@@ -12,26 +12,19 @@ namespace esm {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-constexpr double kInertia = 1e-2; ///< share of the mass in the stiffness, 1/(10 s)^2 [1/s^2]
-/// Of the forces, that may be left at the goal: the net is nearly linear on its way there, or it is not near.
-constexpr double kLeft = 0.5;
-/// Of the sum of squares that may be missed for good: what is left of the way does not fade.
+/// Of the sum of squares that may be missed for good: what the goal is off does not fade.
 constexpr double kForGood = 0.1;
-/// Further steps with the same factor, each of which must be that much shorter than the one before: forces
-/// along stiff springs hardly fall with the first one, which knows them at the start only, and vanish with
-/// the second.
-constexpr int kMostCorrections = 3;
 
 /// Of the mean square over the nodes, that a single one may miss: nobody shall see one spot stop at a blow.
 constexpr double kMostLocal = 25.0;
-constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
 constexpr double kNear = 12.0; ///< speeds with which nets of usual frequencies are as near as they must be
-constexpr double kGradientsCost = 80.0; ///< force passes, of both solutions
 /// Iterations of conjugate gradients where a factor might cost less; else as many as some frames may cost.
 constexpr int kFewIterations = 48;
-constexpr double kLayoutCost = 1500.0; ///< spring evaluations per node, measured
-constexpr double kLongestTry = 4.0;    ///< frames
+constexpr double kLongestTry = 4.0; ///< frames
 constexpr double kPatience = 3.0;
+/// Of the work since the last attempt, that a search may cost beyond its first step. With all of it organs of
+/// 2,000 nodes, whose factors are dear, took a fifth longer at 1e-1.
+constexpr double kSearch = 0.25;
 constexpr int kLongestWait = 32; ///< looks
 constexpr int kWaitUnknown = 3;  ///< the same after an attempt that told no distance: the net bends too much
 /// Of the time in which amplitudes fade to what may be missed: no attempt before. They are not known to fade
@@ -41,6 +34,8 @@ constexpr double kLeastWait = 0.4;
 /// cost more, as it may save the next frame. Where waves meet on their way about an organ its speed rises
 /// once more.
 constexpr double kNearlyThere = 1.5;
+/// Of the time in which a mode with all the energy would fade: slow ones take longer, as in fadingTime().
+constexpr double kSlowest = 2.0;
 constexpr int kGlances = 16;          ///< iterations of each bound
 constexpr double kGlanceCost = 40.0;  ///< force passes, with all of them
 constexpr double kFarEnough = 16.0;   ///< share of what may be missed, that a bound need not go beyond
@@ -70,19 +65,6 @@ double SettlingBudget::squareAt(double fadingTime) const noexcept
   return square * std::min(gain, kMostSquares);
 }
 
-/// Forces on nodes at x that stand still, into m_force; 0 where a support holds. @return their norm [N].
-double Settling::forcesAt(System& system, double time, NodeArray& x, StepReport& report)
-{
-  const std::int64_t before = system.springsEvaluated;
-  m_still.assign(x.size(), Lanes{0, 0, 0, 0});
-  m_force.resize(x.size());
-  system.evaluate(time, x, m_still, m_force);
-  report.springsEvaluated += system.springsEvaluated - before;
-  for (std::size_t i = 0; i < x.size(); ++i)
-    if (!system.isFree(i)) m_force[i] = Lanes{0, 0, 0, 0};
-  return std::sqrt(sumOfSquares(m_force));
-}
-
 void Settling::begin() noexcept
 {
   forget();
@@ -93,13 +75,7 @@ void Settling::begin() noexcept
 
 void Settling::forget() noexcept
 {
-  m_isLaidOut = m_gradientsFail = false;
-}
-
-/// The pressure of a body couples all of its nodes, which only the factor knows.
-bool Settling::takesFactor(const System& system) const noexcept
-{
-  return m_gradientsFail || !system.forces().pressure().isEmpty();
+  m_equilibrium.forget();
 }
 
 double Settling::patience() const noexcept
@@ -116,16 +92,27 @@ bool Settling::mayGlance(const System& system) const noexcept
 /// By what is known so far: what a factor costs is so once it is laid out.
 bool Settling::mayAttempt(const System& system, double effort) const noexcept
 {
-  if (!takesFactor(system) || m_isLaidOut)
+  if (!m_equilibrium.takesFactor(system) || m_equilibrium.isLaidOut())
     return attemptCost(system) <= std::min(m_work / patience(), effort);
-  return system.nodeCount() <= kMostNodes &&
-         kLayoutCost * static_cast<double>(system.nodeCount()) <= std::min(m_work, kLongestTry * effort);
+  return m_equilibrium.layoutCost(system) <= std::min(m_work, kLongestTry * effort);
 }
 
 double Settling::attemptCost(const System& system) const noexcept
 {
-  return takesFactor(system) ? m_matrix.factorCost() + 2.0 * m_matrix.solveCost()
-                             : kGradientsCost * static_cast<double>(system.forces().activeSprings());
+  return m_equilibrium.solveCost(system) + (m_equilibrium.isKnown() ? 0.0 : m_equilibrium.stepCost(system));
+}
+
+/// Whether settle() is worth what it costs, by what has been learned.
+bool Settling::isDue(const System& system, const MotionState& motion, double speed, double effort)
+{
+  if (m_looksLeft > 0 && (motion.time < m_dueTime || speed > m_dueSpeed)) {
+    --m_looksLeft;
+    return false;
+  }
+  if (!mayGlance(system) || !mayAttempt(system, effort)) return false;
+  m_looksLeft = kLongestWait;
+  m_workAtGlance = m_work;
+  return true;
 }
 
 bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBudget& budget, double effort,
@@ -138,14 +125,14 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
     m_dueSpeed = std::numeric_limits<double>::infinity();
     return false;
   }
-  if (m_looksLeft > 0 && (motion.time < m_dueTime || speed > m_dueSpeed)) {
-    --m_looksLeft;
-    return false;
+  double missed = 0.0;
+  if (m_equilibrium.holds(system, motion.time, report)) {
+    missed = shareOfWay(motion, budget, nullptr);
+    if (missed <= 1.0 && !mayAttempt(system, effort)) return false;
+  } else {
+    if (!isDue(system, motion, speed, effort)) return false;
+    missed = glance(system, motion, budget, report);
   }
-  if (!mayGlance(system) || !mayAttempt(system, effort)) return false;
-  m_looksLeft = kLongestWait;
-  m_workAtGlance = m_work;
-  double missed = glance(system, motion, budget, report);
   if (missed <= 1.0) missed = attempt(system, motion, budget, effort, report);
   const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
   m_isNear = times < kNearlyThere;
@@ -164,16 +151,18 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
                          StepReport& report)
 {
   double missed = kUnknown;
-  if (!takesFactor(system)) {
+  m_affordable = kSearch * std::min(m_work, effort);
+  if (!m_equilibrium.takesFactor(system)) {
     const double springs = std::max(static_cast<double>(system.forces().activeSprings()), 1.0);
-    const double most = motion.x.size() > kMostNodes ? kMostIterations : kFewIterations;
-    m_mostIterations = // of each of two solutions
+    const bool mayTakeFactor = std::isfinite(m_equilibrium.layoutCost(system));
+    const double most = mayTakeFactor ? kFewIterations : Equilibrium::kIterations;
+    m_iterations = // of each of two solutions
       static_cast<int>(std::clamp(0.5 * kLongestTry * effort / springs, double{kFewIterations}, most));
     missed = settle(system, motion, budget, report);
-    if (m_gradientsFail) return attempt(system, motion, budget, effort, report);
+    if (m_equilibrium.takesFactor(system)) return attempt(system, motion, budget, effort, report);
   } else {
     if (!mayAttempt(system, effort)) return kUnknown;
-    layOut(system);
+    m_equilibrium.layOut(system);
     if (attemptCost(system) <= std::min(m_work, effort)) missed = settle(system, motion, budget, report);
   }
   m_work = m_workAtGlance = 0.0;
@@ -183,7 +172,7 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
 double Settling::glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
   if (!system.forces().pressure().isEmpty()) return 0.0;
-  m_gradients.prepare(system, motion.x, kInertia);
+  m_glances.prepare(system, motion.x, Equilibrium::kInertia);
   const double speed = sumOfSquares(motion.v), enough = kFarEnough * budget.squareAt(budget.fading);
   m_way.resize(motion.x.size());
   scaleNodes(m_way.size(), system.mass().data(), motion.v.data(), m_way.data());
@@ -191,92 +180,74 @@ double Settling::glance(System& system, MotionState& motion, const SettlingBudge
   double way = 0.0, swing = 0.0;
   if (momentum > 0.0) {
     const double perEnergy = std::sqrt(speed) / momentum; // |v| |y| >= |v|/|M v| (M v).y
-    swing = perEnergy * m_gradients.below(system, m_way, 2.0 * enough / perEnergy, kGlances);
+    swing = perEnergy * m_glances.below(system, m_way, 2.0 * enough / perEnergy, kGlances);
   }
-  if (missedOf(way, swing) <= enough && !m_gradients.metNegative()) {
-    const double force = forcesAt(system, motion.time, motion.x, report);
+  if (missedOf(way, swing) <= enough && !m_glances.metNegative()) {
+    const double force = m_equilibrium.forcesAt(system, motion.time, motion.x, m_force, report);
     if (force > 0.0)
-      way = std::pow(m_gradients.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
+      way = std::pow(m_glances.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
   }
-  return m_gradients.metNegative() ? kUnknown : shareOf(missedOf(way, swing), speed, budget);
+  return m_glances.metNegative() ? kUnknown : shareOf(missedOf(way, swing), speed, budget);
 }
 
-/// What is missed over what may be, by m_way and m_swing.
-double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& budget) const noexcept
+/// What is missed over what may be, by the way to the equilibrium, into m_way, and what the velocities carry
+/// the net beyond it; null: nothing, a bound from below.
+double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& budget, const NodeArray* swing)
 {
+  const std::size_t nodes = motion.x.size();
+  m_way.resize(nodes);
+  double way = 0.0, local = 0.0;
+  for (std::size_t i = 0; i < nodes; ++i) {
+    m_way[i] = m_equilibrium.place()[i] - motion.x[i];
+    const double here = dot(m_way[i], m_way[i]);
+    way += here;
+    const double beyond =
+      swing ? std::sqrt(dot(motion.v[i], motion.v[i]) * dot((*swing)[i], (*swing)[i])) : 0.0;
+    local = std::max(local, here + beyond);
+  }
   const double speed = sumOfSquares(motion.v);
-  double missed = missedOf(sumOfSquares(m_way), std::sqrt(speed * sumOfSquares(m_swing))), local = 0.0;
-  for (std::size_t i = 0; i < m_way.size(); ++i)
-    local = std::max(local, dot(m_way[i], m_way[i]) +
-                              std::sqrt(dot(motion.v[i], motion.v[i]) * dot(m_swing[i], m_swing[i])));
-  missed = std::max(missed, local / kMostLocal * static_cast<double>(m_way.size()));
-  return shareOf(missed, speed, budget);
+  const double missed = missedOf(way, swing ? std::sqrt(speed * sumOfSquares(*swing)) : 0.0);
+  const double share =
+    shareOf(std::max(missed, local / kMostLocal * static_cast<double>(nodes)) + budget.erring, speed, budget);
+  return std::isfinite(share) ? share : kUnknown;
 }
 
-void Settling::layOut(const System& system)
+Equilibrium::Aim Settling::aimOf(const SettlingBudget& budget) const noexcept
 {
-  if (m_isLaidOut) return;
-  m_matrix.prepare(system);
-  m_isLaidOut = true;
-}
-
-/// @return whether the stiffness is positive definite, as far as known.
-bool Settling::prepareSolve(System& system, const NodeArray& x, StepReport& report)
-{
-  if (!takesFactor(system)) {
-    m_gradients.prepare(system, x, kInertia);
-    return !m_gradients.givesWay(system);
-  }
-  layOut(system);
-  m_matrix.constraintsChanged(system);
-  ++report.factorizations;
-  return m_matrix.factor(system, x, m_still, {kInertia, 0.0, 1.0}, false) && m_matrix.negativePivots() == 0;
-}
-
-/// vector = K^-1 vector. @return false where that cannot be told.
-bool Settling::solve(System& system, NodeArray& vector)
-{
-  if (takesFactor(system)) {
-    m_matrix.solve(vector);
-    return true;
-  }
-  const StiffnessCg::Result result = m_gradients.solve(system, vector, m_mostIterations);
-  m_gradientsFail = result == StiffnessCg::Result::TooSlow;
-  return result == StiffnessCg::Result::Solved;
+  return {kForGood * budget.square, kFarEnough * budget.squareAt(budget.fading), m_affordable, m_iterations};
 }
 
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
-  m_goal = motion.x;
-  const double force = forcesAt(system, motion.time, m_goal, report);
-  if (!prepareSolve(system, motion.x, report)) return kUnknown;
+  const double speed = sumOfSquares(motion.v);
+  if (!m_equilibrium.holds(system, motion.time, report)) {
+    const double way = m_equilibrium.find(system, motion, aimOf(budget), report);
+    if (!m_equilibrium.isKnown()) return std::isfinite(way) ? shareOf(way, speed, budget) : kUnknown;
+  }
+  double share = shareOfWay(motion, budget, nullptr);
+  if (!(share <= 1.0)) return share;
   m_swing.resize(motion.x.size());
   scaleNodes(m_swing.size(), system.mass().data(), motion.v.data(), m_swing.data());
-  if (!solve(system, m_swing)) return kUnknown;
-  m_way.assign(motion.x.size(), Lanes{0, 0, 0, 0});
-  double share = 0.0, last = kUnknown; // of the way so far; length of its last step
-  for (int corrections = 0;; ++corrections) {
-    if (!solve(system, m_force)) return kUnknown;
-    const double length = std::sqrt(sumOfSquares(m_force));
-    if (!(length <= kLeft * last)) return kUnknown;
-    last = length;
-    for (std::size_t i = 0; i < m_goal.size(); ++i) {
-      m_goal[i] += m_force[i];
-      m_way[i] += m_force[i];
-    }
-    share = shareOfWay(motion, budget);
-    if (!(share <= 1.0)) return std::isfinite(share) ? share : kUnknown;
-    const double forceThere = forcesAt(system, motion.time, m_goal, report);
-    const double left = force > 0.0 ? forceThere / force : 0.0; // of the way, about
-    if (left <= kLeft && left * left * sumOfSquares(m_way) <= kForGood * budget.square) break;
-    if (corrections == kMostCorrections) return kUnknown;
-  }
+  if (!m_equilibrium.solve(system, m_swing)) return kUnknown;
+  share = shareOfWay(motion, budget, &m_swing);
+  if (!(share <= 1.0)) return share;
   const double loads = system.loadPower(motion.time, m_way); // over the way: their work
+  const double energy = system.kineticEnergy(motion.v) + system.storedEnergy(motion.x) -
+                        system.storedEnergy(m_equilibrium.place()) + loads;
+  if (!(energy >= 0.0)) { // it is on its way to another one
+    m_equilibrium.drop();
+    return kUnknown;
+  }
+  if (budget.power > 0.0) {
+    SettlingBudget whole = budget;
+    whole.fading = std::max(budget.fading, kSlowest * 2.0 * energy / budget.power);
+    share = shareOfWay(motion, whole, &m_swing);
+    if (!(share <= 1.0)) return share;
+  }
   motion.work += loads;
-  motion.heat +=
-    system.kineticEnergy(motion.v) + system.storedEnergy(motion.x) - system.storedEnergy(m_goal) + loads;
-  motion.x.swap(m_goal);
-  motion.v.swap(m_still);
+  motion.heat += energy;
+  motion.x = m_equilibrium.place(); // same size: no allocation
+  motion.v.assign(motion.v.size(), Lanes{0, 0, 0, 0});
   return share;
 }
 

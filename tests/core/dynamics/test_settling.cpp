@@ -271,6 +271,98 @@ TEST(Settling, LetsASingleSpotSwingOn)
   EXPECT_NEAR(settling.settle(system, motion, {1e-6}, report), 1.0, 1e-3);
 }
 
+// Where the equilibrium is known a look takes a force pass; a factor is made once, and looks need not wait
+// for what has to fade.
+TEST(Settling, LooksAtAKnownEquilibriumForNextToNothing)
+{
+  SpringNet net = chain(300);
+  net.fixed.front() = 1;
+  net.stiffness.setConstant(1e8);
+  System system(net, {});
+  MotionState motion = startOf(net);
+  const auto stretch = [&](double by) {
+    for (std::size_t i = 0; i < motion.x.size(); ++i) motion.x[i][0] = static_cast<double>(i) * (1.0 + by);
+  };
+  const double square = 1e-12 * 300.0 * 300.0 * 300.0 / 3.0; // of a stretch by 1e-6, about
+  stretch(3e-6);
+  system.enter(motion, true);
+  Settling settling;
+  settling.countWork(1'000'000'000);
+  StepReport report;
+  const auto look = [&] { return settling.settleIfDue(system, motion, {square, 0.0, 1.0}, 1e12, report); };
+  EXPECT_FALSE(look());
+  const std::int64_t factors = report.factorizations;
+  EXPECT_GT(factors, 0);
+  for (const double by : {2e-6, 1.1e-6}) {
+    stretch(by);
+    const std::int64_t before = report.springsEvaluated;
+    EXPECT_FALSE(look());
+    EXPECT_EQ(report.springsEvaluated, before + 299) << by;
+  }
+  stretch(0.9e-6);
+  settling.countWork(1'000'000);
+  EXPECT_TRUE(look());
+  EXPECT_EQ(report.factorizations, factors);
+}
+
+// A node between links that are too long stands above or below their line, below it deeper by its weight;
+// struts across hold it in the plane. Whoever knows the upper place and is below by now has not the energy to
+// go back.
+TEST(Settling, GoesToNoEquilibriumThatIsOutOfReach)
+{
+  SpringNet net = chain(3);
+  net.fixed[0] = net.fixed[2] = 1;
+  net.restLength.setConstant(1.2);
+  for (const double side : {-1.0, 1.0}) addSpring(net, 1, addNode(net, {1, 0, side}), 1.0);
+  net.fixed[3] = net.fixed[4] = 1;
+  Loads loads;
+  loads.gravity = {0.0, -0.01, 0.0};
+  System system(net, loads);
+  MotionState motion = startOf(net);
+  motion.x[1][1] = 0.5;
+  system.enter(motion, true);
+  Settling settling;
+  StepReport report;
+  EXPECT_LE(settling.settle(system, motion, {1.0}, report), 1.0);
+  const double above = motion.x[1][1];
+  EXPECT_GT(above, 0.3);
+  motion.x[1][1] = -above;
+  const double missed = settling.settle(system, motion, {10.0}, report);
+  EXPECT_TRUE(std::isinf(missed)) << missed;
+  EXPECT_EQ(motion.x[1][1], -above);
+  EXPECT_LE(settling.settle(system, motion, {10.0}, report), 1.0); // from here
+  EXPECT_LT(motion.x[1][1], -above);
+}
+
+// A net that errs by as much as it may miss misses that in addition.
+TEST(Settling, CountsWhatTheNetErrsAlready)
+{
+  for (const double erring : {0.0, 0.6}) {
+    Oscillator oscillator(0.0, 1e-3 * Oscillator::kRate); // misses half of 1e-6
+    const double share = oscillator.settling.settle(oscillator.system, oscillator.motion,
+                                                    {1e-6, 0.0, 0.0, 0.0, erring * 1e-6}, oscillator.report);
+    EXPECT_NEAR(share, 0.5 + erring, 1e-3);
+    EXPECT_EQ(oscillator.motion.v[1][0] == 0.0, erring == 0.0);
+  }
+}
+
+// What its kinetic energy says of the time in which a net fades is too short where it creeps: all that its
+// springs hold has to pass the dampers, in 4 E/P with the margin for slow modes.
+TEST(Settling, AsksHowLongTheDampersNeedForAllOfTheEnergy)
+{
+  const double away = 1e-3, energy = Oscillator::kMass * std::pow(Oscillator::kRate * away, 2);
+  const double since = 1.0, fading = 0.1;
+  for (const double tau : {0.05, 0.2, 0.8}) {
+    Oscillator oscillator(away, Oscillator::kRate * away);
+    const double square = 1e-7;
+    const double share =
+      oscillator.settling.settle(oscillator.system, oscillator.motion,
+                                 {square, since, fading, 4.0 * energy / tau, 0.0}, oscillator.report);
+    const double gain = std::min(1.0 + 2.0 * since / std::max(tau, fading), 16.0);
+    EXPECT_NEAR(share, away * away / square / gain, 1e-3 * share) << tau;
+  }
+}
+
 // A net that swings down to a load ends where the energy is least, at rest while single nodes would still
 // swing, and the error of the whole run keeps the tolerance. The work of the load is counted on the way.
 TEST(Settling, EndsARunInBalanceWithinTheTolerance)
@@ -296,6 +388,26 @@ TEST(Settling, EndsARunInBalanceWithinTheTolerance)
     // The quadrature of work and heat is as good as the tolerance asks.
     EXPECT_NEAR(test::balance(simulation), energy, std::max(5e-3, tolerance) * simulation.dissipatedEnergy());
   }
+}
+
+// A net that is pulled and let go moves a little at the end of a long run: what may be missed then is a share
+// of the mean over all of that run, not of the mean up to now, which was larger.
+TEST(Settling, MissesAShareOfTheWholeRunWhereItsEndIsKnown)
+{
+  Loads loads;
+  loads.forces.push_back(
+    {{70, 71},
+     curve({0.0, 0.1, 0.1001},
+           (Eigen::Matrix3Xd(3, 3) << 0, 0, 0, 2e-3, 2e-3, 0, 5e-3, 5e-3, 0).finished())});
+  Simulation full = simulate(livelySheet(), loads, fixedSteps("rk4", 2e-5));
+  const Frames reference = play(full, 90);
+  constexpr double kTolerance = 0.1;
+  SolverSettings settings = settingsOf(kTolerance, true);
+  settings.duration = 10.0; // nothing happens after the second and a half that is looked at
+  Simulation simulation = simulate(livelySheet(), loads, settings);
+  const Frames frames = play(simulation, 90);
+  EXPECT_LT(errorOf(frames, reference), kTolerance);
+  EXPECT_EQ(frames.report.back().springsEvaluated, 0);
 }
 
 // A poke that is held ends where it is, beside nodes that never woke, as soon as what is left of it may be
