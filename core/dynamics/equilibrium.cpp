@@ -13,8 +13,9 @@ constexpr double kNowhere = std::numeric_limits<double>::infinity();
 /// these tell that the place is reached: the net is nearly linear on its way there, or it is not near.
 constexpr double kLeft = 0.5;
 constexpr double kShorter = 0.75; ///< of a step, that the next by the same stiffness must be
-/// The same by the stiffness after it. Hanging chains are found for the more of this (44 of 45 with any), but
-/// tubes that swing are not: a bench's tube took 40 % longer to rest with any.
+/// Of a step, that the next by the stiffness after it may be. More of hanging chains are found the larger it
+/// is (39 of 45 with this, all with any length), but not more of tubes: one of the benches' took 40 % more
+/// time with any.
 constexpr double kLonger = 2.0;
 constexpr double kLeastPart = 0.1; ///< of a step
 constexpr int kMostSteps = 24;
