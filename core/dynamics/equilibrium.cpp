@@ -162,10 +162,9 @@ Equilibrium::Outcome Equilibrium::takeStep(System& system, const MotionState& mo
   return prepareStep(system, motion.time, report) ? takePart(system, motion.time, report) : Outcome::Fails;
 }
 
-/// The same with a half of the step or less.
+/// The same with a half of the step or less. @pre the place is m_base.
 Equilibrium::Outcome Equilibrium::takePart(System& system, double time, StepReport& report)
 {
-  m_base = m_place;
   for (double part = 0.5; part >= kLeastPart; part *= 0.5) {
     for (std::size_t i = 0; i < m_place.size(); ++i) m_place[i] = m_base[i] + m_step[i] * part;
     m_force = forcesAt(system, time, m_place, m_next, report);

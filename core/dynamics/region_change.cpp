@@ -270,15 +270,19 @@ double RegionDriver::largestTension(double awake)
   return m_mode == Mode::Rest ? m_tensions.largest() : std::max(awake, m_tensions.largest());
 }
 
+/// Of the displacement up to now, or as it is now, if that is more [m^2].
+double RegionDriver::meanSquare() const noexcept
+{
+  const ErrorScale& scale = m_driver.errorScale();
+  const double time = m_body.motion.time, now = scale.displacement * scale.displacement;
+  return time > 0.0 ? std::max(now, scale.squareOverTime / time) : now;
+}
+
 /// Sum of squares that the sleepers may miss [m^2]; see the class.
 double RegionDriver::budget() const noexcept
 {
-  const ErrorScale scale = m_driver.errorScale();
-  const double time = m_body.motion.time, floor = 1e-6 * m_extent;
-  double square = std::max(scale.displacement * scale.displacement, floor * floor);
-  if (time > 0.0) square = std::max(square, scale.squareOverTime / time);
-  const double share = kShare * m_settings.tolerance;
-  return share * share * square * static_cast<double>(m_body.motion.x.size());
+  const double floor = 1e-6 * m_extent, share = kShare * m_settings.tolerance;
+  return share * share * std::max(meanSquare(), floor * floor) * static_cast<double>(m_body.motion.x.size());
 }
 
 /// The same where a motion ends as a whole, so that no step errs any more: what the steps have not spent of

@@ -205,10 +205,9 @@ double RegionDriver::undisturbed() const
   if (isMoved()) return 0.0;
   const double time = m_body.motion.time, end = m_driver.knownEnd(time);
   const ErrorScale& scale = m_driver.errorScale();
-  const double since = std::min(scale.calm, time - m_stirred);
-  const double now = scale.displacement * scale.displacement;
-  const double mean = time > 0.0 ? std::max(now, scale.squareOverTime / time) : now;
+  const double since = std::min(scale.calm, time - m_stirred), mean = meanSquare();
   if (!std::isfinite(end) || !(mean > 0.0)) return since;
+  const double now = scale.displacement * scale.displacement;
   return std::max(since, (scale.squareOverTime + now * (end - time)) / mean);
 }
 

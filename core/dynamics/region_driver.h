@@ -103,6 +103,7 @@ private:
   double missedMotion(std::vector<Index>* restless) const;
   bool grow(bool late);
   int edgeDepth() const noexcept;
+  double meanSquare() const noexcept;
   double budget() const noexcept;
   double settlingBudget() const noexcept;
 

@@ -219,10 +219,10 @@ Equilibrium::Aim Settling::aimOf(const SettlingBudget& budget) const noexcept
 
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
-  const double speed = sumOfSquares(motion.v);
   if (!m_equilibrium.holds(system, motion.time, report)) {
     const double way = m_equilibrium.find(system, motion, aimOf(budget), report);
-    if (!m_equilibrium.isKnown()) return std::isfinite(way) ? shareOf(way, speed, budget) : kUnknown;
+    if (!m_equilibrium.isKnown())
+      return std::isfinite(way) ? shareOf(way, sumOfSquares(motion.v), budget) : kUnknown;
   }
   double share = shareOfWay(motion, budget, nullptr);
   if (!(share <= 1.0)) return share;

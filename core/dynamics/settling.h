@@ -3,6 +3,8 @@
 #pragma once
 
 #include "core/dynamics/equilibrium.h"
+#include "core/dynamics/step_report.h"
+#include "core/dynamics/stiffness_cg.h"
 
 #include <limits>
 
