@@ -17,6 +17,8 @@ int runStability(const std::vector<std::string>& words);
 int runGrowth(const std::vector<std::string>& words);
 /// The uterus pulled and let go: the share of the frame time used, and the largest net that keeps up.
 int runRealTime(const std::vector<std::string>& words);
+/// Tolerances that are missed: how many of them finer runs see and mend. Words: scenes and tolerances.
+int runVerify(const std::vector<std::string>& words);
 /// Evaluations per second of fuzzy rule bases, beside fuzzylite.
 int runFuzzy(const std::vector<std::string>& words);
 /// Milliseconds from a moved slider to new springs, 100,000 of them, beside the full derivation.

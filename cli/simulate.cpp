@@ -21,7 +21,7 @@ struct SimulateOptions {
   std::optional<int> threads;
   std::optional<bool> skipResting;
   RunOutputs outputs;
-  bool json = false;
+  bool verify = false, json = false;
 };
 
 JsonLine jsonOf(const RunSummary& summary, const Project& project)
@@ -49,6 +49,16 @@ JsonLine jsonOf(const RunSummary& summary, const Project& project)
   line.add("tolerance_given_up", summary.steps.rough);
   line.add("simulated_time", summary.steps.simulatedTime);
   line.add("frames", summary.frames);
+  if (const std::optional<Verification>& check = summary.verification) {
+    line.add("tolerance_kept", check->kept);
+    if (check->measuredError) {
+      line.add("measured_error", *check->measuredError);
+      line.add("measured_error_time", check->worstTime);
+    }
+    line.add("tolerance_used", check->toleranceUsed);
+    line.add("verification", check->why);
+    line.add("verification_seconds", check->seconds);
+  }
   line.add("nodes", project.net.nodeCount());
   line.add("springs", project.net.springCount());
   return line;
@@ -66,6 +76,21 @@ void override(SimulationSettings& settings, const SimulateOptions& options)
   settings.solver.threads = options.threads.value_or(settings.solver.threads);
 }
 
+/// @return whether the tolerance is kept, as far as anybody has asked
+bool sayVerification(const SimulateOptions& options, const RunSummary& summary, double tolerance)
+{
+  if (!summary.verification) return true;
+  const Verification& check = *summary.verification;
+  const std::string wanted = "the tolerance of " + formatDouble(tolerance, 3);
+  const bool isFiner = check.toleranceUsed < tolerance;
+  const std::string how = isFiner ? ", with the steps of one of " + formatDouble(check.toleranceUsed, 3) : "";
+  if (check.kept)
+    say(wanted + " is kept" + how + ": " + check.why);
+  else
+    say(options.file + ": " + wanted + " is not kept" + how + ": " + check.why);
+  return check.kept;
+}
+
 Exit simulate(const SimulateOptions& options)
 {
   Result<Project> project = loadProject(options.file);
@@ -75,7 +100,8 @@ Exit simulate(const SimulateOptions& options)
     return fail(
       {ErrorCode::InvalidValue, options.file + ": more than 1e9 frames; use less --duration or --frames"});
 
-  const Result<RunSummary> summary = runSimulation(*project, options.outputs);
+  const Result<RunSummary> summary =
+    options.verify ? runVerified(*project, options.outputs) : runSimulation(*project, options.outputs);
   if (!summary) return fail(summary.error());
   const std::string json = jsonOf(*summary, *project).text();
   if (!options.report.empty())
@@ -88,8 +114,9 @@ Exit simulate(const SimulateOptions& options)
         " s of processor time");
   else
     say(options.file + ": stopped after " + std::to_string(summary->frames) + " frames: " + summary->reason);
+  const bool kept = good && sayVerification(options, *summary, project->simulation.solver.tolerance);
   if (options.json) print(json);
-  return good ? Exit::Done : Exit::Numerics;
+  return kept ? Exit::Done : Exit::Numerics;
 }
 
 /// A solver's name, or the list of them as a usage fault.
@@ -123,6 +150,9 @@ void addSimulate(CLI::App& program, Work& work)
   addSolverOption(*command, *options);
   addNumber(*command, "--tolerance", options->tolerance, "wanted relative error (default: the project's)",
             NumberRange::Positive);
+  command->add_flag("--verify", options->verify,
+                    "measure the error by finer runs, and take finer steps where the tolerance is not kept; "
+                    "exit code 3 if it cannot be");
   addNumber(*command, "--step", options->fixedStep, "fixed substep [s] without error control; 0: automatic",
             NumberRange::NotNegative);
   command->add_flag_function(

@@ -6,12 +6,15 @@
 #include "cli/messages.h"
 #include "core/base/file_io.h"
 #include "core/base/text_number.h"
+#include "core/dynamics/tolerance_check.h"
 #include "core/project/export.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <ctime>
 #include <set>
+#include <unistd.h>
 
 namespace esm::cli {
 
@@ -128,39 +131,81 @@ private:
   Eigen::ArrayXd m_tension;
 };
 
-} // namespace
-
-Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outputs)
-{
-  RunSummary summary;
+/// One run, its files not yet in place.
+struct Run {
+  std::optional<Simulation> simulation;
   std::optional<RunFiles> files;
-  InterruptWatch watch([&files] { files.reset(); });
+  RunSummary summary;
+};
+
+/// Runs a project, once or more often; a signal removes what any run has begun to write.
+class Runner {
+public:
+  Runner(const Project& project, const RunOutputs& outputs) : m_project(project), m_outputs(outputs) {}
+
+  /// Fills `run`, whatever it held before. @param look  gets each frame's state
+  template <class Look>
+  Status start(Run& run, SolverSettings solver, const std::string& doing, const Look& look);
+  /// Its files appear.
+  Status finish(Run& run)
+  {
+    return withFiles([&] { return run.files->finish(*run.simulation); });
+  }
+
+  Run& current() noexcept { return m_runs[m_current]; }
+  Run& former() noexcept { return m_runs[1 - m_current]; }
+  void next() noexcept { m_current = 1 - m_current; }
+
+private:
+  /// Holds off the end of the program while files are touched.
+  template <class Work>
+  Status withFiles(const Work& work)
+  {
+    const std::lock_guard lock(m_watch.mutex());
+    return work();
+  }
+  Status open(Run& run)
+  {
+    run.files.reset();
+    Result<RunFiles> fresh = RunFiles::create(m_outputs, *run.simulation);
+    if (!fresh) return fresh.error();
+    run.files.emplace(std::move(*fresh));
+    return {};
+  }
+
+  const Project& m_project;
+  const RunOutputs& m_outputs;
+  std::array<Run, 2> m_runs;
+  std::size_t m_current = 0;
+  InterruptWatch m_watch{[this] {
+    for (Run& run : m_runs) run.files.reset();
+  }};
+};
+
+template <class Look>
+Status Runner::start(Run& run, SolverSettings solver, const std::string& doing, const Look& look)
+{
+  RunSummary& summary = run.summary = {};
   const auto timed = [&](auto&& work) {
     const ProcessorClock clock(summary.integrationSeconds);
     return work();
   };
-  const SimulationSettings& settings = project.simulation;
-  SolverSettings solver = settings.solver;
+  const SimulationSettings& settings = m_project.simulation;
   solver.duration = settings.duration;
-  Result<Simulation> created = timed([&] { return Simulation::create(project.net, project.loads, solver); });
+  Result<Simulation> created =
+    timed([&] { return Simulation::create(m_project.net, m_project.loads, solver); });
   if (!created) return created.error();
-  Simulation& simulation = *created;
-  const auto withFiles = [&](auto&& work) {
-    const std::lock_guard lock(watch.mutex());
-    return work();
+  run.simulation.emplace(std::move(*created));
+  Simulation& simulation = *run.simulation;
+  const auto addFrame = [&] {
+    look(simulation.state());
+    return withFiles([&] { return run.files->add(simulation); });
   };
-  const auto addFrame = [&] { return files->add(simulation); };
-  const Status opened = withFiles([&]() -> Status {
-    Result<RunFiles> fresh = RunFiles::create(outputs, simulation);
-    if (!fresh) return fresh.error();
-    files.emplace(std::move(*fresh));
-    return {};
-  });
-  if (!opened) return opened.error();
+  if (const Status opened = withFiles([&] { return open(run); }); !opened) return opened.error();
 
   const long long last = std::llround(settings.duration * settings.frameRate);
-  Progress progress("simulating");
-  if (const Status added = withFiles(addFrame); !added) return added.error();
+  Progress progress(doing);
+  if (const Status added = addFrame(); !added) return added.error();
   summary.frames = 1;
   summary.nodesAwake = simulation.net().nodeCount();
   double awake = 0.0;
@@ -173,7 +218,7 @@ Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outpu
     awake += static_cast<double>(step.nodesAwake);
     summary.nodesAwake = awake / static_cast<double>(summary.frames);
     if (!step.good()) break;
-    if (const Status added = withFiles(addFrame); !added) return added.error();
+    if (const Status added = addFrame(); !added) return added.error();
     progress.show(summary.frames++, last);
   }
   summary.energies = simulation.energies();
@@ -181,9 +226,58 @@ Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outpu
   summary.dissipated = simulation.dissipatedEnergy();
   summary.solver = simulation.solverName();
   summary.reason = simulation.why();
-  const Status finished = withFiles([&] { return files->finish(simulation); });
-  if (!finished) return finished.error();
-  return summary;
+  return {};
+}
+
+/// Whether a motion can be kept in memory, as runVerified() does.
+Status checkMemory(const Project& project)
+{
+  const double frames = std::round(project.simulation.duration * project.simulation.frameRate) + 1.0;
+  const double needed = ToleranceCheck::memory(frames, project.net.nodeCount());
+  const double most =
+    0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  if (needed <= most) return {};
+  const auto gigabytes = [](double bytes) { return formatDouble(bytes / 1e9, 3) + " GB"; };
+  return Error{ErrorCode::InvalidValue,
+               "to verify a motion takes it into memory: " + gigabytes(needed) + ", more than the " +
+                 gigabytes(most) + " that are half of this machine's; use less --frames or --duration"};
+}
+
+} // namespace
+
+Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outputs)
+{
+  Runner runner(project, outputs);
+  Run& run = runner.current();
+  Status status = runner.start(run, project.simulation.solver, "simulating", [](const NetState&) {});
+  if (status) status = runner.finish(run);
+  if (!status) return status.error();
+  return run.summary;
+}
+
+Result<RunSummary> runVerified(const Project& project, const RunOutputs& outputs)
+{
+  if (const Status fits = checkMemory(project); !fits) return fits.error();
+  Runner runner(project, outputs);
+  ToleranceCheck check(project.simulation.solver);
+  double seconds = 0.0;
+  ToleranceCheck::Next next = ToleranceCheck::Next::RunAgain;
+  while (next == ToleranceCheck::Next::RunAgain) {
+    runner.next();
+    const Status done =
+      runner.start(runner.current(), check.settings(),
+                   "simulating with a tolerance of " + formatDouble(check.settings().tolerance, 3),
+                   [&check](const NetState& state) { check.add(state); });
+    if (!done) return done.error();
+    seconds += runner.current().summary.integrationSeconds;
+    next = check.endRun(runner.current().summary.steps);
+  }
+  Run& result = next == ToleranceCheck::Next::TakeThis ? runner.current() : runner.former();
+  if (const Status finished = runner.finish(result); !finished) return finished.error();
+  seconds -= result.summary.integrationSeconds;
+  result.summary.verification = {
+    check.kept(), check.measuredError(), check.worstTime(), check.resultTolerance(), seconds, check.why()};
+  return result.summary;
 }
 
 } // namespace esm::cli

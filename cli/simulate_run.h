@@ -4,6 +4,7 @@
 
 #include "core/project/project.h"
 
+#include <optional>
 #include <string>
 
 namespace esm::cli {
@@ -13,6 +14,16 @@ struct RunOutputs {
   std::string motion;     ///< .csv, .f64 or .pvd
   std::string forceCurve; ///< CSV
   std::string mesh;       ///< the net at the end, by ending
+};
+
+/// What finer runs have said of the one that was written, see ToleranceCheck.
+struct Verification {
+  bool kept = false;                   ///< the tolerance, as far as runs can tell
+  std::optional<double> measuredError; ///< relative, as the tolerance; none if a finer run failed
+  double worstTime = 0.0;              ///< when it is largest [s]
+  double toleranceUsed = 0.0;          ///< with which the motion that was written was run [1]
+  double seconds = 0.0;                ///< processor time of the other runs [s]
+  std::string why;
 };
 
 /// What a run cost and came to.
@@ -25,6 +36,7 @@ struct RunSummary {
   Energies energies;         ///< at the end
   double externalWork = 0.0, dissipated = 0.0;
   std::string solver, reason;
+  std::optional<Verification> verification; ///< if asked for
 };
 
 /// Simulates round(duration * frameRate) frames after the initial one and writes the outputs. If the numerics
@@ -32,5 +44,10 @@ struct RunSummary {
 /// Interrupted by a signal, it leaves nothing behind: no file of a part of the motion, no temporary one.
 /// Errors: of Simulation::create() and of the files.
 Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outputs);
+
+/// The same, and again with a tenth of the tolerance until two runs agree; the outputs are those of the run
+/// that keeps the tolerance, or of the finest. Keeps one motion in memory.
+/// Errors: as above; InvalidValue for a motion beyond half of the machine's memory.
+Result<RunSummary> runVerified(const Project& project, const RunOutputs& outputs);
 
 } // namespace esm::cli

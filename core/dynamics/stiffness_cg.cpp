@@ -15,7 +15,7 @@ namespace {
 /// solve() ends when the latest terms together are a small enough part of all.
 constexpr std::size_t kLatest = 8;
 constexpr double kSmallPart = 1e-4; // of b.K^-1 b: a hundredth of the solution
-constexpr int kLooks = 24;          ///< iterations of givesWay()
+constexpr int kGivingLooks = 24;    ///< iterations of givesWay()
 
 /// product += diagonal p. @return p.product
 ESM_CPU_CLONES double addDiagonal(std::size_t count, const double* diagonal, const Lanes* p,
@@ -169,7 +169,7 @@ bool StiffnessCg::givesWay(const System& system)
   NodeArray pattern(m_inverse.size());
   for (std::size_t i = 0; i < pattern.size(); ++i)
     pattern[i] = m_inverse[i] > 0.0 ? scattered(i) * std::sqrt(1.0 / m_inverse[i]) : Lanes{0, 0, 0, 0};
-  below(system, pattern, std::numeric_limits<double>::infinity(), kLooks);
+  below(system, pattern, std::numeric_limits<double>::infinity(), kGivingLooks);
   return m_metNegative;
 }
 

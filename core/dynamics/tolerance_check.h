@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/simulation.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace esm {
+
+/// Whether a motion keeps its tolerance, found by doing it again with a tenth of it, and what to do if not.
+///
+/// Steps are chosen by what each of them errs. How much of that the motion makes of it later no step can
+/// tell: a net that snaps through multiplies it by thousands. Two whole runs tell, by the metric of
+/// docs/FILE_FORMAT.md. Where they are too far apart, the finer one is held against one that is finer still,
+/// and so on. A run with a solver or a step of the user's own is only measured: it is what was asked for.
+///
+///     ToleranceCheck check(settings);
+///     do {
+///       auto simulation = Simulation::create(net, loads, check.settings());
+///       ... check.add(simulation->state()) for each frame, the initial one included ...
+///     } while (check.endRun(report) == ToleranceCheck::Next::RunAgain);
+///
+/// Plain data and arithmetic; any one thread.
+class ToleranceCheck {
+public:
+  /// What becomes of the run that has just ended.
+  enum class Next {
+    RunAgain,   ///< keep it, forget the one before, and do it again with settings()
+    TakeFormer, ///< the one before is the result
+    TakeThis,   ///< it is the result itself: there is nothing finer
+  };
+
+  /// @param asked  with the tolerance that is to be kept
+  explicit ToleranceCheck(SolverSettings asked);
+
+  const SolverSettings& settings() const noexcept { return m_settings; } ///< of the run to come
+  /// @pre the same frames in each run
+  void add(const NetState& state);
+  /// @param report  of the whole run
+  Next endRun(const StepReport& report);
+
+  // === After the last run
+  bool kept() const noexcept { return m_kept; } ///< by the result, as far as two runs can tell
+  /// Of the two last runs from each other, relative as the tolerance; none if a run failed.
+  std::optional<double> measuredError() const noexcept { return m_error; }
+  double worstTime() const noexcept { return m_worstTime; }             ///< when they are furthest apart [s]
+  double resultTolerance() const noexcept { return m_resultTolerance; } ///< with which the result was run [1]
+  std::string why() const;                                              ///< one English sentence
+
+  /// What add() keeps of this many frames of this many nodes [bytes].
+  static double memory(double frames, double nodes) noexcept;
+
+private:
+  bool isNamed() const noexcept;
+  Next end(Next next, bool kept, double tolerance) noexcept;
+
+  SolverSettings m_asked, m_settings;
+  int m_runs = 0;
+  std::vector<Eigen::Matrix3Xd> m_former; ///< positions of the run before, replaced frame by frame [m]
+  Eigen::Matrix3Xd m_start;
+  std::size_t m_frame = 0;
+  double m_apart = 0.0, m_displacement = 0.0; ///< sums of squares over nodes and frames [m^2]
+  double m_worst = 0.0, m_worstTime = 0.0;
+  std::optional<double> m_error;
+  double m_resultTolerance = 0.0, m_finerTolerance = 0.0;
+  bool m_kept = false, m_failed = false, m_rough = false;
+};
+
+} // namespace esm
