@@ -83,7 +83,7 @@ StepDriver::Run StepDriver::runWithLook(System& system, MotionState& state, doub
   return run(system, state, end, steps - early, report);
 }
 
-/// The second run of a check, with kFiner times the steps.
+/// The second run of a check, with kFiner times the steps: what is kept.
 StepDriver::Run StepDriver::runAgain(System& system, MotionState& state, double end, std::int64_t steps,
                                      StepReport& report)
 {
@@ -171,7 +171,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
   // Where another attempt could not be paid for, this one must do.
   const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system, length / count));
-  learn(state, coarseError, allowed, length / count);
+  if (m_checksFromAbove)
+    learn(state, error, allowed, length / static_cast<double>(finer));
+  else
+    learn(state, coarseError, allowed, length / count);
   learnCost(length / count);
   if (!sane || !(isFine || atFloor || isLast)) return false;
   m_roughAtCheck = !isFine;

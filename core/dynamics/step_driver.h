@@ -197,6 +197,7 @@ private:
   void learnCost(double step) noexcept;
   double controlledStep(double length) noexcept;
   double longestCheck() noexcept;
+  bool hasRoomAbove(double step) const noexcept;
   void giveToleranceUp(const System& system, bool yes);
   void rememberBeforeOnset();
   double beginOnset(double length, double count) noexcept;
@@ -261,6 +262,7 @@ private:
     double error = 0.0; ///< how far the second run was from it [m]
   };
   Look m_look;
+  bool m_checksFromAbove = false; ///< the kept run of a check takes the present step, see hasRoomAbove()
 };
 
 } // namespace esm
