@@ -33,6 +33,21 @@ void Camera::setViewport(double width, double height)
   m_height = std::max(height, 1.0);
 }
 
+void Camera::setCovered(double right)
+{
+  m_covered = std::max(right, 0.0);
+}
+
+double Camera::clearWidth() const
+{
+  return m_width - std::min(m_covered, 0.4 * m_width);
+}
+
+Eigen::Vector2d Camera::middle() const
+{
+  return {clearWidth() / 2.0, m_height / 2.0};
+}
+
 void Camera::setScene(const Eigen::Vector3d& centre, double radius)
 {
   m_sceneCentre = centre;
@@ -75,7 +90,7 @@ void Camera::fit(const Eigen::Matrix3Xd& points)
   m_target = box.center();
   const Eigen::Vector3d toEye = backward(), toRight = right(), toTop = up();
   const double tanY = halfHeight() * kFitMargin;
-  const double tanX = tanY * m_width / m_height;
+  const double tanX = tanY * clearWidth() / m_height;
   double distance = 1e-6;
   for (Eigen::Index i = 0; i < points.cols(); ++i) {
     const Eigen::Vector3d p = points.col(i) - m_target;
@@ -118,11 +133,13 @@ Eigen::Matrix4d Camera::projection() const
   const double f = depth + m_sceneRadius;
   Eigen::Matrix4d p = Eigen::Matrix4d::Zero();
   const double aspect = m_width / m_height;
+  const double aside = 2.0 * middle().x() / m_width - 1.0; // of the target from the picture's middle
   if (m_orthographic) {
     const double n = depth - m_sceneRadius;
     const double h = halfHeight() * m_distance;
     p(0, 0) = 1.0 / (h * aspect);
     p(1, 1) = 1.0 / h;
+    p(0, 3) = aside;
     p(2, 2) = -2.0 / (f - n);
     p(2, 3) = -(f + n) / (f - n);
     p(3, 3) = 1.0;
@@ -132,6 +149,7 @@ Eigen::Matrix4d Camera::projection() const
   const double near = std::max(depth - m_sceneRadius, 1e-3 * far); // 24 bits stand a ratio of 1000 well
   p(0, 0) = 1.0 / (halfHeight() * aspect);
   p(1, 1) = 1.0 / halfHeight();
+  p(0, 2) = -aside;
   p(2, 2) = -(far + near) / (far - near);
   p(2, 3) = -2.0 * far * near / (far - near);
   p(3, 2) = -1.0;
@@ -152,8 +170,7 @@ Projector Camera::projector() const
   p.m_backward = backward();
   p.m_parallel = m_orthographic;
   p.m_pixelsPerMetre = m_height / (2.0 * halfHeight() * (m_orthographic ? m_distance : 1.0));
-  p.m_middleX = m_width / 2.0;
-  p.m_middleY = m_height / 2.0;
+  p.m_middle = middle();
   return p;
 }
 
@@ -167,15 +184,15 @@ ScreenPoint Projector::operator()(const Eigen::Vector3d& point) const
     return result;
   }
   const double scale = m_parallel ? m_pixelsPerMetre : m_pixelsPerMetre / result.depth;
-  result.pixel = {m_middleX + scale * fromEye.dot(m_right), m_middleY - scale * fromEye.dot(m_up)};
+  result.pixel = m_middle + scale * Eigen::Vector2d(fromEye.dot(m_right), -fromEye.dot(m_up));
   return result;
 }
 
 Ray Camera::rayThrough(const Eigen::Vector2d& pixel) const
 {
+  const Eigen::Vector2d fromMiddle = pixel - middle();
   const Eigen::Vector3d inTargetPlane =
-    m_target +
-    metresPerPixel(m_target) * ((pixel.x() - m_width / 2.0) * right() - (pixel.y() - m_height / 2.0) * up());
+    m_target + metresPerPixel(m_target) * (fromMiddle.x() * right() - fromMiddle.y() * up());
   if (!m_orthographic) return {eye(), (inTargetPlane - eye()).normalized()};
   // Parallel rays start before the whole scene, wherever the eye is.
   return {inTargetPlane + (m_distance + 4.0 * m_sceneRadius) * backward(), -backward()};

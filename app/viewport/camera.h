@@ -27,7 +27,7 @@ private:
   friend class Camera;
   Eigen::Vector3d m_eye, m_right, m_up, m_backward;
   double m_pixelsPerMetre = 0.0; ///< at depth 1, or at any depth if parallel
-  double m_middleX = 0.0, m_middleY = 0.0;
+  Eigen::Vector2d m_middle = Eigen::Vector2d::Zero();
   bool m_parallel = false;
 };
 
@@ -58,6 +58,11 @@ public:
   void setViewport(double width, double height);
   double width() const noexcept { return m_width; }
   double height() const noexcept { return m_height; }
+  /// What lies over the picture's right edge [pixels]: the target is in the middle of the rest, and fit()
+  /// fills that. At most two fifths of the picture count.
+  void setCovered(double right);
+  double covered() const noexcept { return m_covered; }
+  Eigen::Vector2d middle() const; ///< where the target is [pixels]
   /// The ball that near and far plane must hold and that limits zooming.
   void setScene(const Eigen::Vector3d& centre, double radius);
 
@@ -86,12 +91,13 @@ public:
 
 private:
   double halfHeight() const; ///< of the picture at distance 1 [1]
+  double clearWidth() const; ///< of what is not covered [pixels]
   void clampDistance();
 
   Eigen::Vector3d m_target = Eigen::Vector3d::Zero();
   double m_distance = 0.5, m_azimuth = 0.6, m_elevation = 0.4;
   bool m_orthographic = false;
-  double m_width = 640.0, m_height = 480.0;
+  double m_width = 640.0, m_height = 480.0, m_covered = 0.0;
   Eigen::Vector3d m_sceneCentre = Eigen::Vector3d::Zero();
   double m_sceneRadius = 0.1;
 };

@@ -19,6 +19,8 @@ namespace esm {
 namespace {
 
 constexpr double kMargin = 14.0; ///< from the border of the picture [pixels]
+/// Of the legend [pixels].
+constexpr double kPlatePadding = 10.0, kBarWidth = 16.0, kBarToNumber = 12.0, kLeastBarHeight = 50.0;
 const QColor kAccent(0xf2, 0x6b, 0x21);
 
 QPointF toQt(const Eigen::Vector2d& pixel)
@@ -81,6 +83,22 @@ LegendText legendText(const SceneModel& model)
     break;
   }
   return {};
+}
+
+namespace {
+double legendBarHeight(double pictureHeight)
+{
+  return std::min(220.0, pictureHeight - 150.0);
+}
+} // namespace
+
+double legendRoom(const SceneModel& model, const QFontMetricsF& metrics)
+{
+  if (model.net() == nullptr || model.colouring() == Colouring::None) return 0.0;
+  if (legendBarHeight(model.camera.height()) < kLeastBarHeight) return 0.0;
+  const double usual = kBarWidth + kBarToNumber + metrics.horizontalAdvance(QStringLiteral("0.000"));
+  const double inner = std::max(metrics.horizontalAdvance(legendText(model).title), usual);
+  return inner + 2.0 * kPlatePadding + 2.0 * kMargin;
 }
 
 QString legendNumber(double value)
@@ -276,21 +294,23 @@ void Overlay::drawLegend()
   const LegendText text = legendText(m_model);
   const ValueRange range = m_model.valueRange();
   const ValueRange shown{range.low * text.perSi, range.high * text.perSi, range.logarithmic};
-  const double barHeight = std::min(220.0, m_height - 150.0), barWidth = 16.0;
-  if (barHeight < 50.0) return;
+  const double barHeight = legendBarHeight(m_height);
+  if (barHeight < kLeastBarHeight) return;
 
   const QFontMetricsF metrics(m_painter.font());
   const std::vector<double> ticks = legendTicks(shown, std::max(3, static_cast<int>(barHeight / 45.0)));
   double widest = 0.0;
   for (const double tick : ticks) widest = std::max(widest, metrics.horizontalAdvance(legendNumber(tick)));
-  const double inner = std::max(metrics.horizontalAdvance(text.title), barWidth + 12.0 + widest);
-  const QRectF plate(m_width - kMargin - inner - 20.0, kMargin, inner + 20.0,
+  const double inner = std::max(metrics.horizontalAdvance(text.title), kBarWidth + kBarToNumber + widest);
+  const double plateWidth =
+    std::max(inner + 2.0 * kPlatePadding, legendRoom(m_model, metrics) - 2.0 * kMargin);
+  const QRectF plate(m_width - kMargin - plateWidth, kMargin, plateWidth,
                      barHeight + metrics.height() + 32.0);
   panel(plate);
 
   m_painter.setPen(m_palette.color(QPalette::WindowText));
-  m_painter.drawText(QPointF(plate.left() + 10.0, plate.top() + 8.0 + metrics.ascent()), text.title);
-  const QRectF bar(plate.left() + 10.0, plate.top() + metrics.height() + 20.0, barWidth, barHeight);
+  m_painter.drawText(QPointF(plate.left() + kPlatePadding, plate.top() + 8.0 + metrics.ascent()), text.title);
+  const QRectF bar(plate.left() + kPlatePadding, plate.top() + metrics.height() + 20.0, kBarWidth, barHeight);
   QLinearGradient gradient(bar.bottomLeft(), bar.topLeft());
   for (int i = 0; i <= 17; ++i) {
     const Rgb c = viridis(i / 17.0);

@@ -7,6 +7,7 @@
 
 #include <QCoreApplication>
 
+class QFontMetricsF;
 class QPainter;
 class QPalette;
 
@@ -65,6 +66,10 @@ struct LegendText {
   double perSi = 1.0;
 };
 LegendText legendText(const SceneModel& model);
+
+/// How much of the picture's right edge the legend takes [logical pixels]; 0 while there is none. It depends
+/// on the title and the font, not on the numbers: these may follow the motion.
+double legendRoom(const SceneModel& model, const QFontMetricsF& metrics);
 
 /// A number for a legend: as short as its neighbours need, never in exponent form within [1e-4, 1e7).
 QString legendNumber(double value);

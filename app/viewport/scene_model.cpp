@@ -229,6 +229,14 @@ void SceneModel::setViewport(double width, double height)
   if (m_autoFit) fit();
 }
 
+bool SceneModel::setCovered(double right)
+{
+  if (right == camera.covered()) return false;
+  camera.setCovered(right);
+  if (m_autoFit) fit();
+  return true;
+}
+
 void SceneModel::fit()
 {
   m_autoFit = true;

@@ -65,6 +65,7 @@ public:
   // === Camera
   Camera camera;
   void setViewport(double width, double height); ///< [logical pixels]; refits while nobody moved the camera
+  bool setCovered(double right);                 ///< see Camera; refits likewise; returns whether it changes
   void fit();
   void cameraMoved() { m_autoFit = false; } ///< the user took over
   /// distance is 0 while the view still fits itself, so an untouched project saves as it was loaded.

@@ -10,6 +10,7 @@
 #include "app/viewport/view_input.h"
 
 #include <QEvent>
+#include <QFontMetricsF>
 #include <QLabel>
 #include <QVBoxLayout>
 #include <QVariantAnimation>
@@ -36,6 +37,12 @@ struct SceneView::Impl {
     if (changed && canvas) canvas->update();
   }
 };
+
+/// The legend covers an edge of the picture: what is shown keeps clear of it.
+void SceneView::makeRoomForLegend()
+{
+  m_impl->repaintIf(m_impl->model.setCovered(legendRoom(m_impl->model, QFontMetricsF(font()))));
+}
 
 bool SceneView::openGlUsable(QString* why)
 {
@@ -122,6 +129,7 @@ void SceneView::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t gener
   if (m_impl->input) m_impl->input->netReplaced();
   const bool hadSelection = !m_impl->model.selection().empty();
   m_impl->repaintIf(m_impl->model.setNet(std::move(net), generation));
+  makeRoomForLegend();
   if (hadSelection) emit selectionChanged();
 }
 
@@ -138,12 +146,14 @@ void SceneView::setParameters(std::shared_ptr<const SpringNet> net)
 void SceneView::setRegions(const std::vector<Region>& regions, int selected)
 {
   m_impl->repaintIf(m_impl->model.setRegions(regions, selected));
+  makeRoomForLegend();
   if (m_impl->input) m_impl->input->regionsReplaced();
 }
 
 void SceneView::setColouring(Colouring colouring)
 {
   m_impl->repaintIf(m_impl->model.setColouring(colouring));
+  makeRoomForLegend();
 }
 
 void SceneView::setShown(bool surface, bool springs)
@@ -224,6 +234,7 @@ ViewSettings SceneView::viewSettings() const
 void SceneView::setViewSettings(const ViewSettings& settings)
 {
   m_impl->model.setViewSettings(settings);
+  makeRoomForLegend();
   m_impl->repaintIf(true);
 }
 
@@ -269,6 +280,7 @@ void SceneView::resizeEvent(QResizeEvent* event)
 {
   QWidget::resizeEvent(event);
   m_impl->model.setViewport(width(), height());
+  makeRoomForLegend();
 }
 
 void SceneView::changeEvent(QEvent* event)
@@ -277,6 +289,7 @@ void SceneView::changeEvent(QEvent* event)
   if (event->type() == QEvent::LanguageChange) retranslate();
   m_impl->repaintIf(event->type() == QEvent::LanguageChange || event->type() == QEvent::PaletteChange ||
                     event->type() == QEvent::FontChange || event->type() == QEvent::StyleChange);
+  makeRoomForLegend(); // in another language or font
 }
 
 } // namespace esm

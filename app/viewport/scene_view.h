@@ -100,6 +100,7 @@ protected:
 private:
   void showPlaceholder();
   void retranslate();
+  void makeRoomForLegend();
 
   struct Impl;
   std::unique_ptr<Impl> m_impl;

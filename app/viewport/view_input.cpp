@@ -329,7 +329,7 @@ bool ViewInput::key(const QKeyEvent& event)
   if (!wantsKey(event)) return false;
   if (m_drag == Drag::Pull || m_drag == Drag::Region) return true;
   Camera& camera = m_model->camera;
-  const Eigen::Vector2d middle(camera.width() / 2.0, camera.height() / 2.0);
+  const Eigen::Vector2d middle = camera.middle();
   switch (event.key()) {
   case Qt::Key_F:
     m_model->fit();

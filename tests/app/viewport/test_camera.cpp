@@ -25,6 +25,14 @@ Camera sample(bool orthographic)
   return camera;
 }
 
+/// The same with a legend over its right edge.
+Camera covered(bool orthographic)
+{
+  Camera camera = sample(orthographic);
+  camera.setCovered(120);
+  return camera;
+}
+
 class CameraModes : public testing::TestWithParam<bool> {};
 INSTANTIATE_TEST_SUITE_P(PerspectiveAndParallel, CameraModes, testing::Bool());
 
@@ -33,26 +41,55 @@ INSTANTIATE_TEST_SUITE_P(PerspectiveAndParallel, CameraModes, testing::Bool());
 // A pixel and a plane give the point back: rounding of doubles only.
 TEST_P(CameraModes, ProjectAndUnprojectAreInverse)
 {
-  const Camera camera = sample(GetParam());
-  for (const Vector3d& point :
-       {Vector3d(0.05, -0.01, 0.02), Vector3d(0.0, 0.0, 0.0), Vector3d(-0.03, 0.04, 0.08)}) {
-    const ScreenPoint at = camera.project(point);
-    EXPECT_LT((camera.onPlane(at.pixel, point) - point).norm(), 1e-14);
-    const Ray ray = camera.rayThrough(at.pixel);
-    EXPECT_LT((point - ray.origin).cross(ray.direction).norm(), 1e-14) << "the pixel's ray meets the point";
-  }
+  for (const Camera& camera : {sample(GetParam()), covered(GetParam())})
+    for (const Vector3d& point :
+         {Vector3d(0.05, -0.01, 0.02), Vector3d(0.0, 0.0, 0.0), Vector3d(-0.03, 0.04, 0.08)}) {
+      const ScreenPoint at = camera.project(point);
+      EXPECT_LT((camera.onPlane(at.pixel, point) - point).norm(), 1e-14);
+      const Ray ray = camera.rayThrough(at.pixel);
+      EXPECT_LT((point - ray.origin).cross(ray.direction).norm(), 1e-14) << "the pixel's ray meets the point";
+    }
 }
 
 // What is computed for the mouse is what the GPU draws: project() equals the matrices.
 TEST_P(CameraModes, MatricesAgreeWithProject)
 {
-  const Camera camera = sample(GetParam());
-  const Vector3d point(0.04, -0.02, 0.05);
-  const Eigen::Vector4d clip = camera.projection() * camera.view() * point.homogeneous();
-  const Vector2d pixel((clip.x() / clip.w() + 1.0) * 400.0, (1.0 - clip.y() / clip.w()) * 300.0);
-  EXPECT_LT((camera.project(point).pixel - pixel).norm(), 1e-9);
-  EXPECT_GT(clip.z(), -clip.w());
-  EXPECT_LT(clip.z(), clip.w());
+  for (const Camera& camera : {sample(GetParam()), covered(GetParam())}) {
+    const Vector3d point(0.04, -0.02, 0.05);
+    const Eigen::Vector4d clip = camera.projection() * camera.view() * point.homogeneous();
+    const Vector2d pixel((clip.x() / clip.w() + 1.0) * 400.0, (1.0 - clip.y() / clip.w()) * 300.0);
+    EXPECT_LT((camera.project(point).pixel - pixel).norm(), 1e-9);
+    EXPECT_GT(clip.z(), -clip.w());
+    EXPECT_LT(clip.z(), clip.w());
+  }
+}
+
+// What a legend covers is not counted: the target is in the middle of the rest, and a fitted box stays
+// within.
+TEST_P(CameraModes, WhatIsShownKeepsClearOfTheCoveredEdge)
+{
+  Eigen::Matrix3Xd ends(3, 2);
+  ends << -0.2, 0.2, 0, 0, 0, 0; // as long as the picture is wide
+  for (const double right : {0.0, 120.0, 200.0}) {
+    Camera camera = sample(GetParam());
+    camera.setCovered(right);
+    camera.setDirection(0.0, 0.0);
+    camera.fit(ends);
+    const double clear = 800.0 - right;
+    EXPECT_NEAR(camera.project(camera.target()).pixel.x(), clear / 2.0, 1e-9);
+    const double left = camera.project(ends.col(0)).pixel.x(), far = camera.project(ends.col(1)).pixel.x();
+    EXPECT_GT(left, 0.0);
+    EXPECT_LT(far, clear);
+    EXPECT_GT(far - left, 0.75 * clear);
+  }
+}
+
+TEST(Camera, ALegendNeverTakesMoreThanTwoFifths)
+{
+  Camera camera = sample(false);
+  camera.setCovered(2000.0);
+  EXPECT_EQ(camera.middle().x(), 0.3 * camera.width());
+  EXPECT_TRUE(camera.projection().allFinite());
 }
 
 TEST(Camera, TheTargetIsInTheMiddle)

@@ -111,16 +111,56 @@ TEST(SceneViewGl, ThisDisplayCanDraw)
   EXPECT_TRUE(SceneView().hasOpenGl());
 }
 
-TEST(SceneViewGl, ASphereIsDrawnInTheMiddle)
+TEST(SceneViewGl, ASphereIsDrawnInTheMiddleOfWhatTheLegendLeaves)
 {
   View view;
   view.scene.setNet(samples::sphere(3, 0.05), 1);
-  const QImage picture = view.scene.picture();
-  ASSERT_EQ(picture.size(), QSize(640, 480) * picture.devicePixelRatio());
-  const QColor background = colourAt(picture, 60, 240);
-  EXPECT_GT(difference(colourAt(picture, 320, 240), background), 60);
-  EXPECT_GT(difference(colourAt(picture, 320, 120), background), 60) << "up to 0.8 of the half height";
-  EXPECT_LT(difference(colourAt(picture, 320, 20), background), 60) << "but not above it";
+  for (const bool legend : {true, false}) {
+    view.scene.setColouring(legend ? Colouring::Stiffness : Colouring::None);
+    const QImage picture = view.scene.picture();
+    ASSERT_EQ(picture.size(), QSize(640, 480) * picture.devicePixelRatio());
+    const QPointF middle = view.scene.project(Eigen::Vector3d::Zero());
+    EXPECT_NEAR(middle.y(), 240.0, 1e-9);
+    if (legend) {
+      EXPECT_LT(middle.x(), 290.0);
+      EXPECT_GT(middle.x(), 0.3 * 640.0);
+    } else {
+      EXPECT_NEAR(middle.x(), 320.0, 1e-9);
+    }
+    const int x = static_cast<int>(middle.x());
+    const QColor background = colourAt(picture, 20, 240);
+    EXPECT_GT(difference(colourAt(picture, x, 240), background), 60);
+    EXPECT_GT(difference(colourAt(picture, x, 120), background), 60) << "up to 0.8 of the half height";
+    EXPECT_LT(difference(colourAt(picture, x, 20), background), 60) << "but not above it";
+  }
+}
+
+// An organ as long as the picture is wide: none of it is under the legend, whose place another colouring
+// gives back; what the user has framed himself keeps its distance.
+TEST(SceneViewGl, AFittedOrganEndsBeforeTheLegend)
+{
+  View view;
+  const auto net = samples::ball(
+    3, [](const Eigen::Vector3d& u) { return Eigen::Vector3d(0.1 * u.x(), 0.01 * u.y(), 0.01 * u.z()); });
+  ViewSettings front;
+  front.colouring = "stiffness";
+  view.scene.setViewSettings(front);
+  view.scene.setNet(net, 1);
+  const auto rightEnd = [&] {
+    double right = 0.0;
+    for (Index node = 0; node < net->nodeCount(); ++node)
+      right = std::max(right, view.scene.project(net->restPosition.col(node)).x());
+    return right;
+  };
+  const double beside = rightEnd();
+  EXPECT_LT(beside, 540.0);
+  view.scene.setColouring(Colouring::None);
+  EXPECT_GT(rightEnd(), beside + 40.0);
+  ViewSettings framed = view.scene.viewSettings();
+  framed.distance = 0.3;
+  view.scene.setViewSettings(framed);
+  view.scene.setColouring(Colouring::Force);
+  EXPECT_EQ(view.scene.viewSettings().distance, 0.3);
 }
 
 // Soft left, hard right: the left half has the map's dark violet, the right half its yellow.
