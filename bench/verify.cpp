@@ -10,7 +10,6 @@
 
 #include <cmath>
 #include <cstdio>
-#include <utility>
 
 namespace esm::bench {
 namespace {
@@ -25,17 +24,19 @@ Outcome verify(const Scene& scene, const Reference& reference, ToleranceCheck& c
   Outcome outcome;
   double former = 0.0, latest = 0.0;
   ToleranceCheck::Next next = ToleranceCheck::Next::RunAgain;
-  for (int runs = 0; next == ToleranceCheck::Next::RunAgain; ++runs) {
+  for (int runs = 0; ToleranceCheck::isOpen(next); ++runs) {
     Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, check.settings());
     StepReport report;
     ErrorMeter meter(reference);
-    check.add(simulation->state());
+    check.start(simulation->state());
     for (long frame = 0; frame < scene.frames(); ++frame) {
-      report.add(simulation->advance(1.0 / kFrameRate));
-      check.add(simulation->state());
+      const StepReport step = simulation->advance(1.0 / kFrameRate);
+      report.add(step);
+      check.add(simulation->state(), step);
       meter.add(static_cast<std::size_t>(frame + 1), simulation->state().position);
     }
-    former = std::exchange(latest, meter.error());
+    if (next == ToleranceCheck::Next::RunAgain) former = latest;
+    latest = meter.error();
     outcome.springs += report.springsEvaluated;
     if (runs == 0) {
       outcome.first = latest;

@@ -143,9 +143,8 @@ class Runner {
 public:
   Runner(const Project& project, const RunOutputs& outputs) : m_project(project), m_outputs(outputs) {}
 
-  /// Fills `run`, whatever it held before. @param look  gets each frame's state
-  template <class Look>
-  Status start(Run& run, SolverSettings solver, const std::string& doing, const Look& look);
+  /// Fills `run`, whatever it held before. @param check  looks on, or null
+  Status start(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check);
   /// Its files appear.
   Status finish(Run& run)
   {
@@ -182,8 +181,7 @@ private:
   }};
 };
 
-template <class Look>
-Status Runner::start(Run& run, SolverSettings solver, const std::string& doing, const Look& look)
+Status Runner::start(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check)
 {
   RunSummary& summary = run.summary = {};
   const auto timed = [&](auto&& work) {
@@ -197,15 +195,13 @@ Status Runner::start(Run& run, SolverSettings solver, const std::string& doing, 
   if (!created) return created.error();
   run.simulation.emplace(std::move(*created));
   Simulation& simulation = *run.simulation;
-  const auto addFrame = [&] {
-    look(simulation.state());
-    return withFiles([&] { return run.files->add(simulation); });
-  };
+  const auto addFrame = [&] { return withFiles([&] { return run.files->add(simulation); }); };
   if (const Status opened = withFiles([&] { return open(run); }); !opened) return opened.error();
 
   const long long last = std::llround(settings.duration * settings.frameRate);
   Progress progress(doing);
   if (const Status added = addFrame(); !added) return added.error();
+  if (check) check->start(simulation.state());
   summary.frames = 1;
   summary.nodesAwake = simulation.net().nodeCount();
   double awake = 0.0;
@@ -218,6 +214,7 @@ Status Runner::start(Run& run, SolverSettings solver, const std::string& doing, 
     awake += static_cast<double>(step.nodesAwake);
     summary.nodesAwake = awake / static_cast<double>(summary.frames);
     if (!step.good()) break;
+    if (check) check->add(simulation.state(), step);
     if (const Status added = addFrame(); !added) return added.error();
     progress.show(summary.frames++, last);
   }
@@ -249,7 +246,7 @@ Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outpu
 {
   Runner runner(project, outputs);
   Run& run = runner.current();
-  Status status = runner.start(run, project.simulation.solver, "simulating", [](const NetState&) {});
+  Status status = runner.start(run, project.simulation.solver, "simulating", nullptr);
   if (status) status = runner.finish(run);
   if (!status) return status.error();
   return run.summary;
@@ -262,12 +259,11 @@ Result<RunSummary> runVerified(const Project& project, const RunOutputs& outputs
   ToleranceCheck check(project.simulation.solver);
   double seconds = 0.0;
   ToleranceCheck::Next next = ToleranceCheck::Next::RunAgain;
-  while (next == ToleranceCheck::Next::RunAgain) {
-    runner.next();
+  while (ToleranceCheck::isOpen(next)) {
+    if (next == ToleranceCheck::Next::RunAgain) runner.next();
     const Status done =
       runner.start(runner.current(), check.settings(),
-                   "simulating with a tolerance of " + formatDouble(check.settings().tolerance, 3),
-                   [&check](const NetState& state) { check.add(state); });
+                   "simulating with a tolerance of " + formatDouble(check.settings().tolerance, 3), &check);
     if (!done) return done.error();
     seconds += runner.current().summary.integrationSeconds;
     next = check.endRun(runner.current().summary.steps);

@@ -4,6 +4,7 @@
 
 #include "core/dynamics/simulation.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -20,25 +21,32 @@ namespace esm {
 ///     ToleranceCheck check(settings);
 ///     do {
 ///       auto simulation = Simulation::create(net, loads, check.settings());
-///       ... check.add(simulation->state()) for each frame, the initial one included ...
-///     } while (check.endRun(report) == ToleranceCheck::Next::RunAgain);
+///       check.start(simulation->state());
+///       for each frame: check.add(simulation->state(), simulation->advance(...));
+///     } while (ToleranceCheck::isOpen(check.endRun(report)));
+///
+/// Steps at their limit of stability are as large with a tenth of the tolerance: two such runs would agree
+/// whatever they err. So the run that judges is done with ever less until it takes more steps in most frames.
 ///
 /// Plain data and arithmetic; any one thread.
 class ToleranceCheck {
 public:
   /// What becomes of the run that has just ended.
   enum class Next {
-    RunAgain,   ///< keep it, forget the one before, and do it again with settings()
-    TakeFormer, ///< the one before is the result
-    TakeThis,   ///< it is the result itself: there is nothing finer
+    RunAgain,     ///< keep it, forget the one before, and do it again with settings()
+    MeasureAgain, ///< keep the one before, forget this one, and do it again with settings()
+    TakeFormer,   ///< the one before is the result
+    TakeThis,     ///< it is the result itself: there is nothing finer
   };
+  static bool isOpen(Next next) noexcept { return next == Next::RunAgain || next == Next::MeasureAgain; }
 
   /// @param asked  with the tolerance that is to be kept
   explicit ToleranceCheck(SolverSettings asked);
 
   const SolverSettings& settings() const noexcept { return m_settings; } ///< of the run to come
-  /// @pre the same frames in each run
-  void add(const NetState& state);
+  void start(const NetState& state); ///< before the first frame of each run
+  /// A frame has been done. @pre the same frames in each run
+  void add(const NetState& state, const StepReport& frame);
   /// @param report  of the whole run
   Next endRun(const StepReport& report);
 
@@ -55,16 +63,21 @@ public:
 
 private:
   bool isNamed() const noexcept;
-  Next end(Next next, bool kept, double tolerance) noexcept;
+  Next end(Next next, bool kept) noexcept;
+  Next judge();
+  bool isFiner() const noexcept;
+  bool refine();
 
   SolverSettings m_asked, m_settings;
   int m_runs = 0;
-  std::vector<Eigen::Matrix3Xd> m_former; ///< positions of the run before, replaced frame by frame [m]
+  std::vector<Eigen::Matrix3Xd> m_former;  ///< positions of the run before, replaced frame by frame [m]
+  std::vector<std::int64_t> m_steps;       ///< of each frame of this run
+  std::vector<std::int64_t> m_resultSteps; ///< the same of the run that may be the result
   Eigen::Matrix3Xd m_start;
-  std::size_t m_frame = 0;
   double m_apart = 0.0, m_displacement = 0.0; ///< sums of squares over nodes and frames [m^2]
-  double m_worst = 0.0, m_worstTime = 0.0;
-  std::optional<double> m_error;
+  double m_worst = 0.0;                       ///< largest part of the former in a frame [m^2]
+  double m_worstTime = 0.0;                   ///< [s]
+  std::optional<double> m_error;              ///< of the result from the latest run, over those in between
   double m_resultTolerance = 0.0, m_finerTolerance = 0.0;
   bool m_kept = false, m_failed = false, m_rough = false;
 };
