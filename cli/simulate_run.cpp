@@ -144,7 +144,7 @@ public:
   Runner(const Project& project, const RunOutputs& outputs) : m_project(project), m_outputs(outputs) {}
 
   /// Fills `run`, whatever it held before. @param check  looks on, or null
-  Status start(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check);
+  Status compute(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check);
   /// Its files appear.
   Status finish(Run& run)
   {
@@ -181,7 +181,7 @@ private:
   }};
 };
 
-Status Runner::start(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check)
+Status Runner::compute(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check)
 {
   RunSummary& summary = run.summary = {};
   const auto timed = [&](auto&& work) {
@@ -246,7 +246,7 @@ Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outpu
 {
   Runner runner(project, outputs);
   Run& run = runner.current();
-  Status status = runner.start(run, project.simulation.solver, "simulating", nullptr);
+  Status status = runner.compute(run, project.simulation.solver, "simulating", nullptr);
   if (status) status = runner.finish(run);
   if (!status) return status.error();
   return run.summary;
@@ -262,8 +262,8 @@ Result<RunSummary> runVerified(const Project& project, const RunOutputs& outputs
   while (ToleranceCheck::isOpen(next)) {
     if (next == ToleranceCheck::Next::RunAgain) runner.next();
     const Status done =
-      runner.start(runner.current(), check.settings(),
-                   "simulating with a tolerance of " + formatDouble(check.settings().tolerance, 3), &check);
+      runner.compute(runner.current(), check.settings(),
+                     "simulating with a tolerance of " + formatDouble(check.settings().tolerance, 3), &check);
     if (!done) return done.error();
     seconds += runner.current().summary.integrationSeconds;
     next = check.endRun(runner.current().summary.steps);
