@@ -70,7 +70,7 @@ TermFields::TermFields(TermEdits* edits, QWidget* parent)
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   }
   for (QLineEdit* name : {m_english, m_german}) name->setMinimumWidth(60);
-  row({{m_term, 1}, {m_form, 1}, {m_add, 0}, {m_remove, 0}});
+  row({{m_term, 3}, {m_form, 4}, {m_add, 0}, {m_remove, 0}}); // "Schulter nach rechts" is the longest
   row({{m_englishLabel, 0}, {m_english, 1}, {m_germanLabel, 0}, {m_german, 1}});
   auto* grid = new QGridLayout;
   grid->setSpacing(4);
