@@ -5,6 +5,7 @@
 #include "cli/interrupt_watch.h"
 #include "cli/messages.h"
 #include "core/base/file_io.h"
+#include "core/base/machine_memory.h"
 #include "core/base/text_number.h"
 #include "core/dynamics/tolerance_check.h"
 #include "core/project/export.h"
@@ -14,7 +15,6 @@
 #include <cmath>
 #include <ctime>
 #include <set>
-#include <unistd.h>
 
 namespace esm::cli {
 
@@ -231,8 +231,7 @@ Status checkMemory(const Project& project)
 {
   const double frames = std::round(project.simulation.duration * project.simulation.frameRate) + 1.0;
   const double needed = ToleranceCheck::memory(frames, project.net.nodeCount());
-  const double most =
-    0.5 * static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGESIZE));
+  const double most = 0.5 * static_cast<double>(machineMemory());
   if (needed <= most) return {};
   const auto gigabytes = [](double bytes) { return formatDouble(bytes / 1e9, 3) + " GB"; };
   return Error{ErrorCode::InvalidValue,

@@ -4,6 +4,7 @@
 
 #include "core/base/hash.h"
 #include "core/base/large_pages.h"
+#include "core/base/machine_memory.h"
 #include "meshimport/raw_mesh.h"
 
 #include <algorithm>
@@ -47,12 +48,6 @@ public:
 private:
   int m_file;
 };
-
-std::size_t machineMemory()
-{
-  const long pages = ::sysconf(_SC_PHYS_PAGES), size = ::sysconf(_SC_PAGESIZE);
-  return pages > 0 && size > 0 ? static_cast<std::size_t>(pages) * static_cast<std::size_t>(size) : SIZE_MAX;
-}
 
 } // namespace
 

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/worker/limits.h"
 
+#include "core/base/machine_memory.h"
+
 #include <algorithm>
 #include <csignal>
 #include <sys/prctl.h>
@@ -34,9 +36,7 @@ constexpr rlim_t kMemoryPerByte = 64;                // assimp was seen to take 
 
 void limitMemory(std::uint64_t opened)
 {
-  const auto installed =
-    static_cast<rlim_t>(sysconf(_SC_PHYS_PAGES)) * static_cast<rlim_t>(sysconf(_SC_PAGESIZE));
-  limit(RLIMIT_AS, std::min(installed / 4 * 3, kMemoryToStart + kMemoryPerByte * opened));
+  limit(RLIMIT_AS, std::min(rlim_t{machineMemory()} / 4 * 3, kMemoryToStart + kMemoryPerByte * opened));
 }
 #endif
 
