@@ -23,6 +23,23 @@ constexpr double kMargin = 14.0; ///< from the border of the picture [pixels]
 constexpr double kPlatePadding = 10.0, kBarWidth = 16.0, kBarToNumber = 12.0, kLeastBarHeight = 50.0;
 const QColor kAccent(0xf2, 0x6b, 0x21);
 
+double legendBarHeight(double pictureHeight)
+{
+  return std::min(220.0, pictureHeight - 150.0);
+}
+
+/// Of a number beside the legend's bar: what it takes at least, whatever the values are.
+double usualNumber(const QFontMetricsF& metrics)
+{
+  return metrics.horizontalAdvance(QStringLiteral("0.000"));
+}
+
+/// @param number  width of the widest [pixels]
+double legendWidth(const QString& title, double number, const QFontMetricsF& metrics)
+{
+  return std::max(metrics.horizontalAdvance(title), kBarWidth + kBarToNumber + number) + 2.0 * kPlatePadding;
+}
+
 QPointF toQt(const Eigen::Vector2d& pixel)
 {
   return {pixel.x(), pixel.y()};
@@ -85,20 +102,11 @@ LegendText legendText(const SceneModel& model)
   return {};
 }
 
-namespace {
-double legendBarHeight(double pictureHeight)
-{
-  return std::min(220.0, pictureHeight - 150.0);
-}
-} // namespace
-
 double legendRoom(const SceneModel& model, const QFontMetricsF& metrics)
 {
   if (model.net() == nullptr || model.colouring() == Colouring::None) return 0.0;
   if (legendBarHeight(model.camera.height()) < kLeastBarHeight) return 0.0;
-  const double usual = kBarWidth + kBarToNumber + metrics.horizontalAdvance(QStringLiteral("0.000"));
-  const double inner = std::max(metrics.horizontalAdvance(legendText(model).title), usual);
-  return inner + 2.0 * kPlatePadding + 2.0 * kMargin;
+  return legendWidth(legendText(model).title, usualNumber(metrics), metrics) + 2.0 * kMargin;
 }
 
 QString legendNumber(double value)
@@ -299,11 +307,9 @@ void Overlay::drawLegend()
 
   const QFontMetricsF metrics(m_painter.font());
   const std::vector<double> ticks = legendTicks(shown, std::max(3, static_cast<int>(barHeight / 45.0)));
-  double widest = 0.0;
+  double widest = usualNumber(metrics);
   for (const double tick : ticks) widest = std::max(widest, metrics.horizontalAdvance(legendNumber(tick)));
-  const double inner = std::max(metrics.horizontalAdvance(text.title), kBarWidth + kBarToNumber + widest);
-  const double plateWidth =
-    std::max(inner + 2.0 * kPlatePadding, legendRoom(m_model, metrics) - 2.0 * kMargin);
+  const double plateWidth = legendWidth(text.title, widest, metrics);
   const QRectF plate(m_width - kMargin - plateWidth, kMargin, plateWidth,
                      barHeight + metrics.height() + 32.0);
   panel(plate);

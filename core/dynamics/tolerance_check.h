@@ -52,7 +52,8 @@ public:
 
   // === After the last run
   bool kept() const noexcept { return m_kept; } ///< by the result, as far as two runs can tell
-  /// Of the two last runs from each other, relative as the tolerance; none if a run failed.
+  /// Of the result from the finest run, relative as the tolerance; of a result that is the finest itself,
+  /// from the one before. None if no other run succeeded.
   std::optional<double> measuredError() const noexcept { return m_error; }
   double worstTime() const noexcept { return m_worstTime; }             ///< when they are furthest apart [s]
   double resultTolerance() const noexcept { return m_resultTolerance; } ///< with which the result was run [1]

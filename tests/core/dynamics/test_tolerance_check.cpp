@@ -151,7 +151,8 @@ TEST(ToleranceCheck, TakesFinerStepsWhereAMotionMultipliesErrors)
     EXPECT_LT(verified.check.resultTolerance(), 1e-2);
     double lowest = 1.0;
     for (const Eigen::Matrix3Xd& frame : verified.frames) lowest = std::min(lowest, frame(1, 1));
-    EXPECT_EQ(lowest<-0.1, more> 0.0) << lowest;
+    const bool isOver = lowest < -0.1;
+    EXPECT_EQ(isOver, more > 0.0) << lowest;
   }
 }
 
