@@ -15,6 +15,9 @@
 /// Put before a function that deserves a further version for CPUs with AVX2; the loader chooses. Off under
 /// sanitizers, which cannot run before the choice is made, and where there is no such choice.
 ///
+/// A loop over nodes takes the numbers of a struct that it gets by reference from a local copy: each store of
+/// Lanes might change the struct, so they would be read and spread anew for every node.
+///
 /// ESM_CPU_CLONES_AVX512 adds one for AVX-512, of whose 32 registers g++ makes use in tiles of a matrix (a
 /// factor takes a tenth less). Elsewhere such a version loses: its shuffles are other instructions. On a
 /// Genoa the viscous forces alone took half as long again, whole motions up to a fifth longer; lanes of eight

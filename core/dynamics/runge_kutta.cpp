@@ -43,9 +43,10 @@ struct Sums {
 };
 
 template <int terms>
-ESM_INLINE void combineTerms(std::size_t first, std::size_t count, const Sums& row, const Lanes* x,
+ESM_INLINE void combineTerms(std::size_t first, std::size_t count, const Sums& given, const Lanes* x,
                              const Lanes* v, Lanes* toX, Lanes* toV) noexcept
 {
+  const Sums row = given; // as ESM_CPU_CLONES says
   const double h = row.h, square = h * h;
   for (std::size_t i = first; i < first + count; ++i) {
     Lanes sumX = row.force[0][i] * row.position[0], sumV = row.force[0][i] * row.velocity[0];

@@ -108,14 +108,17 @@ ESM_CPU_CLONES void kickAndDrift(std::size_t count, double s, double h, const La
   }
 }
 
-ESM_CPU_CLONES void firstStage(const StagedKick& kick) noexcept
+ESM_CPU_CLONES void firstStage(const StagedKick& given) noexcept
 {
+  const StagedKick kick = given; // as ESM_CPU_CLONES says, here and below
   kick.viscosity ? firstOf<true>(kick) : firstOf<false>(kick);
 }
 
-ESM_CPU_CLONES void middleStage(const StagedKick& kick, const ChebyshevDamping::Stage& stage, int j,
+ESM_CPU_CLONES void middleStage(const StagedKick& given, const ChebyshevDamping::Stage& asked, int j,
                                 const Lanes* d, Lanes* before) noexcept
 {
+  const StagedKick kick = given;
+  const ChebyshevDamping::Stage stage = asked;
   if (j == 2)
     middleOf<0>(kick, stage, d, before);
   else if (j == 3)
@@ -124,9 +127,11 @@ ESM_CPU_CLONES void middleStage(const StagedKick& kick, const ChebyshevDamping::
     middleOf<2>(kick, stage, d, before);
 }
 
-ESM_CPU_CLONES void lastStage(const StagedKick& kick, const ChebyshevDamping::Stage& stage, int j, double h,
+ESM_CPU_CLONES void lastStage(const StagedKick& given, const ChebyshevDamping::Stage& asked, int j, double h,
                               const Lanes* d, const Lanes* before, Lanes* v, Lanes* x) noexcept
 {
+  const StagedKick kick = given;
+  const ChebyshevDamping::Stage stage = asked;
   if (j == 2)
     lastSweep<0>(kick, stage, h, d, before, v, x);
   else if (j == 3)

@@ -19,50 +19,55 @@ struct StoermerSweep {
   std::array<const Lanes*, StoermerLimits::kDepth> force; ///< the latest first [N]
 };
 
-/// Forces at a node and their backward differences.
+/// The forces at a node at the present instant and at those before it. The differences of the formulas are
+/// written out as weights of these: two thirds of the additions.
 struct StoermerForces {
-  Lanes now, first, second, third;
+  Lanes now, one, two, three;
 
   ESM_INLINE StoermerForces(const StoermerSweep& sweep, std::size_t i) noexcept
   {
     now = sweep.force[0][i];
-    const Lanes one = sweep.force[1][i], two = sweep.force[2][i], three = sweep.force[3][i];
-    first = now - one;
-    second = first - (one - two);
-    third = second - (one - two) + (two - three);
+    one = sweep.force[1][i];
+    two = sweep.force[2][i];
+    three = sweep.force[3][i];
   }
 };
 
 /// u += h (1 + nabla^2/12 + nabla^3/12) a, x += h u
 ESM_INLINE void move(const StoermerForces& force, double s, double h, Lanes& x, Lanes& u) noexcept
 {
-  u += (force.now + (force.second + force.third) * (1.0 / 12)) * s;
+  u += ((force.now * (14.0 / 12) - force.one * (5.0 / 12)) +
+        (force.two * (4.0 / 12) - force.three * (1.0 / 12))) *
+       s;
   x += u * h;
 }
 
 /// And p' = u + h (1/2 + nabla/3 + 7/24 nabla^2) a + c (p - v)
-ESM_CPU_CLONES void advanceAlone(const StoermerSweep& sweep, std::size_t count, Lanes* x, Lanes* u, Lanes* p,
+ESM_CPU_CLONES void advanceAlone(const StoermerSweep& given, std::size_t count, Lanes* x, Lanes* u, Lanes* p,
                                  Lanes* missed) noexcept
 {
+  const StoermerSweep sweep = given; // as ESM_CPU_CLONES says, here and below
   for (std::size_t i = 0; i < count; ++i) {
     const StoermerForces force(sweep, i);
     const double s = sweep.h * sweep.inverseMass[i];
     move(force, s, sweep.h, x[i], u[i]);
-    missed[i] = missed[i] * StoermerLimits::kCarry - force.third * (7.0 / 24 * s);
-    p[i] = u[i] + (force.now * 0.5 + force.first * (1.0 / 3) + force.second * (7.0 / 24)) * s +
+    const Lanes third = (force.now - force.three) + (force.two - force.one) * 3.0;
+    missed[i] = missed[i] * StoermerLimits::kCarry - third * (7.0 / 24 * s);
+    p[i] = u[i] + (force.now * (27.0 / 24) - force.one * (22.0 / 24) + force.two * (7.0 / 24)) * s +
            missed[i] * StoermerLimits::kCarry;
   }
 }
 
 /// And p' = u + h (1/2 + nabla/3) a
-ESM_CPU_CLONES void advanceCorrected(const StoermerSweep& sweep, std::size_t count, Lanes* x, Lanes* u,
+ESM_CPU_CLONES void advanceCorrected(const StoermerSweep& given, std::size_t count, Lanes* x, Lanes* u,
                                      Lanes* p) noexcept
 {
+  const StoermerSweep sweep = given;
   for (std::size_t i = 0; i < count; ++i) {
     const StoermerForces force(sweep, i);
     const double s = sweep.h * sweep.inverseMass[i];
     move(force, s, sweep.h, x[i], u[i]);
-    p[i] = u[i] + (force.now * 0.5 + force.first * (1.0 / 3)) * s;
+    p[i] = u[i] + (force.now * (5.0 / 6) - force.one * (2.0 / 6)) * s;
   }
 }
 
@@ -82,23 +87,24 @@ ESM_INLINE void missedVelocityAs(const StoermerSweep& sweep, std::size_t count, 
 /// missed = v - p = 7/24 h nabla^2 a, with the forces at the step's end; then those of the nodes' own dampers
 /// follow it.
 /// @param viscosity  of single nodes, or null
-ESM_CPU_CLONES void missedVelocity(const StoermerSweep& sweep, std::size_t count, const double* viscosity,
+ESM_CPU_CLONES void missedVelocity(const StoermerSweep& given, std::size_t count, const double* viscosity,
                                    Lanes* missed, Lanes* force) noexcept
 {
+  const StoermerSweep sweep = given;
   viscosity ? missedVelocityAs<true>(sweep, count, viscosity, missed, force)
             : missedVelocityAs<false>(sweep, count, nullptr, missed, force);
 }
 
 /// From the mean velocity of a step to that at its end, with the forces there, or back:
 /// to = from + sign h (1/2 - nabla/6 - nabla^2/24 - nabla^3/45) a
-ESM_CPU_CLONES void addHalfStep(const StoermerSweep& sweep, double sign, std::size_t count, const Lanes* from,
+ESM_CPU_CLONES void addHalfStep(const StoermerSweep& given, double sign, std::size_t count, const Lanes* from,
                                 Lanes* to) noexcept
 {
+  const StoermerSweep sweep = given;
   for (std::size_t i = 0; i < count; ++i) {
     const StoermerForces force(sweep, i);
-    to[i] = from[i] + (force.now * 0.5 - force.first * (1.0 / 6) - force.second * (1.0 / 24) -
-                       force.third * (1.0 / 45)) *
-                        (sign * sweep.h * sweep.inverseMass[i]);
+    to[i] = from[i] + ((force.now * 97.0 + force.three * 8.0) + (force.one * 114.0 - force.two * 39.0)) *
+                        (sign / 360 * sweep.h * sweep.inverseMass[i]);
   }
 }
 

@@ -24,9 +24,10 @@ ESM_INLINE void predictNode(const Prediction& how, const Lanes& v, const Lanes& 
 }
 
 /// The first prediction of a run; `half` comes as v.
-ESM_CPU_CLONES void predict(const Prediction& how, std::size_t count, const Lanes* a, Lanes* x, Lanes* half,
+ESM_CPU_CLONES void predict(const Prediction& given, std::size_t count, const Lanes* a, Lanes* x, Lanes* half,
                             Lanes* p) noexcept
 {
+  const Prediction how = given; // as ESM_CPU_CLONES says
   for (std::size_t i = 0; i < count; ++i) {
     const Lanes v = half[i];
     predictNode(how, v, a[i], x[i], half[i], p[i]);
@@ -34,9 +35,10 @@ ESM_CPU_CLONES void predict(const Prediction& how, std::size_t count, const Lane
 }
 
 /// The end of a step and the prediction of the next one in one sweep: a = F/m, v = half + h/2 a.
-ESM_CPU_CLONES void correctAndPredict(const Prediction& how, std::size_t count, const double* inverseMass,
+ESM_CPU_CLONES void correctAndPredict(const Prediction& given, std::size_t count, const double* inverseMass,
                                       const Lanes* force, Lanes* x, Lanes* half, Lanes* p) noexcept
 {
+  const Prediction how = given; // as ESM_CPU_CLONES says
   for (std::size_t i = 0; i < count; ++i) {
     const Lanes a = force[i] * inverseMass[i], v = half[i] + a * (0.5 * how.h);
     predictNode(how, v, a, x[i], half[i], p[i]);

@@ -64,16 +64,6 @@ ESM_INLINE void expMinusOne(const Lanes& s, Lanes& result) noexcept
   minusOne(parts, result);
 }
 
-/// Whether no exponent of a group needs more than beyondLine(): springs of tissue that strains by a tenth do
-/// not.
-ESM_INLINE bool areSmall(const Lanes& s) noexcept
-{
-  const LaneBits large = s * s > Lanes{} + kSmallExponent * kSmallExponent;
-  std::int64_t any = 0;
-  for (std::size_t lane = 0; lane < 4; ++lane) any |= large[lane];
-  return any == 0;
-}
-
 /// s, or the limit that it is beyond.
 ESM_INLINE void keepInside(const Lanes& s, Lanes& inside) noexcept
 {
@@ -82,25 +72,64 @@ ESM_INLINE void keepInside(const Lanes& s, Lanes& inside) noexcept
   inside = belowMost < -most ? -most : belowMost;
 }
 
+/// exp(s) - 1, along the tangent beyond kLargestExponent.
+ESM_INLINE void growthOf(const Lanes& s, Lanes& growth) noexcept
+{
+  Lanes inside;
+  keepInside(s, inside);
+  expMinusOne(inside, growth);
+  growth += (growth + 1.0) * (s - inside);
+}
+
+/// The same, not inlined: in the middle of a pass it takes registers from the springs that can do without, a
+/// tenth of their time.
+ESM_CPU_CLONES void growthsOf(std::size_t groups, const Lanes* s, Lanes* growth) noexcept
+{
+  for (std::size_t g = 0; g < groups; ++g) growthOf(s[g], growth[g]);
+}
+
 /// f = k L/b (exp(b e/L) - 1)
 struct Exponential {
   static constexpr SpringLaw kLaw = SpringLaw::Exponential;
   template <class Group>
   ESM_INLINE static void tension(const Group& group, const Lanes& e, Lanes& f) noexcept
   {
-    Lanes factor, rate, inside, growth;
+    Lanes factor, rate, growth;
     group.lawRow(0, factor);
     group.lawRow(1, rate);
-    const Lanes s = rate * e;
-    if (areSmall(s)) { // the same bits for half of the work
-      beyondLine(s, growth);
-      f = factor * (growth + s);
+    growthOf(rate * e, growth);
+    f = factor * growth;
+  }
+  /// The same bits. Springs of tissue that strains by a tenth need no more than beyondLine(), half of the
+  /// work, and whether all of several groups are such is asked once.
+  static constexpr bool kTakesGroupsTogether = true;
+  template <std::size_t groups, class Springs>
+  ESM_INLINE static void tensions(const Springs& springs, const detail::Stretch* stretch, Lanes* f) noexcept
+  {
+    Lanes s[groups];
+    LaneBits large{};
+    for (std::size_t g = 0; g < groups; ++g) {
+      Lanes rate;
+      springs(g).lawRow(1, rate);
+      s[g] = rate * stretch[g].extension;
+      large |= s[g] * s[g] > Lanes{} + kSmallExponent * kSmallExponent;
+    }
+    Lanes growth[groups], factor;
+    if ((large[0] | large[1] | large[2] | large[3]) == 0) {
+      for (std::size_t g = 0; g < groups; ++g) {
+        beyondLine(s[g], growth[g]);
+        springs(g).lawRow(0, factor);
+        f[g] = factor * (growth[g] + s[g]);
+      }
       return;
     }
-    keepInside(s, inside);
-    expMinusOne(inside, growth);
-    growth += (growth + 1.0) * (s - inside);
-    f = factor * growth;
+    Lanes copy[groups]; // else s itself would be in memory, for small ones, too
+    for (std::size_t g = 0; g < groups; ++g) copy[g] = s[g];
+    growthsOf(groups, copy, growth);
+    for (std::size_t g = 0; g < groups; ++g) {
+      springs(g).lawRow(0, factor);
+      f[g] = factor * growth[g];
+    }
   }
   /// k (L/b)^2 (exp(s) - 1 - s): the difference is a power series near 0, where it would cancel.
   template <class Group>

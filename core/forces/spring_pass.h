@@ -81,39 +81,53 @@ ESM_INLINE void readGroup(const SpringGroup<Law, damped, alike>& springs, const 
   }
 }
 
-/// Second part: how hard each spring pulls.
+/// What the second part finds of a group on its way.
+struct Stretch {
+  Lanes inverseSquare, inverse; ///< 1/|d|^2 [1/m^2], 1/|d| [1/m]
+  Lanes extension;              ///< [m]
+};
+
+/// Second part: how long each spring is.
 ///
 /// A spring without direction gets the reciprocal length 0: then its force, its damping and its heat vanish
 /// without further tests. A NaN is not too short, and spreads. The reciprocal of the square is found beside
 /// the length, not after it: the damping needs that one anyway, and no division waits for a root.
-template <bool tensionOnly, bool keep, class Law, bool damped, bool alike>
-ESM_INLINE void stretchGroup(const SpringGroup<Law, damped, alike>& springs, GroupInFlight& group,
-                             Lanes* damper, Lanes& heat) noexcept
+template <class Law, bool damped, bool alike>
+ESM_INLINE void measureGroup(const SpringGroup<Law, damped, alike>& springs, const GroupInFlight& group,
+                             Stretch& stretch) noexcept
 {
   const Lanes zero = {0, 0, 0, 0};
   const Lanes one = zero + 1.0;
   const Lanes shortest = one * (kMinSpringLength * kMinSpringLength);
-  Lanes length = group.square, restLength, tension;
+  Lanes length = group.square, restLength;
   squareRoot(length);
   const LaneBits tooShort = group.square < shortest; // all bits set where true
-  Lanes inverseSquare = one / group.square;
-  inverseSquare = tooShort ? zero : inverseSquare;
-  const Lanes inverse = length * inverseSquare;
+  const Lanes inverseSquare = one / group.square;
+  stretch.inverseSquare = tooShort ? zero : inverseSquare;
+  stretch.inverse = length * stretch.inverseSquare;
   springs.restLength(restLength);
-  const Lanes e = length - restLength;
-  Law::tension(springs, e, tension);
-  group.scale = tension * inverse;
+  stretch.extension = length - restLength;
+}
+
+/// And how hard it pulls.
+template <bool tensionOnly, bool keep, class Law, bool damped, bool alike>
+ESM_INLINE void scaleGroup(const SpringGroup<Law, damped, alike>& springs, const Stretch& stretch,
+                           const Lanes& tension, GroupInFlight& group, Lanes* damper, Lanes& heat) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  const Lanes& e = stretch.extension;
+  group.scale = tension * stretch.inverse;
   if constexpr (damped) {
     Lanes drag;
     springs.viscosity(drag);
-    drag *= group.slip * inverseSquare;
+    drag *= group.slip * stretch.inverseSquare;
     if constexpr (tensionOnly) drag = e <= zero ? zero : drag;
     heat += drag * group.slip;
     group.scale += drag;
     if constexpr (keep) {
       Lanes root;
       springs.rootViscosity(root);
-      root *= inverse;
+      root *= stretch.inverse;
       if constexpr (tensionOnly) root = e <= zero ? zero : root;
       Lanes* const kept = damper + springs.first / 4 * 3;
       kept[0] = group.dx * root;
@@ -122,6 +136,37 @@ ESM_INLINE void stretchGroup(const SpringGroup<Law, damped, alike>& springs, Gro
     }
   }
   if constexpr (tensionOnly) group.scale = e <= zero ? zero : group.scale;
+}
+
+/// Whether a law finds the tensions of several groups in one: `Law::tensions<groups>(springs, stretch, f)`,
+/// where springs(g) gives the SpringGroup g.
+template <class Law>
+concept TakesGroupsTogether = requires
+{
+  Law::kTakesGroupsTogether;
+};
+
+/// The second part of a step. Between its two halves groups wait on the stack only where the law needs it.
+template <bool tensionOnly, bool keep, std::size_t groups, class Law, class Springs>
+ESM_INLINE void stretchGroups(const Springs& springs, GroupInFlight* group, Lanes* damper,
+                              Lanes& heat) noexcept
+{
+  if constexpr (TakesGroupsTogether<Law>) {
+    Stretch stretch[groups];
+    Lanes tension[groups];
+    for (std::size_t g = 0; g < groups; ++g) measureGroup(springs(g), group[g], stretch[g]);
+    Law::template tensions<groups>(springs, stretch, tension);
+    for (std::size_t g = 0; g < groups; ++g)
+      scaleGroup<tensionOnly, keep>(springs(g), stretch[g], tension[g], group[g], damper, heat);
+  } else {
+    for (std::size_t g = 0; g < groups; ++g) {
+      Stretch stretch;
+      Lanes tension;
+      measureGroup(springs(g), group[g], stretch);
+      Law::tension(springs(g), stretch.extension, tension);
+      scaleGroup<tensionOnly, keep>(springs(g), stretch, tension, group[g], damper, heat);
+    }
+  }
 }
 
 /// The pass that all laws share, over springs begin .. end-1 in steps of `groups` groups of four; @return
@@ -139,14 +184,12 @@ ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, s
   constexpr std::size_t kFour = FourEnds::kCount;
   std::size_t i = begin;
   for (; i + groups * kFour <= end; i += groups * kFour) {
-    using Springs = SpringGroup<Law, damped, alike>;
+    const auto springs = [&](std::size_t g) { return SpringGroup<Law, damped, alike>(batch, i + g * kFour); };
     GroupInFlight group[groups];
-    for (std::size_t g = 0; g < groups; ++g) foresee(Springs(batch, i + g * kFour).record, Springs::kRows);
-    for (std::size_t g = 0; g < groups; ++g) readGroup(Springs(batch, i + g * kFour), x, v, group[g]);
-    for (std::size_t g = 0; g < groups; ++g)
-      stretchGroup<tensionOnly, keep>(Springs(batch, i + g * kFour), group[g], damper, heat);
-    for (std::size_t g = 0; g < groups; ++g)
-      Springs(batch, i + g * kFour).endsAgain().pullAlong(force, group[g]);
+    for (std::size_t g = 0; g < groups; ++g) foresee(springs(g).record, springs(g).kRows);
+    for (std::size_t g = 0; g < groups; ++g) readGroup(springs(g), x, v, group[g]);
+    stretchGroups<tensionOnly, keep, groups, Law>(springs, group, damper, heat);
+    for (std::size_t g = 0; g < groups; ++g) springs(g).endsAgain().pullAlong(force, group[g]);
   }
   return i;
 }

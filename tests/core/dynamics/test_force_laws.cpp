@@ -132,6 +132,34 @@ TEST(ForceLaws, ExponentialLawIsExactToRounding)
   for (double s = -0.4; s < 0.4; s += 0.0013) compare(s);
 }
 
+// Fifteen springs that share no node. Where one needs a power of two, others of its step go the longer way
+// with it, and must not feel that.
+TEST(ForceLaws, ExponentialSpringsDoNotFeelHowFarOthersAreStretched)
+{
+  constexpr Index kSprings = 15;
+  SpringNet net = chain(2 * kSprings, 2.0, 3.0);
+  for (Index s = 0; s < net.springCount(); ++s) {
+    if (s % 2 == 1) net.stiffness[s] = 0.0; // no spring between two pairs
+    net.law[static_cast<std::size_t>(s)] = SpringLaw::Exponential;
+    net.lawParameter[s] = 4.0;
+    net.restLength[s] = 1.85 + 0.01 * static_cast<double>(s);
+  }
+  const ForceHarness harness(net);
+  NodeArray x(2 * kSprings), v(2 * kSprings, Lanes{0, 0, 0, 0});
+  copyNodes(net.restPosition, x);
+  const NodeArray alone = harness.forces(x, v);
+  for (std::size_t far = 0; far < kSprings; ++far) {
+    NodeArray stretched = x;
+    stretched[2 * far + 1][1] = 3.0;
+    const NodeArray force = harness.forces(stretched, v);
+    EXPECT_GT(force[2 * far][0], alone[2 * far][0]);
+    for (std::size_t i = 0; i < force.size(); ++i)
+      if (i / 2 != far) {
+        EXPECT_EQ(toVector(force[i]), toVector(alone[i])) << i << " of " << far;
+      }
+  }
+}
+
 // As if they were not there, up to rounding of another order of sums.
 TEST(ForceLaws, ZeroLengthSpringsGiveNoForce)
 {
