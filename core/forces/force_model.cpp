@@ -5,7 +5,6 @@
 #include "core/base/assert.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -14,6 +13,10 @@ namespace {
 
 /// Time of a triangle's pressure, in units of passCost().
 constexpr double kTriangleCost = 3.0;
+
+/// Springs of more tables than that are not sorted by them: a batch each would be dearer than looking them
+/// up.
+constexpr std::size_t kFewTables = 32;
 
 /// b = 0 makes the exponential law linear, and a = 0 the cubic one; the linear kernel is cheaper and does not
 /// divide by b. Below 1e-9 the two laws differ by less than rounding for strains up to 1e-7/b.
@@ -24,7 +27,7 @@ SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept
   return law;
 }
 
-/// Of a damped spring against a linear one, measured.
+/// Of a damped spring against a linear one, measured on a Genoa and a Turin.
 double lawCost(SpringLaw law) noexcept
 {
   switch (law) {
@@ -33,9 +36,9 @@ double lawCost(SpringLaw law) noexcept
   case SpringLaw::Cubic:
     return 1.1;
   case SpringLaw::Exponential:
-    return 1.9;
+    return 1.4;
   case SpringLaw::Table:
-    return 4.0;
+    return 2.0; // of ten points
   }
   return 1.0;
 }
@@ -59,10 +62,12 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
 {
   const NetDivision division(net, activeByLowerEnd(net));
   m_firstPart = division.firstPart;
+  const auto tables = std::make_shared<std::vector<TableLines>>(net.tables.begin(), net.tables.end());
   for (std::size_t p = 0; p < division.partCount(); ++p) {
     const std::size_t firstBatch = m_batches.size(), damper = m_damperSize;
-    addBatches(net, std::span(division.springs.begin() + static_cast<std::ptrdiff_t>(division.first[p]),
-                              division.first[p + 1] - division.first[p]));
+    addBatches(net, tables,
+               std::span(division.springs.begin() + static_cast<std::ptrdiff_t>(division.first[p]),
+                         division.first[p + 1] - division.first[p]));
     m_parts.push_back({firstBatch, m_batches.size(), damper});
   }
   for (Index i = 0; i < net.anchors.count(); ++i) {
@@ -84,26 +89,29 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
   m_passCost += kTriangleCost * static_cast<double>(m_pressure.triangleCount());
 }
 
-/// The springs of one part, by kind.
-void ForceModel::addBatches(const SpringNet& net, std::span<const Index> springs)
+/// The springs of one part, by kind; those of few tables table by table.
+void ForceModel::addBatches(const SpringNet& net, const SharedTables& tables, std::span<const Index> springs)
 {
-  std::array<std::vector<Index>, 16> bins; // law x tension-only x damped
+  const std::size_t groups = tables->size() <= kFewTables ? std::max<std::size_t>(tables->size(), 1) : 1;
+  std::vector<std::vector<Index>> bins(16 * groups); // law x tension-only x damped x table
   for (const Index s : springs) {
     const auto place = static_cast<std::size_t>(s);
     const SpringLaw law = effectiveLaw(net.law[place], net.lawParameter[s]);
-    bins[static_cast<std::size_t>(law) * 4 + (net.tensionOnly[place] != 0 ? 2u : 0u) +
-         (net.viscosity[s] > 0.0 ? 1u : 0u)]
-      .push_back(s);
+    const std::size_t kind = static_cast<std::size_t>(law) * 4 + (net.tensionOnly[place] != 0 ? 2u : 0u) +
+                             (net.viscosity[s] > 0.0 ? 1u : 0u);
+    const bool isSorted = law == SpringLaw::Table && groups > 1;
+    bins[kind * groups + (isSorted ? static_cast<std::size_t>(net.lawParameter[s]) : 0)].push_back(s);
   }
-  for (std::size_t kind = 0; kind < bins.size(); ++kind) {
-    if (bins[kind].empty()) continue;
+  for (std::size_t bin = 0; bin < bins.size(); ++bin) {
+    if (bins[bin].empty()) continue;
+    const std::size_t kind = bin / groups;
     SpringBatch batch;
     batch.law = static_cast<SpringLaw>(kind / 4);
     batch.tensionOnly = kind % 4 >= 2;
     batch.damped = kind % 2 == 1;
-    for (const Index s : bins[kind]) batch.append(net, s);
+    if (batch.law == SpringLaw::Table) batch.tables = tables;
+    for (const Index s : bins[bin]) batch.append(net, s);
     batch.finish(static_cast<std::size_t>(net.nodeCount()));
-    if (batch.law == SpringLaw::Table) batch.tables = net.tables;
     m_nonlinear = m_nonlinear || batch.law != SpringLaw::Linear;
     for (std::size_t i = 0; i < batch.count; ++i) m_ends.push_back({batch.a[i], batch.b[i]});
     m_activeSprings += static_cast<std::int64_t>(batch.count);

@@ -99,7 +99,7 @@ private:
     std::size_t damper; ///< where its damping begins
   };
 
-  void addBatches(const SpringNet& net, std::span<const Index> springs);
+  void addBatches(const SpringNet& net, const SharedTables& tables, std::span<const Index> springs);
   template <class Work>
   void forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept;
   void sweepOwn(const NodeSweep& sweep, std::size_t part) const noexcept;

@@ -24,7 +24,24 @@ void putInto(const std::vector<std::size_t>& order, std::vector<Value>& values)
   values.swap(ordered);
 }
 
+bool areEqual(const std::vector<double>& values) noexcept
+{
+  return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
+}
+
 } // namespace
+
+TableLines::TableLines(const ForceTable& table)
+  : strain(table.strain.begin(), table.strain.end() - 1), force(table.force.begin(), table.force.end() - 1)
+{
+  double sum = 0.0;
+  for (std::size_t j = 0; j < count(); ++j) {
+    const double length = table.strain[j + 1] - table.strain[j];
+    slope.push_back((table.force[j + 1] - table.force[j]) / length);
+    integral.push_back(sum);
+    sum += 0.5 * (table.force[j] + table.force[j + 1]) * length;
+  }
+}
 
 void SpringBatch::append(const SpringNet& net, Index s)
 {
@@ -45,6 +62,7 @@ void SpringBatch::finish(std::size_t nodeCount)
   for (std::vector<double>* values : {&restLength, &stiffness, &viscosity, &parameter})
     putInto(order, *values);
   findAlike();
+  findTable();
   while (a.size() % 4 != 0) {
     a.push_back(a.front());
     b.push_back(a.front());
@@ -60,14 +78,17 @@ void SpringBatch::finish(std::size_t nodeCount)
 
 void SpringBatch::findAlike()
 {
-  const auto areEqual = [](const std::vector<double>& values) {
-    return std::adjacent_find(values.begin(), values.end(), std::not_equal_to<>()) == values.end();
-  };
   alike = canBeAlike(law) && areEqual(stiffness) && areEqual(viscosity);
   shared.clear();
   if (!alike || count == 0) return;
   for (const double value : {stiffness.front(), viscosity.front(), std::sqrt(viscosity.front())})
     shared.push_back(Lanes{value, value, value, value});
+}
+
+void SpringBatch::findTable()
+{
+  const bool isOne = law == SpringLaw::Table && count > 0 && areEqual(parameter);
+  table = isOne ? &(*tables)[static_cast<std::size_t>(parameter.front())] : nullptr;
 }
 
 void SpringBatch::fillRecord()
@@ -101,6 +122,8 @@ void SpringBatch::fillRecord()
       put(perStrain);
       break;
     case SpringLaw::Table:
+      put(stiffness[i] * restLength[i]);
+      put(1.0 / restLength[i]);
       break;
     }
     if (damped && !alike) put(viscosity[i]);

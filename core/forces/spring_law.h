@@ -6,6 +6,7 @@
 #include "core/net/spring_net.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace esm {
@@ -17,8 +18,19 @@ inline constexpr double kMinSpringLength = 1e-12;
 /// Rows of SpringBatch::record that hold what a law needs.
 constexpr std::size_t lawRows(SpringLaw law) noexcept
 {
-  return law == SpringLaw::Linear ? 1 : law == SpringLaw::Table ? 0 : 2;
+  return law == SpringLaw::Linear ? 1 : 2;
 }
+
+/// A ForceTable as the lines that it consists of: g = force + slope (strain - strain of the line). The first
+/// one holds below its strain, too.
+struct TableLines {
+  std::vector<double> strain, force, slope;
+  std::vector<double> integral; ///< of g from the first strain to that of the line [1]
+
+  explicit TableLines(const ForceTable& table);
+  std::size_t count() const noexcept { return strain.size(); }
+};
+using SharedTables = std::shared_ptr<const std::vector<TableLines>>;
 
 /// Whether springs of a law may be alike, see SpringBatch. What the others take from a table or a power of
 /// their length differs even then.
@@ -53,7 +65,7 @@ struct SpringBatch {
   ///
   ///     0     ends a, then ends b, as places in a NodeArray [bytes], eight std::uint32_t
   ///     1     rest length L [m]
-  ///     2 ..  lawRows() of the law: linear k; cubic k, a/L^2; exponential k L/b, b/L
+  ///     2 ..  lawRows() of the law: linear k; cubic k, a/L^2; exponential k L/b, b/L; table k L, 1/L
   ///     last  viscosity c, if damped [N s/m]
   ///
   /// Where springs are alike neither k nor c is among them.
@@ -62,7 +74,9 @@ struct SpringBatch {
   NodeArray ends;                    ///< the rows 0 alone, if damped: what addDamping() reads of a spring
   std::vector<double> rootViscosity; ///< sqrt(c)
   std::vector<Index> spring;         ///< place in the SpringNet, `count` entries
-  std::vector<ForceTable> tables;    ///< copy of the net's, for the table law only
+  SharedTables tables;               ///< all of the net's, for the table law only
+  /// That of all springs, if they have the same one. By finish().
+  const TableLines* table = nullptr;
 
   std::size_t paddedCount() const noexcept { return a.size(); }
   std::size_t recordRows() const noexcept { return esm::recordRows(law, damped, alike); }
@@ -72,6 +86,7 @@ struct SpringBatch {
 
 private:
   void findAlike();
+  void findTable();
   void fillRecord();
 };
 

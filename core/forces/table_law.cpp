@@ -7,92 +7,126 @@
 namespace esm {
 namespace {
 
-const ForceTable& tableOf(const SpringBatch& batch, std::size_t i) noexcept
+/// Of more lines it is faster to look for each spring's own.
+constexpr std::size_t kFewLines = 16;
+
+const TableLines& tableOf(const SpringBatch& batch, std::size_t i) noexcept
 {
-  return batch.tables[static_cast<std::size_t>(batch.parameter[i])];
+  return batch.table != nullptr ? *batch.table
+                                : (*batch.tables)[static_cast<std::size_t>(batch.parameter[i])];
 }
 
-/// The piece of the table that holds `strain`; the first and last piece go on without end.
-std::size_t pieceAt(const ForceTable& table, double strain) noexcept
+/// The line that holds `strain`.
+ESM_INLINE std::size_t lineAt(const TableLines& table, double strain) noexcept
 {
-  const auto last = table.strain.end() - 1;
-  const auto next = std::upper_bound(table.strain.begin() + 1, last, strain);
+  const auto next = std::upper_bound(table.strain.begin() + 1, table.strain.end(), strain);
   return static_cast<std::size_t>(next - table.strain.begin()) - 1;
 }
 
-double slopeOf(const ForceTable& table, std::size_t piece) noexcept
+ESM_INLINE double valueAt(const TableLines& table, double strain) noexcept
 {
-  return (table.force[piece + 1] - table.force[piece]) / (table.strain[piece + 1] - table.strain[piece]);
+  const std::size_t line = lineAt(table, strain);
+  return table.force[line] + table.slope[line] * (strain - table.strain[line]);
 }
 
-double valueAt(const ForceTable& table, double strain) noexcept
+/// The same for four springs of one table: all lines are gone through, each lane keeps the last one that
+/// begins below it.
+ESM_INLINE void valuesAt(const TableLines& table, const Lanes& strain, Lanes& values) noexcept
 {
-  const std::size_t piece = pieceAt(table, strain);
-  return table.force[piece] + slopeOf(table, piece) * (strain - table.strain[piece]);
+  const Lanes zero = {0, 0, 0, 0};
+  Lanes from = zero + table.strain[0], force = zero + table.force[0], slope = zero + table.slope[0];
+  for (std::size_t line = 1; line < table.count(); ++line) {
+    const Lanes begin = zero + table.strain[line];
+    const LaneBits isBeyond = strain >= begin;
+    from = isBeyond ? begin : from;
+    force = isBeyond ? zero + table.force[line] : force;
+    slope = isBeyond ? zero + table.slope[line] : slope;
+  }
+  values = force + slope * (strain - from);
 }
 
 /// Integral of the table from its first strain to `strain`.
-double integralTo(const ForceTable& table, double strain) noexcept
+double integralTo(const TableLines& table, double strain) noexcept
 {
-  const std::size_t piece = pieceAt(table, strain);
-  double sum = 0.0;
-  for (std::size_t j = 0; j < piece; ++j)
-    sum += 0.5 * (table.force[j] + table.force[j + 1]) * (table.strain[j + 1] - table.strain[j]);
-  const double into = strain - table.strain[piece];
-  return sum + into * (table.force[piece] + 0.5 * slopeOf(table, piece) * into);
+  const std::size_t line = lineAt(table, strain);
+  const double into = strain - table.strain[line];
+  return table.integral[line] + into * (table.force[line] + 0.5 * table.slope[line] * into);
 }
 
-/// f = k L g(e/L), one spring after the other: a look-up does not profit from lanes.
+/// f = k L g(e/L)
 struct Table {
   static constexpr SpringLaw kLaw = SpringLaw::Table;
   template <class Group>
   ESM_INLINE static void tension(const Group& group, const Lanes& e, Lanes& f) noexcept
   {
-    const SpringBatch& batch = group.batch;
-    const std::size_t i = group.first;
-    for (std::size_t lane = 0; lane < 4; ++lane) {
-      const double length = batch.restLength[i + lane];
-      f[lane] = batch.stiffness[i + lane] * length * valueAt(tableOf(batch, i + lane), e[lane] / length);
-    }
+    Lanes factor, perLength, values;
+    group.lawRow(0, factor);
+    group.lawRow(1, perLength);
+    const Lanes strain = e * perLength;
+    const TableLines* const table = group.batch.table;
+    if (table != nullptr && table->count() <= kFewLines)
+      valuesAt(*table, strain, values);
+    else
+      for (std::size_t lane = 0; lane < 4; ++lane)
+        values[lane] = valueAt(tableOf(group.batch, group.first + lane), strain[lane]);
+    f = factor * values;
   }
   template <class Group>
   ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
-    const SpringBatch& batch = group.batch;
-    const std::size_t i = group.first;
+    Lanes factor, perLength;
+    group.lawRow(0, factor);
+    group.lawRow(1, perLength);
+    const Lanes strain = e * perLength;
     for (std::size_t lane = 0; lane < 4; ++lane) {
-      const ForceTable& table = tableOf(batch, i + lane);
-      const double length = batch.restLength[i + lane];
-      result[lane] = batch.stiffness[i + lane] * length * length *
-                     (integralTo(table, e[lane] / length) - integralTo(table, 0.0));
+      const TableLines& table = tableOf(group.batch, group.first + lane);
+      result[lane] = integralTo(table, strain[lane]) - integralTo(table, 0.0);
     }
+    result *= factor / perLength;
   }
 };
+
+ESM_CPU_CLONES double tablePass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                                Lanes* damper) noexcept
+{
+  return detail::springPass<Table>(batch, x, v, force, damper);
+}
+
+ESM_CPU_CLONES double tableEnergy(const SpringBatch& batch, const Lanes* x) noexcept
+{
+  return detail::energyPass<Table>(batch, x);
+}
+
+ESM_CPU_CLONES double tableTensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                    double* tension) noexcept
+{
+  return detail::tensionPass<Table>(batch, x, v, tension);
+}
 
 class TableLaw final : public SpringLawKernel {
 public:
   double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
                    Lanes* damper) const noexcept override
   {
-    return detail::springPass<Table>(batch, x, v, force, damper);
+    return tablePass(batch, x, v, force, damper);
   }
 
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override
   {
-    return detail::energyPass<Table>(batch, x);
+    return tableEnergy(batch, x);
   }
 
   double tensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
                   double* tension) const noexcept override
   {
-    return detail::tensionPass<Table>(batch, x, v, tension);
+    return tableTensions(batch, x, v, tension);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override
   {
-    const ForceTable& table = tableOf(batch, i);
+    const TableLines& table = tableOf(batch, i);
     const double k = batch.stiffness[i], rest = batch.restLength[i], strain = e / rest;
-    return {k * rest * valueAt(table, strain), k * slopeOf(table, pieceAt(table, strain))};
+    return {k * rest * valueAt(table, strain), k * table.slope[lineAt(table, strain)]};
   }
 };
 

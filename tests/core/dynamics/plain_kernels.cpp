@@ -9,8 +9,10 @@
 #define linearLaw plainLinearLaw
 #define cubicLaw plainCubicLaw
 #define exponentialLaw plainExponentialLaw
+#define tableLaw plainTableLaw
 #define addDamping plainAddDamping
 #include "core/forces/cubic_law.cpp"
 #include "core/forces/damper_pass.cpp"
 #include "core/forces/exponential_law.cpp"
 #include "core/forces/linear_law.cpp"
+#include "core/forces/table_law.cpp"

@@ -160,6 +160,34 @@ TEST(ForceLaws, ExponentialSpringsDoNotFeelHowFarOthersAreStretched)
   }
 }
 
+// Springs are sorted by their tables where these are few. Against each spring alone, whose table is the only
+// one that matters, within the rounding of sums in another order.
+TEST(ForceLaws, SpringsOfSeveralTablesFollowTheirOwn)
+{
+  const SpringNet net = randomNet(5, 30, SpringLaw::Table);
+  const auto count = static_cast<std::size_t>(net.nodeCount());
+  NodeArray x(count), v(count, Lanes{0, 0, 0, 0}), sum = v;
+  copyNodes(net.restPosition, x);
+  for (Index s = 0; s < net.springCount(); ++s) {
+    SpringNet alone = net;
+    alone.stiffness.setZero();
+    alone.viscosity.setZero();
+    alone.stiffness[s] = net.stiffness[s];
+    alone.tables = {net.tables[static_cast<std::size_t>(net.lawParameter[s])]};
+    alone.lawParameter.setZero();
+    const NodeArray force = ForceHarness(alone).forces(x, v);
+    for (std::size_t i = 0; i < count; ++i) sum[i] += force[i];
+  }
+  SpringNet many = net;
+  for (int copy = 0; copy < 20; ++copy) many.tables.insert(many.tables.end(), {net.tables[0], net.tables[1]});
+  for (const SpringNet& each : {net, many}) {
+    const ForceHarness harness(each);
+    const NodeArray force = harness.forces(x, v);
+    for (std::size_t i = 0; i < count; ++i)
+      EXPECT_LE((toVector(force[i]) - toVector(sum[i])).norm(), 1e-14 * harness.largest(sum)) << i;
+  }
+}
+
 // As if they were not there, up to rounding of another order of sums.
 TEST(ForceLaws, ZeroLengthSpringsGiveNoForce)
 {

@@ -17,10 +17,37 @@ namespace esm {
 const SpringLawKernel& plainLinearLaw() noexcept;
 const SpringLawKernel& plainCubicLaw() noexcept;
 const SpringLawKernel& plainExponentialLaw() noexcept;
+const SpringLawKernel& plainTableLaw() noexcept;
 void plainAddDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept;
 
 namespace testing {
 namespace {
+
+/// One of few points, and one of so many that springs look theirs up.
+std::vector<ForceTable> twoTables()
+{
+  std::vector<ForceTable> tables = {{{-0.4, -0.1, 0.0, 0.3, 1.0}, {-0.3, -0.2, 0.01, 0.4, 3.0}}, {}};
+  for (int i = 0; i < 40; ++i) {
+    tables[1].strain.push_back(0.05 * i - 0.8);
+    tables[1].force.push_back(std::sinh(tables[1].strain.back()));
+  }
+  return tables;
+}
+
+/// Of a table from 0 to `strain`: trapezia between its points, the end lines without end.
+double integralOf(const ForceTable& table, double strain)
+{
+  double sum = 0.0;
+  const double low = std::min(strain, 0.0), high = std::max(strain, 0.0);
+  for (std::size_t j = 0; j + 1 < table.strain.size(); ++j) {
+    const double begin = j == 0 ? low : std::clamp(table.strain[j], low, high);
+    const double end = j + 2 == table.strain.size() ? high : std::clamp(table.strain[j + 1], low, high);
+    const double slope = (table.force[j + 1] - table.force[j]) / (table.strain[j + 1] - table.strain[j]);
+    const double middle = table.force[j] + slope * (0.5 * (begin + end) - table.strain[j]);
+    sum += middle * (end - begin);
+  }
+  return strain < 0.0 ? -sum : sum;
+}
 
 /// By the integrals of the laws, one spring after the other.
 double energyOf(const SpringBatch& batch, const NodeArray& x)
@@ -33,7 +60,9 @@ double energyOf(const SpringBatch& batch, const NodeArray& x)
     if (batch.tensionOnly && e <= 0.0) continue;
     const double s = p * e / rest, inside = std::clamp(s, -100.0, 100.0),
                  out = s - inside; // then its tangent
-    if (batch.law == SpringLaw::Exponential)
+    if (batch.law == SpringLaw::Table)
+      sum += k * rest * rest * integralOf(twoTables()[static_cast<std::size_t>(p)], e / rest);
+    else if (batch.law == SpringLaw::Exponential)
       sum += k * std::pow(rest / p, 2) *
              (std::expm1(inside) - inside + std::expm1(inside) * out + 0.5 * std::exp(inside) * out * out);
     else
@@ -129,7 +158,10 @@ TEST_P(KernelBitsOf, ChosenAndPlainKernelsAgreeToTheLastBit)
   };
   const Law laws[] = {{SpringLaw::Linear, &linearLaw(), &plainLinearLaw()},
                       {SpringLaw::Cubic, &cubicLaw(), &plainCubicLaw()},
-                      {SpringLaw::Exponential, &exponentialLaw(), &plainExponentialLaw()}};
+                      {SpringLaw::Exponential, &exponentialLaw(), &plainExponentialLaw()},
+                      {SpringLaw::Table, &tableLaw(), &plainTableLaw()}};
+  const std::vector<ForceTable> given = twoTables();
+  const auto tables = std::make_shared<std::vector<TableLines>>(given.begin(), given.end());
   SpringBatch alikes = springs;
   std::fill(alikes.stiffness.begin(), alikes.stiffness.end(), springs.stiffness.front());
   std::fill(alikes.viscosity.begin(), alikes.viscosity.end(), springs.viscosity.front());
@@ -140,8 +172,14 @@ TEST_P(KernelBitsOf, ChosenAndPlainKernelsAgreeToTheLastBit)
       batch.law = law;
       batch.damped = (kind & 1) != 0;
       batch.tensionOnly = (kind & 2) != 0;
+      if (law == SpringLaw::Table) { // one or the other for all, or each spring its own
+        batch.tables = tables;
+        for (double& parameter : batch.parameter)
+          parameter = alike ? (batch.damped ? 1.0 : 0.0) : std::floor(parameter / 5.0);
+      }
       batch.finish(kNodes);
-      EXPECT_EQ(batch.alike, alike && law != SpringLaw::Exponential);
+      EXPECT_EQ(batch.alike, alike && canBeAlike(law));
+      EXPECT_EQ(batch.table != nullptr, alike && law == SpringLaw::Table);
       const Pulled here(*chosen, addDamping, batch, x, v);
       const Pulled other(*plain, plainAddDamping, batch, x, v);
       EXPECT_TRUE(haveEqualBits(here.kept, other.kept));
