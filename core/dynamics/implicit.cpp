@@ -18,6 +18,21 @@ const double kMiddle = 2.0 - std::sqrt(2.0); // g
 const double kDiagonal = 0.5 * kMiddle;      // implicit share of both stages
 const double kOuter = 0.25 * std::sqrt(2.0); // share of the first two slopes in the last stage
 
+/// to = from + s (one + other)
+ESM_CPU_CLONES void advanceByBoth(std::size_t count, double s, const Lanes* from, const Lanes* one,
+                                  const Lanes* other, Lanes* to) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + (one[i] + other[i]) * s;
+}
+
+/// The acceleration that has led from `startV` to v in 1/rate; 0 where a support holds.
+ESM_CPU_CLONES void accelerationTo(std::size_t count, double rate, const double* inverseMass, const Lanes* v,
+                                   const Lanes* startV, Lanes* a) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) a[i] = inverseMass[i] > 0.0 ? (v[i] - startV[i]) * rate : zero;
+}
+
 class TrBdf2 final : public Integrator {
 public:
   void prepare(const System& system) override
@@ -54,27 +69,23 @@ public:
     m_guessMiddle.set((1.0 - kMiddle) * m_lastStep, kMiddle * h, isFirst);
     m_guessMiddle.make(m_middleV, m_middleA, state.v, m_a, m_v);
     const std::size_t count = state.x.size();
-    for (std::size_t i = 0; i < count; ++i) {
-      m_startX[i] = state.x[i] + state.v[i] * share;
-      m_startV[i] = state.v[i] + m_a[i] * share;
-    }
+    const double* const inverseMass = system.inverseMass().data();
+    advanceNodes(count, share, state.x.data(), state.v.data(), m_startX.data());
+    advanceNodes(count, share, state.v.data(), m_a.data(), m_startV.data());
     StepResult result =
       m_stage.solve(system, state.time + kMiddle * h, share, m_startX, m_startV, m_v, m_x, rates[1], report);
     if (result != StepResult::Done) return result;
     m_guessMiddle.judge(m_middleV, m_middleA, state.v, m_a, m_v);
     m_middleV = m_v; // same size: no allocation
-    for (std::size_t i = 0; i < count; ++i) {
-      m_middleA[i] = system.isFree(i) ? (m_v[i] - m_startV[i]) * (1.0 / share) : Lanes{0, 0, 0, 0};
-      m_startX[i] = state.x[i] + (state.v[i] + m_v[i]) * (kOuter * h);
-      m_startV[i] = state.v[i] + (m_a[i] + m_middleA[i]) * (kOuter * h);
-    }
+    accelerationTo(count, 1.0 / share, inverseMass, m_v.data(), m_startV.data(), m_middleA.data());
+    advanceByBoth(count, kOuter * h, state.x.data(), state.v.data(), m_v.data(), m_startX.data());
+    advanceByBoth(count, kOuter * h, state.v.data(), m_a.data(), m_middleA.data(), m_startV.data());
     m_guessEnd.set(kMiddle * h, (1.0 - kMiddle) * h, isFirst);
     m_guessEnd.make(state.v, m_a, m_middleV, m_middleA, m_v);
     result = m_stage.solve(system, end, share, m_startX, m_startV, m_v, m_x, rates[2], report);
     if (result != StepResult::Done) return result;
     m_guessEnd.judge(state.v, m_a, m_middleV, m_middleA, m_v);
-    for (std::size_t i = 0; i < count; ++i)
-      m_a[i] = system.isFree(i) ? (m_v[i] - m_startV[i]) * (1.0 / share) : Lanes{0, 0, 0, 0};
+    accelerationTo(count, 1.0 / share, inverseMass, m_v.data(), m_startV.data(), m_a.data());
     state.advanceTo(end, m_x, m_v, h * (kOuter * (rates[0].work + rates[1].work) + kDiagonal * rates[2].work),
                     h * (kOuter * (rates[0].heat + rates[1].heat) + kDiagonal * rates[2].heat));
     m_rates = rates[2];

@@ -27,34 +27,14 @@ public:
   }
 
   void make(const NodeArray& v0, const NodeArray& a0, const NodeArray& v1, const NodeArray& a1,
-            NodeArray& v) const noexcept
-  {
-    for (std::size_t i = 0; i < v.size(); ++i) v[i] = value(m_best, v0[i], a0[i], v1[i], a1[i]);
-  }
+            NodeArray& v) const noexcept;
 
   /// After the stage is solved. The arrays are those of make().
   void judge(const NodeArray& v0, const NodeArray& a0, const NodeArray& v1, const NodeArray& a1,
-             const NodeArray& v) noexcept
-  {
-    Lanes sums[kGuesses] = {};
-    for (std::size_t i = 0; i < v.size(); ++i)
-      for (std::size_t g = 0; g < kGuesses; ++g) {
-        const Lanes away = value(g, v0[i], a0[i], v1[i], a1[i]) - v[i];
-        sums[g] += away * away;
-      }
-    m_best = 0;
-    for (std::size_t g = 1; g < m_known; ++g)
-      if (sumLanes(sums[g]) < sumLanes(sums[m_best])) m_best = g;
-  }
+             const NodeArray& v) noexcept;
 
 private:
   static constexpr std::size_t kGuesses = 4;
-  Lanes value(std::size_t g, const Lanes& v0, const Lanes& a0, const Lanes& v1,
-              const Lanes& a1) const noexcept
-  {
-    const auto& w = m_weights[g];
-    return v0 * w[0] + a0 * w[1] + v1 * w[2] + a1 * w[3];
-  }
 
   std::array<std::array<double, 4>, kGuesses> m_weights{};
   std::size_t m_known = 2, m_best = 1;

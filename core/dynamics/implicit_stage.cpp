@@ -22,6 +22,21 @@ constexpr double kRoughSlow = 0.8;       ///< the same where only boundedness co
 constexpr double kOtherShare = 0.25;     ///< a factor serves for s that differ by so much
 constexpr double kSmoothing = 0.1;       ///< of the running means
 
+/// F becomes s F - M (v - v0), 0 where a support holds. @return the sum of its squares over the masses.
+ESM_CPU_CLONES double toResidual(std::size_t count, double s, const double* mass, const double* inverseMass,
+                                 const Lanes* v, const Lanes* startV, Lanes* force) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  Lanes sum = zero;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double inverse = inverseMass[i];
+    const Lanes right = force[i] * s - (v[i] - startV[i]) * mass[i];
+    sum += right * right * inverse;
+    force[i] = inverse > 0.0 ? right : zero;
+  }
+  return sumLanes(sum);
+}
+
 } // namespace
 
 void ImplicitStage::prepare(const System& system)
@@ -70,16 +85,10 @@ bool ImplicitStage::isTooSlow(const System& system, double move, double left) co
 double ImplicitStage::residual(const Problem& problem, NodeArray& v, NodeArray& x, Rates& rates) noexcept
 {
   System& system = problem.system;
-  for (std::size_t i = 0; i < v.size(); ++i) x[i] = problem.startX[i] + v[i] * problem.s;
+  advanceNodes(v.size(), problem.s, problem.startX.data(), v.data(), x.data());
   rates = system.evaluate(problem.t, x, v, m_force);
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < v.size(); ++i) {
-    const double inverse = system.inverseMass()[i];
-    const Lanes right = m_force[i] * problem.s - (v[i] - problem.startV[i]) * system.mass()[i];
-    sum += right * right * inverse;
-    m_force[i] = inverse > 0.0 ? right : Lanes{0, 0, 0, 0};
-  }
-  return std::sqrt(sumLanes(sum));
+  return std::sqrt(toResidual(v.size(), problem.s, system.mass().data(), system.inverseMass().data(),
+                              v.data(), problem.startV.data(), m_force.data()));
 }
 
 bool ImplicitStage::refactor(const Problem& problem, const NodeArray& x, const NodeArray& v, bool convex,

@@ -29,12 +29,6 @@ ESM_CPU_CLONES double addDiagonal(std::size_t count, const double* diagonal, con
   return sumLanes(sum);
 }
 
-/// x += step p
-ESM_CPU_CLONES void addScaled(std::size_t count, double step, const Lanes* p, Lanes* x) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) x[i] += p[i] * step;
-}
-
 /// Three numbers from -1 to 1 without a pattern, the same ones everywhere.
 Lanes scattered(std::size_t i) noexcept
 {
@@ -108,7 +102,7 @@ double StiffnessCg::iterate(const System& system, NodeArray* solution) noexcept
   if (m_metNegative) return 0.0;
   const double before = m_square, step = before / curvature;
   const std::size_t nodes = m_residual.size();
-  if (solution) addScaled(nodes, step, m_direction.data(), solution->data());
+  if (solution) advanceNodes(nodes, step, solution->data(), m_direction.data(), solution->data());
   m_square = takeOff(nodes, step, m_product.data(), m_inverse.data(), m_residual.data());
   turn(nodes, m_square / before, m_residual.data(), m_inverse.data(), m_direction.data());
   return step * before;

@@ -85,6 +85,12 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
   return rates;
 }
 
+ESM_CPU_CLONES void advanceNodes(std::size_t count, double s, const Lanes* from, const Lanes* rate,
+                                 Lanes* to) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + rate[i] * s;
+}
+
 ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor[i];

@@ -131,6 +131,9 @@ double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept; ///< @pre 
 /// y -= factor x, over `count` nodes. @return y.z, of the new y.
 double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y, const Lanes* z) noexcept;
 
+/// to = from + s rate; `to` may be either of the arrays.
+void advanceNodes(std::size_t count, double s, const Lanes* from, const Lanes* rate, Lanes* to) noexcept;
+
 /// to = factor from, node by node; both may be the same array.
 void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept;
 
