@@ -21,7 +21,7 @@ constexpr std::size_t kMostNumbers = std::size_t{1} << 27; ///< of such a factor
 constexpr double kReduction = 1e-3;    ///< of the residual, by conjugate gradients
 constexpr int kMostCgIterations = 150; ///< more would be slower than a factor
 
-Lanes unit(int axis, double length) noexcept
+ESM_INLINE Lanes unit(int axis, double length) noexcept
 {
   Lanes lanes = {0, 0, 0, 0};
   lanes[axis] = length;
@@ -179,7 +179,8 @@ void ImplicitMatrix::fill(const System& system, const NodeArray& x, const NodeAr
   }
 }
 
-void ImplicitMatrix::addSprings(const System& system, const Shares& shares, bool convex) noexcept
+ESM_CPU_CLONES void ImplicitMatrix::addSprings(const System& system, const Shares& shares,
+                                               bool convex) noexcept
 {
   const auto& ends = system.forces().springEnds();
   const auto addTo = [&](Index node, const NodeBlock& values) {

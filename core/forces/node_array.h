@@ -36,7 +36,7 @@ struct CacheLineAllocator {
 /// the price for one aligned load per node, which halves the time of the force pass.
 using NodeArray = std::vector<Lanes, CacheLineAllocator<Lanes>>;
 
-inline Lanes toLanes(const Eigen::Vector3d& value) noexcept
+ESM_INLINE Lanes toLanes(const Eigen::Vector3d& value) noexcept
 {
   return Lanes{value.x(), value.y(), value.z(), 0.0};
 }
