@@ -68,11 +68,37 @@ Scene uterusTable()
   return scene;
 }
 
+/// The uterus with its content, whose pressure acts on all triangles of the wall.
+Scene uterusFilled()
+{
+  Scene scene = uterus();
+  scene.name = "uterus-filled";
+  constexpr Index kRings = 26, kAround = 48; // as uterus() lays them out, and the two ends
+  PressureBody& body = scene.net.pressure.emplace_back();
+  body.bulkModulus = 1e4;
+  body.triangles.resize(3, 2 * kRings * kAround);
+  Index triangle = 0;
+  for (Index r = 0; r < kRings; ++r)
+    for (Index a = 0; a < kAround; ++a) {
+      const Index here = r * kAround + a, next = r * kAround + (a + 1) % kAround;
+      const Index above = here + kAround, aboveNext = next + kAround;
+      if (r == 0) body.triangles.col(triangle++) << kRings * kAround, next, here;
+      if (r + 1 == kRings) {
+        body.triangles.col(triangle++) << kRings * kAround + 1, here, next;
+        continue;
+      }
+      const bool isOdd = r % 2 != 0;
+      body.triangles.col(triangle++) << here, next, (isOdd ? aboveNext : above);
+      body.triangles.col(triangle++) << (isOdd ? here : next), aboveNext, above;
+    }
+  return scene;
+}
+
 struct Subject {
   Scene scene;
   ForceModel model, springs; ///< the latter without weight and anchors
   NodeArray x, v, force, damper;
-  std::optional<FastNet> plain; ///< which knows no tables
+  std::optional<FastNet> plain; ///< which knows neither tables nor pressure
   Nodes plainX, plainV, plainForce;
 
   explicit Subject(Scene from)
@@ -85,9 +111,10 @@ struct Subject {
     v.assign(count, Lanes{1e-3, 1e-3, 0, 0});
     force.resize(count);
     copyNodes(scene.net.restPosition, x);
+    for (Lanes& place : x) place *= 1.001; // at rest there is no pressure, and nothing to do for it
     damper.resize(model.damperSize());
     model.computeForces(x.data(), v.data(), force.data(), damper.data());
-    if (!scene.net.tables.empty()) return;
+    if (!scene.net.tables.empty() || !scene.net.pressure.empty()) return;
     plain.emplace(scene.net, scene.loads);
     plain->start(plainX, plainV);
     plainForce.resize(plainX.size());
@@ -131,7 +158,8 @@ int runKernel(const std::vector<std::string>& words)
 {
   const bool quick = isQuick(words);
   std::vector<std::unique_ptr<Subject>> subjects;
-  for (Scene scene : {tube(), uterusLinear(), sheet(), uterus(), uterusTable(), organ100k()}) {
+  for (Scene scene :
+       {tube(), uterusLinear(), sheet(), uterus(), uterusTable(), uterusFilled(), organ100k()}) {
     if (quick && scene.net.nodeCount() > 20'000) continue;
     subjects.push_back(std::make_unique<Subject>(std::move(scene)));
     registerSubject(*subjects.back());

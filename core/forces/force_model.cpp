@@ -12,7 +12,7 @@ namespace esm {
 namespace {
 
 /// Time of a triangle's pressure, in units of passCost().
-constexpr double kTriangleCost = 3.0;
+constexpr double kTriangleCost = 1.4;
 
 /// Springs of more tables than that are not sorted by them: a batch each would be dearer than looking them
 /// up.
@@ -27,8 +27,8 @@ SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept
   return law;
 }
 
-/// Of a damped spring against a linear one, measured; exponential ones before they shared a question, which
-/// would be 1.4 now: with that pulled uteri took 4 to 20 % more passes in real time at 1e-2.
+/// Of a damped spring against a linear one, measured. Exponential ones take 1.4 by now; with that eight uteri
+/// took 4 % more passes at 1e-2 where nobody knows the end, the one of the bench for real time a fifth more.
 double lawCost(SpringLaw law) noexcept
 {
   switch (law) {

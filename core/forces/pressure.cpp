@@ -2,13 +2,89 @@
 // SPDX-License-Identifier: MIT
 #include "core/forces/pressure.h"
 
-namespace esm {
+#include "core/forces/spring_ends.h"
 
+#include <array>
+
+namespace esm {
 namespace {
 
-Lanes cross(const Lanes& a, const Lanes& b) noexcept
+/// Four places of a corner (x, y, z), each seen from its own origin, in lanes.
+struct Corners {
+  Lanes x, y, z;
+
+  ESM_INLINE void read(const std::array<std::uint32_t, 4>& place, const Lanes* positions,
+                       const std::array<Lanes, 4>& from) noexcept
+  {
+    transpose(detail::at(positions, place[0]) - from[0], detail::at(positions, place[1]) - from[1],
+              detail::at(positions, place[2]) - from[2], detail::at(positions, place[3]) - from[3], x, y, z);
+  }
+  /// this x other
+  ESM_INLINE void cross(const Corners& other, Corners& product) const noexcept
+  {
+    product.x = y * other.z - z * other.y;
+    product.y = z * other.x - x * other.z;
+    product.z = x * other.y - y * other.x;
+  }
+};
+
+/// Six times the volume within the triangles, seen from `origin`.
+ESM_CPU_CLONES double sixVolumes(std::size_t count, const FourTriangles* triangles, const Lanes& origin,
+                                 const Lanes* positions) noexcept
 {
-  return Lanes{a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0], 0.0};
+  const std::array<Lanes, 4> from = {origin, origin, origin, origin};
+  Lanes sum = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    Corners a, b, c, normal;
+    a.read(triangles[i].a, positions, from);
+    b.read(triangles[i].b, positions, from);
+    c.read(triangles[i].c, positions, from);
+    b.cross(c, normal);
+    sum += a.x * normal.x + a.y * normal.y + a.z * normal.z;
+  }
+  return sumLanes(sum);
+}
+
+/// Adds `factor` times twice the area vector of each triangle to its corners.
+ESM_CPU_CLONES void addNormals(std::size_t count, const FourTriangles* triangles, double factor,
+                               const Lanes* positions, Lanes* to) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) {
+    const FourTriangles& four = triangles[i];
+    std::array<Lanes, 4> from;
+    for (std::size_t k = 0; k < 4; ++k) from[k] = detail::at(positions, four.a[k]);
+    Corners b, c, normal;
+    b.read(four.b, positions, from);
+    c.read(four.c, positions, from);
+    b.cross(c, normal);
+    Lanes share[4];
+    detail::transposeBack(normal.x * factor, normal.y * factor, normal.z * factor, share[0], share[1],
+                          share[2], share[3]);
+    for (std::size_t k = 0; k < 4; ++k) {
+      detail::at(to, four.a[k]) += share[k];
+      detail::at(to, four.b[k]) += share[k];
+      detail::at(to, four.c[k]) += share[k];
+    }
+  }
+}
+
+std::vector<FourTriangles> inFours(std::size_t nodeCount, const std::vector<Index>& corners)
+{
+  std::array<std::vector<Index>, 3> each;
+  for (std::size_t t = 0; t < corners.size(); ++t) each[t % 3].push_back(corners[t]);
+  const std::vector<std::size_t> order = conflictFreeOrder(nodeCount, {each[0], each[1], each[2]});
+  std::vector<FourTriangles> fours((order.size() + 3) / 4);
+  for (std::size_t t = 0; t < 4 * fours.size(); ++t) {
+    const auto placeOf = [&](std::size_t corner) { // what only fills up has no area
+      const Index node = t < order.size() ? each[corner][order[t]] : corners.front();
+      return static_cast<std::uint32_t>(static_cast<std::size_t>(node) * sizeof(Lanes));
+    };
+    FourTriangles& four = fours[t / 4];
+    four.a[t % 4] = placeOf(0);
+    four.b[t % 4] = placeOf(1);
+    four.c[t % 4] = placeOf(2);
+  }
+  return fours;
 }
 
 } // namespace
@@ -21,6 +97,7 @@ Pressure::Pressure(const SpringNet& net)
   for (const PressureBody& body : net.pressure) {
     Body& made = m_bodies.emplace_back();
     made.corners.assign(body.triangles.data(), body.triangles.data() + body.triangles.size());
+    made.fours = inFours(rest.size(), made.corners);
     made.bulkModulus = body.bulkModulus;
     made.restVolume = volumeOf(made, rest.data());
   }
@@ -37,25 +114,12 @@ std::size_t Pressure::triangleCount() const noexcept
 double Pressure::volumeOf(const Body& body, const Lanes* x) noexcept
 {
   if (body.corners.empty()) return 0.0;
-  const Lanes origin = x[body.corners.front()];
-  double sum = 0.0;
-  for (std::size_t t = 0; t < body.corners.size(); t += 3) {
-    const Lanes a = x[body.corners[t]] - origin, b = x[body.corners[t + 1]] - origin,
-                c = x[body.corners[t + 2]] - origin;
-    sum += dot(a, cross(b, c));
-  }
-  return sum / 6.0;
+  return sixVolumes(body.fours.size(), body.fours.data(), x[body.corners.front()], x) / 6.0;
 }
 
 void Pressure::addGradientOf(const Body& body, double factor, const Lanes* x, Lanes* to) noexcept
 {
-  for (std::size_t t = 0; t < body.corners.size(); t += 3) {
-    const Index a = body.corners[t], b = body.corners[t + 1], c = body.corners[t + 2];
-    const Lanes share = cross(x[b] - x[a], x[c] - x[a]) * (factor / 6.0);
-    to[a] += share;
-    to[b] += share;
-    to[c] += share;
-  }
+  addNormals(body.fours.size(), body.fours.data(), factor / 6.0, x, to);
 }
 
 void Pressure::addForces(const Lanes* x, Lanes* force) const noexcept

@@ -57,7 +57,7 @@ void SpringBatch::append(const SpringNet& net, Index s)
 void SpringBatch::finish(std::size_t nodeCount)
 {
   count = a.size();
-  const std::vector<std::size_t> order = conflictFreeOrder(nodeCount, a, b);
+  const std::vector<std::size_t> order = conflictFreeOrder(nodeCount, {a, b});
   for (std::vector<Index>* values : {&a, &b, &spring}) putInto(order, *values);
   for (std::vector<double>* values : {&restLength, &stiffness, &viscosity, &parameter})
     putInto(order, *values);

@@ -6,7 +6,9 @@
 #include "core/net/spring_net.h"
 
 #include <cstdint>
+#include <initializer_list>
 #include <memory>
+#include <span>
 #include <vector>
 
 namespace esm {
@@ -138,13 +140,13 @@ public:
 
 const SpringLawKernel& springLawKernel(SpringLaw law) noexcept;
 
-/// The order in which a pass goes over springs: as given, but two springs that share a node stand at least a
-/// dozen places apart where that is possible. A processor that must add to a force which it has just stored
-/// waits for the store; in the order of a mesh that costs a third of the pass.
-/// @param a, b  ends of each spring, below nodeCount
+/// The order in which a pass goes over springs or triangles: as given, but two that share a node stand at
+/// least a dozen places apart where that is possible. A processor that must add to a force which it has just
+/// stored waits for the store; in the order of a mesh that costs a third of the pass.
+/// @param nodes  one list per end or corner, all of one length, of nodes below nodeCount
 /// @return places in them
-std::vector<std::size_t> conflictFreeOrder(std::size_t nodeCount, const std::vector<Index>& a,
-                                           const std::vector<Index>& b);
+std::vector<std::size_t> conflictFreeOrder(std::size_t nodeCount,
+                                           std::initializer_list<std::span<const Index>> nodes);
 
 // The implementations, one file each.
 const SpringLawKernel& linearLaw() noexcept;

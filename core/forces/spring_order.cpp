@@ -13,30 +13,33 @@ constexpr std::size_t kLookAhead = 64; ///< springs that a late one may be overt
 
 } // namespace
 
-std::vector<std::size_t> conflictFreeOrder(std::size_t nodeCount, const std::vector<Index>& a,
-                                           const std::vector<Index>& b)
+std::vector<std::size_t> conflictFreeOrder(std::size_t nodeCount,
+                                           std::initializer_list<std::span<const Index>> nodes)
 {
+  const std::size_t count = nodes.begin()->size();
   std::vector<std::int64_t> lastUse(nodeCount, -kDistance);
   const auto use = [&](Index node) -> std::int64_t& { return lastUse[static_cast<std::size_t>(node)]; };
   std::vector<std::size_t> order, waiting; // those that were overtaken, oldest first
-  order.reserve(a.size());
+  order.reserve(count);
   waiting.reserve(kLookAhead);
   std::size_t next = 0;
-  while (order.size() < a.size()) {
+  while (order.size() < count) {
     const auto place = static_cast<std::int64_t>(order.size());
-    while (waiting.size() < kLookAhead && next < a.size()) waiting.push_back(next++);
+    while (waiting.size() < kLookAhead && next < count) waiting.push_back(next++);
     // The first that is far enough from its neighbours, or else the one that is farthest.
     std::size_t best = 0;
     std::int64_t bestDistance = -1;
     for (std::size_t i = 0; i < waiting.size() && bestDistance < kDistance; ++i) {
-      const std::int64_t distance = place - std::max(use(a[waiting[i]]), use(b[waiting[i]]));
+      std::int64_t latest = -kDistance;
+      for (const std::span<const Index> node : nodes) latest = std::max(latest, use(node[waiting[i]]));
+      const std::int64_t distance = place - latest;
       if (distance <= bestDistance) continue;
       best = i;
       bestDistance = distance;
     }
     order.push_back(waiting[best]);
     waiting.erase(waiting.begin() + static_cast<std::ptrdiff_t>(best));
-    use(a[order.back()]) = use(b[order.back()]) = place;
+    for (const std::span<const Index> node : nodes) use(node[order.back()]) = place;
   }
   return order;
 }

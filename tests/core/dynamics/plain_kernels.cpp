@@ -11,8 +11,22 @@
 #define exponentialLaw plainExponentialLaw
 #define tableLaw plainTableLaw
 #define addDamping plainAddDamping
+#define Pressure PlainPressure
 #include "core/forces/cubic_law.cpp"
 #include "core/forces/damper_pass.cpp"
 #include "core/forces/exponential_law.cpp"
 #include "core/forces/linear_law.cpp"
+#include "core/forces/pressure.cpp"
 #include "core/forces/table_law.cpp"
+
+namespace esm {
+
+/// The volume within the net's first body, whose gradient is added.
+double plainVolume(const SpringNet& net, const Lanes* x, Lanes* gradient)
+{
+  const PlainPressure pressure(net);
+  pressure.addGradient(0, x, gradient);
+  return pressure.volume(0, x);
+}
+
+} // namespace esm

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/forces/load_schedule.h"
+#include "core/forces/pressure.h"
 #include "core/forces/spring_law.h"
 #include "core/forces/spring_matrix.h"
 #include "core/net/net_builder.h"
@@ -19,6 +20,8 @@ const SpringLawKernel& plainCubicLaw() noexcept;
 const SpringLawKernel& plainExponentialLaw() noexcept;
 const SpringLawKernel& plainTableLaw() noexcept;
 void plainAddDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept;
+
+double plainVolume(const SpringNet& net, const Lanes* x, Lanes* gradient);
 
 namespace testing {
 namespace {
@@ -271,6 +274,44 @@ TEST(KernelBits, AForceActsOnEveryNodeOfItsList)
   EXPECT_EQ(schedule.addForces(0.25, v.data(), sum.data()), power);
   EXPECT_EQ(schedule.power(0.25, v.data()), power);
   EXPECT_TRUE(haveEqualBits(sum, wanted));
+}
+
+// The same for the pressure in a surface; and triangle by triangle, by their definition. Their number is no
+// multiple of four.
+TEST_P(KernelBitsOf, PressureIsWhatItsTrianglesSay)
+{
+  constexpr Index kNodes = 30, kTriangles = 203;
+  std::mt19937 random(GetParam());
+  const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
+  SpringNet net;
+  resizeNet(net, kNodes, 0);
+  NodeArray x(kNodes);
+  for (std::size_t i = 0; i < kNodes; ++i) {
+    x[i] = Lanes{uniform(), uniform(), uniform(), 0.0};
+    net.restPosition.col(static_cast<Index>(i)) << uniform(), uniform(), uniform();
+  }
+  PressureBody& body = net.pressure.emplace_back();
+  body.bulkModulus = 1.0;
+  body.triangles.resize(3, kTriangles);
+  NodeArray expected(kNodes, Lanes{0, 0, 0, 0});
+  double sixVolumes = 0.0;
+  for (Index t = 0; t < kTriangles; ++t) {
+    for (Index& corner : body.triangles.col(t)) corner = static_cast<Index>(random() % kNodes);
+    const auto at = [&](Index k) { return toVector(x[static_cast<std::size_t>(body.triangles(k, t))]); };
+    const Eigen::Vector3d a = at(0), b = at(1), c = at(2),
+                          from = toVector(x[static_cast<std::size_t>(body.triangles(0, 0))]);
+    sixVolumes += (a - from).dot((b - from).cross(c - from));
+    for (const Index corner : body.triangles.col(t))
+      expected[static_cast<std::size_t>(corner)] += toLanes((b - a).cross(c - a) / 6.0);
+  }
+  NodeArray here(kNodes, Lanes{0, 0, 0, 0}), plain = here;
+  const Pressure pressure(net);
+  pressure.addGradient(0, x.data(), here.data());
+  EXPECT_EQ(pressure.volume(0, x.data()), plainVolume(net, x.data(), plain.data()));
+  EXPECT_TRUE(haveEqualBits(here, plain));
+  EXPECT_NEAR(pressure.volume(0, x.data()), sixVolumes / 6.0, 1e-13 * kTriangles); // rounding of such sums
+  for (std::size_t i = 0; i < kNodes; ++i)
+    EXPECT_LE((toVector(here[i]) - toVector(expected[i])).norm(), 1e-13) << i;
 }
 
 // The order that spares the processor its waits is a permutation, and in a net that is not too small two
