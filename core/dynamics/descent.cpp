@@ -110,8 +110,7 @@ private:
   Sums look(System& system, const Goal& goal, NodeArray& y) noexcept
   {
     Sums sums;
-    for (std::size_t i = 0; i < y.size(); ++i)
-      m_w[i] = system.isFree(i) ? (y[i] - m_x[i]) * (1.0 / goal.h) : Lanes{0, 0, 0, 0};
+    slopesTo(y.size(), 1.0 / goal.h, system.inverseMass().data(), m_x.data(), y.data(), m_w.data());
     // The sum of f w; what it leaves in m_force is overwritten.
     sums.loadWork = goal.h * system.schedule().addForces(goal.end, m_w.data(), m_force.data());
     const Rates rates = system.evaluate(goal.end, y, m_w, m_force); // places the supports
@@ -162,7 +161,7 @@ private:
       bool found = false, beyond = false;
       double gain = 0.0;
       for (double fraction = 1.0; fraction >= kShortest && !found; fraction *= 0.25) {
-        for (std::size_t i = 0; i < m_y.size(); ++i) m_trial[i] = m_y[i] + m_change[i] * (fraction * goal.h);
+        advanceNodes(m_y.size(), fraction * goal.h, m_y.data(), m_change.data(), m_trial.data());
         const Sums next = look(system, goal, m_trial);
         found = next.potential < best.potential;
         beyond = beyond || !std::isfinite(next.potential);

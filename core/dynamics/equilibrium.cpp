@@ -166,7 +166,7 @@ Equilibrium::Outcome Equilibrium::takeStep(System& system, const MotionState& mo
 Equilibrium::Outcome Equilibrium::takePart(System& system, double time, StepReport& report)
 {
   for (double part = 0.5; part >= kLeastPart; part *= 0.5) {
-    for (std::size_t i = 0; i < m_place.size(); ++i) m_place[i] = m_base[i] + m_step[i] * part;
+    advanceNodes(m_place.size(), part, m_base.data(), m_step.data(), m_place.data());
     m_force = forcesAt(system, time, m_place, m_next, report);
     if (!solve(system, m_next)) return Outcome::Fails;
     if (std::sqrt(sumOfSquares(m_next)) <= (1.0 - (1.0 - kShorter) * part) * m_length) return Outcome::Turns;

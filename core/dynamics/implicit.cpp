@@ -25,14 +25,6 @@ ESM_CPU_CLONES void advanceByBoth(std::size_t count, double s, const Lanes* from
   for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + (one[i] + other[i]) * s;
 }
 
-/// The acceleration that has led from `startV` to v in 1/rate; 0 where a support holds.
-ESM_CPU_CLONES void accelerationTo(std::size_t count, double rate, const double* inverseMass, const Lanes* v,
-                                   const Lanes* startV, Lanes* a) noexcept
-{
-  const Lanes zero = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < count; ++i) a[i] = inverseMass[i] > 0.0 ? (v[i] - startV[i]) * rate : zero;
-}
-
 class TrBdf2 final : public Integrator {
 public:
   void prepare(const System& system) override
@@ -77,7 +69,7 @@ public:
     if (result != StepResult::Done) return result;
     m_guessMiddle.judge(m_middleV, m_middleA, state.v, m_a, m_v);
     m_middleV = m_v; // same size: no allocation
-    accelerationTo(count, 1.0 / share, inverseMass, m_v.data(), m_startV.data(), m_middleA.data());
+    slopesTo(count, 1.0 / share, inverseMass, m_startV.data(), m_v.data(), m_middleA.data());
     advanceByBoth(count, kOuter * h, state.x.data(), state.v.data(), m_v.data(), m_startX.data());
     advanceByBoth(count, kOuter * h, state.v.data(), m_a.data(), m_middleA.data(), m_startV.data());
     m_guessEnd.set(kMiddle * h, (1.0 - kMiddle) * h, isFirst);
@@ -85,7 +77,7 @@ public:
     result = m_stage.solve(system, end, share, m_startX, m_startV, m_v, m_x, rates[2], report);
     if (result != StepResult::Done) return result;
     m_guessEnd.judge(state.v, m_a, m_middleV, m_middleA, m_v);
-    accelerationTo(count, 1.0 / share, inverseMass, m_v.data(), m_startV.data(), m_a.data());
+    slopesTo(count, 1.0 / share, inverseMass, m_startV.data(), m_v.data(), m_a.data());
     state.advanceTo(end, m_x, m_v, h * (kOuter * (rates[0].work + rates[1].work) + kDiagonal * rates[2].work),
                     h * (kOuter * (rates[0].heat + rates[1].heat) + kDiagonal * rates[2].heat));
     m_rates = rates[2];

@@ -17,20 +17,17 @@ struct GuessSources {
   }
 };
 
-ESM_CPU_CLONES void makeGuess(const GuessSources& from, const GuessWeights& given, std::size_t count,
+ESM_CPU_CLONES void makeGuess(const GuessSources& sources, const GuessWeights& given, std::size_t count,
                               Lanes* v) noexcept
 {
-  const GuessSources sources = from; // as ESM_CPU_CLONES says
-  const GuessWeights weights = given;
+  const GuessWeights weights = given; // as ESM_CPU_CLONES says
   for (std::size_t i = 0; i < count; ++i) sources.weigh(weights, i, v[i]);
 }
 
 /// @return sum over the nodes of the guess's squared distance from v
-ESM_CPU_CLONES double guessMissed(const GuessSources& from, const GuessWeights& given, std::size_t count,
+ESM_CPU_CLONES double guessMissed(const GuessSources& sources, const GuessWeights& weights, std::size_t count,
                                   const Lanes* v) noexcept
 {
-  const GuessSources sources = from;
-  const GuessWeights weights = given;
   Lanes sum = {0, 0, 0, 0};
   for (std::size_t i = 0; i < count; ++i) {
     Lanes guess;

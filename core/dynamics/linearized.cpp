@@ -83,7 +83,7 @@ private:
   double predict(System& system, const MotionState& state, double h, double end) noexcept
   {
     m_v = state.v; // same size: no allocation
-    for (std::size_t i = 0; i < m_x.size(); ++i) m_x[i] = state.x[i] + m_v[i] * h;
+    advanceNodes(m_x.size(), h, state.x.data(), m_v.data(), m_x.data());
     system.evaluate(end, m_x, m_v, m_force);
     double sum = 0.0;
     for (std::size_t i = 0; i < m_x.size(); ++i) {

@@ -213,7 +213,7 @@ private:
     if (!(slope < 0.0)) return false;
     const double rounding = kRounding * (std::abs(height) + 1e-300);
     for (double fraction = 1.0; fraction > 1e-9; fraction *= 0.5) {
-      for (std::size_t i = 0; i < m_x.size(); ++i) m_trial[i] = m_x[i] + m_change[i] * fraction;
+      advanceNodes(m_x.size(), fraction, m_x.data(), m_change.data(), m_trial.data());
       const double next = energy(system, m_trial);
       if (!(next <= height + rounding)) continue;
       const double nextNorm = findForces(system, m_trial);
@@ -237,7 +237,7 @@ private:
     const double height = energy(system, m_x);
     for (double fraction = 1.0; fraction > 1e-6; fraction *= 0.25)
       for (const double way : {fraction, -fraction}) {
-        for (std::size_t i = 0; i < m_x.size(); ++i) m_trial[i] = m_x[i] + m_change[i] * way;
+        advanceNodes(m_x.size(), way, m_x.data(), m_change.data(), m_trial.data());
         if (!(energy(system, m_trial) < height - kRounding * std::abs(height))) continue;
         std::swap(m_x, m_trial);
         return true;

@@ -91,6 +91,13 @@ ESM_CPU_CLONES void advanceNodes(std::size_t count, double s, const Lanes* from,
   for (std::size_t i = 0; i < count; ++i) to[i] = from[i] + rate[i] * s;
 }
 
+ESM_CPU_CLONES void slopesTo(std::size_t count, double rate, const double* inverseMass, const Lanes* from,
+                             const Lanes* to, Lanes* slope) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) slope[i] = inverseMass[i] > 0.0 ? (to[i] - from[i]) * rate : zero;
+}
+
 ESM_CPU_CLONES void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept
 {
   for (std::size_t i = 0; i < count; ++i) to[i] = from[i] * factor[i];

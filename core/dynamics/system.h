@@ -134,6 +134,10 @@ double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y, const
 /// to = from + s rate; `to` may be either of the arrays.
 void advanceNodes(std::size_t count, double s, const Lanes* from, const Lanes* rate, Lanes* to) noexcept;
 
+/// slope = rate (to - from); 0 where a support holds. `slope` may be either of the arrays.
+void slopesTo(std::size_t count, double rate, const double* inverseMass, const Lanes* from, const Lanes* to,
+              Lanes* slope) noexcept;
+
 /// to = factor from, node by node; both may be the same array.
 void scaleNodes(std::size_t count, const double* factor, const Lanes* from, Lanes* to) noexcept;
 

@@ -23,8 +23,9 @@ ESM_INLINE bool isHeavy(const Lanes& gravity) noexcept
 }
 
 template <bool hasWeight>
-ESM_INLINE double setBeddedAs(const Bedding& bed, Lanes* force) noexcept
+ESM_INLINE double setBeddedAs(const Bedding& given, Lanes* force) noexcept
 {
+  const Bedding bed = given; // as ESM_CPU_CLONES says
   Lanes heat = {0, 0, 0, 0};
   for (std::size_t i = 0; i < bed.count; ++i) {
     const Lanes drag = bed.v[i] * bed.viscosity[i];
@@ -46,7 +47,8 @@ ESM_CPU_CLONES double setBedded(const Bedding& bed, Lanes* force) noexcept
 ESM_CPU_CLONES void setWeight(std::size_t count, const Lanes& gravity, const double* mass,
                               Lanes* force) noexcept
 {
-  for (std::size_t i = 0; i < count; ++i) force[i] = gravity * mass[i];
+  const Lanes pull = gravity; // as ESM_CPU_CLONES says
+  for (std::size_t i = 0; i < count; ++i) force[i] = pull * mass[i];
 }
 
 } // namespace

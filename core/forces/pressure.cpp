@@ -75,14 +75,13 @@ std::vector<FourTriangles> inFours(std::size_t nodeCount, const std::vector<Inde
   const std::vector<std::size_t> order = conflictFreeOrder(nodeCount, {each[0], each[1], each[2]});
   std::vector<FourTriangles> fours((order.size() + 3) / 4);
   for (std::size_t t = 0; t < 4 * fours.size(); ++t) {
-    const auto placeOf = [&](std::size_t corner) { // what only fills up has no area
-      const Index node = t < order.size() ? each[corner][order[t]] : corners.front();
-      return static_cast<std::uint32_t>(static_cast<std::size_t>(node) * sizeof(Lanes));
+    const auto place = [&](std::size_t corner) { // what only fills up has no area
+      return detail::placeOf(t < order.size() ? each[corner][order[t]] : corners.front());
     };
     FourTriangles& four = fours[t / 4];
-    four.a[t % 4] = placeOf(0);
-    four.b[t % 4] = placeOf(1);
-    four.c[t % 4] = placeOf(2);
+    four.a[t % 4] = place(0);
+    four.b[t % 4] = place(1);
+    four.c[t % 4] = place(2);
   }
   return fours;
 }

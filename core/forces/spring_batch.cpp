@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "core/forces/spring_law.h"
+#include "core/forces/spring_ends.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +11,6 @@
 namespace esm {
 
 namespace {
-
-static_assert(static_cast<std::size_t>(kMostNetNodes) * sizeof(Lanes) <= std::size_t{1}
-                                                                           << 32); // see fillRecord()
 
 template <class Value>
 void putInto(const std::vector<std::size_t>& order, std::vector<Value>& values)
@@ -99,7 +96,7 @@ void SpringBatch::fillRecord()
     Lanes* const group = record.data() + i / 4 * rows;
     const std::size_t lane = i % 4;
     const auto putEnd = [&](Index node, std::size_t place) {
-      const auto offset = static_cast<std::uint32_t>(static_cast<std::size_t>(node) * sizeof(Lanes));
+      const std::uint32_t offset = detail::placeOf(node);
       std::memcpy(reinterpret_cast<char*>(group) + place * sizeof(offset), &offset, sizeof(offset));
     };
     putEnd(a[i], lane);

@@ -35,7 +35,15 @@ ESM_INLINE void foresee(const Lanes* here, std::size_t rows) noexcept
   for (std::size_t byte = 0; byte < rows * sizeof(Lanes); byte += kLine) __builtin_prefetch(ahead + byte);
 }
 
-/// A node's entry by its place in bytes, as SpringBatch::record has it.
+static_assert(static_cast<std::size_t>(kMostNetNodes) * sizeof(Lanes) <= std::size_t{1} << 32);
+
+/// A node's place in a NodeArray [bytes].
+inline std::uint32_t placeOf(Index node) noexcept
+{
+  return static_cast<std::uint32_t>(static_cast<std::size_t>(node) * sizeof(Lanes));
+}
+
+/// A node's entry by its place.
 ESM_INLINE const Lanes& at(const Lanes* values, std::size_t offset) noexcept
 {
   return *reinterpret_cast<const Lanes*>(reinterpret_cast<const char*>(values) + offset);
