@@ -51,6 +51,10 @@ public:
   virtual void tune(const System& /*system*/, const FastestMode& /*mode*/) noexcept {}
 
   virtual int order() const noexcept = 0;
+  /// What the steps since the last call have erred in place, each by itself: the sum of their distances from
+  /// what a method of next order, which is at hand without a pass more, makes of them [m, roots of sums of
+  /// squares over the nodes]. 0 from a method that knows none.
+  virtual double takeLocalError() noexcept { return 0.0; }
   /// Whether it takes one step per stretch whatever the tolerance: its result is an equilibrium, or rough by
   /// intent.
   virtual bool isUncontrolled() const noexcept { return false; }

@@ -78,7 +78,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   m_untilCheck = 0;
   m_checkGap = 1;
-  m_checkedError = m_checkedPower = 0.0;
+  m_checkedError = m_checkedPower = m_errorOverLocal = 0.0;
   m_checkedTime = state.time;
   m_growing = 1.0;
   m_settled = m_descents = m_descentTerm = 0;

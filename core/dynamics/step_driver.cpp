@@ -143,6 +143,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   m_start = state;
   m_startEnergies.reset();
   m_growth = m_grown;
+  m_localError = 0.0;
   if (!m_auto && current().isUncontrolled()) {
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
     const Run result = run(system, state, end, 1, report);
@@ -181,8 +182,10 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     m_look.steps = 0;
     const double workBefore = system.workDone();
     if (isPlanned) current().mark(state.time);
+    current().takeLocalError(); // of probes, and runs that failed
     Run result =
       isPlanned ? runWithLook(system, state, end, steps, report) : run(system, state, end, steps, report);
+    m_localError = current().takeLocalError();
     if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
       report.rejectedSteps += steps;
       state = m_start;
@@ -232,7 +235,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     m_settled = 0;
     reconsider(system);
     length = std::min(length, longestCheck()); // another method may take far more steps
-    end = m_start.time + length;
+    if (length < (1.0 - 1e-9) * (end - m_start.time)) end = m_start.time + length; // no rest of rounding
     current().restart();
   }
   if (!m_auto) {

@@ -194,6 +194,7 @@ private:
   void retreat(System& system, MotionState& state, int attempt, double length, StepReport& report);
   bool checkDue(const MotionState& state) const noexcept;
   void learn(const MotionState& state, double error, double budget, double step);
+  void learnOverLocal(double error, double length) noexcept;
   void learnCost(double step) noexcept;
   double controlledStep(double length) noexcept;
   double longestCheck() noexcept;
@@ -237,6 +238,8 @@ private:
   int m_checkGap = 1;
   double m_checkedError = 0.0;                  ///< that the present steps add, by the last check [m/s]
   double m_checkedPower = 0.0;                  ///< of the dampers then [W]
+  double m_localError = 0.0;                    ///< of the present stretch's first run, see Integrator [m]
+  double m_errorOverLocal = 0.0;                ///< error of a stretch over that [1]; 0: not known
   double m_growing = 1.0;                       ///< part of it that goes on to grow
   double m_coarseWork = 0.0, m_finerWork = 0.0; ///< of the two runs of a check [spring evaluations]
   double m_checkedShare = 0.0;                  ///< of the budget, that the last check found
