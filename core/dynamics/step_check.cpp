@@ -381,7 +381,7 @@ void StepDriver::learn(const MotionState& state, double error, double budget, do
     const bool isHeld = m_auto && !isImplicit && controlledStep(kFrame) > 0.8 * step;
     m_checkGap = isHeld ? std::min(2 * m_checkGap, kLongestRoughGap) : std::max(1, m_checkGap / 4);
   } else { // motion that unfolds is looked at soon where no damper tells of it, a step that has grown at once
-    grows = 0.8 * controlledStep(kFrame) > step;
+    grows = 0.8 * controlledStep(kInfinity) > step;
     const bool unfolds = m_gauge.scale().calm < kSettlingTime && !(m_checkedPower > 0.0);
     const int wider = length < kLeastProof ? m_checkGap : 2 * m_checkGap;
     m_checkGap = std::min(wider, grows || unfolds ? 2 : kLongestCheckGap);

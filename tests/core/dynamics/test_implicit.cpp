@@ -72,6 +72,36 @@ Loads weight()
 
 } // namespace
 
+// A mass on a spring swings as a cosine. What TR-BDF2 says that a step has erred in place is what it is off
+// by, but for the error of its companion, which is smaller by h w (tolerance: twice that). Steps add up, and
+// are forgotten once they have been told.
+TEST(Implicit, StepsTellWhatTheyErr)
+{
+  SpringNet net = chain(2);
+  net.fixed[0] = 1;
+  net.mass.setConstant(0.5);
+  net.stiffness.setConstant(200.0); // w = 20 / s
+  net.viscosity.setZero();
+  net.restPosition(0, 1) = 1.1;
+  net.restLength.setConstant(1.0);
+  for (const double angle : {0.02, 0.05}) {
+    Motion motion = begin(net, {}, makeImplicit(), 1e-15);
+    ASSERT_EQ(go(motion, angle / 20.0, 10), StepResult::Done);
+    const double sum = motion.method->takeLocalError();
+    const double x = motion.state.x[1][0] - 1.0, v = motion.state.v[1][0];
+    ASSERT_EQ(go(motion, angle / 20.0, 1), StepResult::Done);
+    const double off =
+      std::abs(motion.state.x[1][0] - 1.0 - x * std::cos(angle) - v / 20.0 * std::sin(angle));
+    const double told = motion.method->takeLocalError();
+    EXPECT_NEAR(told, off, 2.0 * angle * off);
+    double sines = 0.0; // what a step errs is in proportion to the speed
+    for (int step = 0; step < 10; ++step) sines += std::sin((step + 0.5) * angle);
+    sines /= std::sin(10.5 * angle);
+    EXPECT_NEAR(sum, told * sines, 2.0 * angle * sum);
+    EXPECT_EQ(motion.method->takeLocalError(), 0.0);
+  }
+}
+
 // factor() and solve() undo multiply(), nodes that are held take no part; the same after a held node has been
 // released and another one been held.
 TEST(ImplicitMatrix, SolveUndoesMultiply)
