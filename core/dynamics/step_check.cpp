@@ -346,8 +346,8 @@ void StepDriver::continueOnset(System& system)
 void StepDriver::learnOverLocal(double error, double length) noexcept
 {
   const bool isFirst = !(m_errorOverLocal > 0.0);
-  if (!(m_localError > 0.0) || !(error > 0.0) || (length < kLeastProof && !isFirst)) return;
   const double found = error / m_localError;
+  if (!(found > 0.0) || !std::isfinite(found) || (length < kLeastProof && !isFirst)) return;
   m_errorOverLocal = isFirst ? found : std::sqrt(found * m_errorOverLocal);
 }
 
