@@ -13,8 +13,8 @@ namespace {
 
 /// Implicit steps per frame to begin with; measured from then on. Nets with stiffness over six decades take
 /// 25 and more. With 4 tubes and uteri of a hundred and a thousand times their stiffness went implicit at
-/// first, where explicit steps cost a third of it.
-constexpr double kImplicitGuess = 16.0;
+/// first, where explicit steps cost a third of it. But 4 where they only have to stay bounded.
+constexpr double kImplicitGuess = 16.0, kBoundedGuess = 4.0;
 
 /// Of what plain steps cost: local ones must be that cheap. They err as much as they may, plain ones at their
 /// limit of stability a hundred times less: for a twentieth saved in three frames a stiff net that snaps
@@ -305,6 +305,7 @@ void StepDriver::choose(System& system, const MotionState&)
         (toleranceIsTooDear(system) || caution() * cost(m_method, system) > 2.0 * cost(m_implicit, system)))
       m_method = m_implicit;
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
+    if (m_toleranceGivenUp) m_candidates[m_implicit].accurateStep = kFrame / kBoundedGuess;
   }
   use(m_method, system);
   explain(system);
