@@ -342,7 +342,7 @@ void StepDriver::continueOnset(System& system)
 
 /// What of the local errors of a check's first run is left at its end. Fast waves lose most of theirs on the
 /// way: in nets with stiffness over six decades a fiftieth to a fifth is left, the least where a part of them
-/// snaps through. So one check tells half of it, as powers.
+/// snaps through. So one check moves what is known by half of the way, in logarithms.
 void StepDriver::learnOverLocal(double error, double length) noexcept
 {
   const bool isFirst = !(m_errorOverLocal > 0.0);
