@@ -291,9 +291,7 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   return true;
 }
 
-/// Whether the net has more energy than at the start of the stretch without work that explains it, by more
-/// than this share of what was there, has been worked and has fallen.
-bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share)
+StepDriver::EnergyBalance StepDriver::energyBalance(const System& system, const MotionState& state)
 {
   if (!m_startEnergies)
     m_startEnergies = Energies{system.kineticEnergy(m_start.v), system.elasticEnergy(m_start.x),
@@ -303,11 +301,19 @@ bool StepDriver::energyAppeared(const System& system, const MotionState& state, 
   const double work = state.work - m_start.work;
   const double gained =
     system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
+  return {gained, kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen)};
+}
+
+/// Whether the net has more energy than at the start of the stretch without work that explains it, by more
+/// than this share of what was there, has been worked and has fallen.
+bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share)
+{
+  const auto [gained, turnedOver] = energyBalance(system, state);
   // Of sums with rounding errors; and what nobody can see.
-  const double least = 1e-12 * (std::abs(high) + system.totalMass() * m_gauge.extent() * m_gauge.extent());
-  const double scale = kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen);
+  const double least =
+    1e-12 * (std::abs(m_startEnergies->height) + system.totalMass() * m_gauge.extent() * m_gauge.extent());
   const double sum = std::max(m_grown, 0.0) + gained; // what came slowly is no better
-  if (!(sum <= share * scale + least)) return true;
+  if (!(sum <= share * turnedOver + least)) return true;
   m_growth = sum;
   return false;
 }

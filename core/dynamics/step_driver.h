@@ -182,10 +182,17 @@ private:
   Run runAgain(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   bool fallBackToLeapfrog(System& system, double length);
   bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
+  /// Since the start of the stretch [J].
+  struct EnergyBalance {
+    double gained = 0.0;     ///< without work; what dampers have taken counts as a loss
+    double turnedOver = 0.0; ///< was there, has been worked and has fallen
+  };
+  EnergyBalance energyBalance(const System& system, const MotionState& state);
   bool energyAppeared(const System& system, const MotionState& state, double share);
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);
   double errorOfFirst(System& system, const MotionState& state, double ratio);
+  double lostWaves(const System& system, const MotionState& state, double step);
   double swing(System& system, double distance, const NodeArray& otherV, const MotionState& state);
   double addingUp(const Candidate& candidate, const System& system, const NodeArray& otherX,
                   const NodeArray& otherV, const MotionState& state) const noexcept;
