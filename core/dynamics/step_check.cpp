@@ -157,11 +157,11 @@ double StepDriver::errorOfFirst(System& system, const MotionState& state, double
   return counted * swing(system, apart, m_coarseV, state) * ratio / (ratio - 1.0);
 }
 
-/// How large the waves were that implicit steps of this length have damped away since the start of the
-/// stretch, which two runs that both do so do not tell [m]. Their energy is what no damper has taken. They
-/// were faster than the steps, so were at most so large: ten times less on a sheet of a thousand times its
-/// stiffness, which erred ten times a tolerance of 1e-2 for them, in no check. Where dampers take such waves,
-/// checks tell more.
+/// How large the waves may have been that implicit steps of this length have damped away since the start of
+/// the stretch [m]. Two runs that both do so do not tell: a sheet of a thousand times its stiffness erred ten
+/// times a tolerance of 1e-2, and each check saw a thirtieth of its budget. What tells is energy that is gone
+/// without work and heat. The waves were faster than the steps, so no larger than this; there, ten times
+/// smaller. Where dampers take such waves, it is less than what checks see.
 double StepDriver::lostWaves(const System& system, const MotionState& state, double step)
 {
   if (isExplicit(m_candidates[m_method])) return 0.0;
