@@ -171,11 +171,8 @@ std::vector<Row> autoBetween(const Scene& scene, const Reference& reference, con
                              const WorkOptions& options, const std::vector<Row>& automatic)
 {
   std::vector<Row> rows;
-  constexpr int kPerDecade = 4; // as fine as the settings of the others have been searched
-  const int steps =
-    static_cast<int>(std::lround(kPerDecade * std::log10(kTargets.front() / kTargets.back())));
-  for (int step = 1; step < steps; ++step) {
-    const double tolerance = kTargets.front() * std::pow(10.0, -static_cast<double>(step) / kPerDecade);
+  const double ratio = std::pow(10.0, 0.25); // as fine as the settings in candidates.csv were searched
+  for (double tolerance = kTargets.front(); tolerance > 1.5 * kTargets.back(); tolerance /= ratio) {
     const auto isTarget = [&](double target) { return isSameTolerance(tolerance, target); };
     if (std::none_of(kTargets.begin(), kTargets.end(), isTarget))
       rows.push_back(runAuto(scene, reference, options, tolerance, front.seconds.back()));

@@ -162,14 +162,11 @@ double StepDriver::errorOfFirst(System& system, const MotionState& state, double
 /// times a tolerance of 1e-2, and each check saw a thirtieth of its budget. What tells is energy that is gone
 /// without work and heat. The waves were faster than the steps, so no larger than this; there, ten times
 /// smaller. Where dampers take such waves, it is less than what checks see.
-double StepDriver::lostWaves(const System& system, const MotionState& state, double step)
+double StepDriver::lostWaves(const System& system, const EnergyBalance& balance, double step) noexcept
 {
-  if (isExplicit(m_candidates[m_method])) return 0.0;
-  const auto [gained, turnedOver] = energyBalance(system, state);
-  const double whole = turnedOver + std::abs(m_startEnergies->height); // sums of so many rounding errors:
-  const double rounding =
+  const double rounding = // of so many errors
     std::numeric_limits<double>::epsilon() * std::sqrt(static_cast<double>(system.forces().activeSprings()));
-  const double lost = m_start.heat - state.heat - gained - rounding * whole;
+  const double lost = -balance.heat - balance.gained - rounding * (balance.turnedOver + balance.high);
   return step * std::sqrt(std::max(lost, 0.0) / system.totalMass());
 }
 
@@ -180,9 +177,10 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
 {
   const double length = state.time - m_start.time, count = static_cast<double>(steps);
   const double ratio = std::pow(static_cast<double>(finer) / count, current().order()); // of the errors
-  const double coarseError = std::max(errorOfFirst(system, state, ratio),
-                                      lostWaves(system, state, length / static_cast<double>(finer)));
-  const double error = coarseError / ratio;
+  const bool dampsWaves = !isExplicit(m_candidates[m_method]);
+  const EnergyBalance balance = m_auto || dampsWaves ? energyBalance(system, state) : EnergyBalance{};
+  const double lost = dampsWaves ? lostWaves(system, balance, length / static_cast<double>(finer)) : 0.0;
+  const double coarseError = std::max(errorOfFirst(system, state, ratio), lost), error = coarseError / ratio;
   m_gauge.guessLifetime(system, m_start, state);
   learnOverLocal(coarseError, length);
   const double allowed = budget(state, length);
@@ -190,7 +188,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   // Below the floor a rough answer is taken, but not one that runs away: a tenth of all displacement.
   const double rough = 0.1 * std::max(m_gauge.displacementOf(m_start.x), m_gauge.floor());
   const bool atFloor = length / count <= floorStep() && coarseError <= rough;
-  const bool sane = !m_auto || !energyAppeared(system, state, kCoarseGrowth);
+  const bool sane = !m_auto || !energyAppeared(system, balance, kCoarseGrowth);
   // Where another attempt could not be paid for, this one must do.
   const bool isLast = isTooDear(system, 3.0 * count * current().stepCost(system, length / count));
   if (m_checksFromAbove)

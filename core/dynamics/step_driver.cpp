@@ -186,20 +186,21 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     Run result =
       isPlanned ? runWithLook(system, state, end, steps, report) : run(system, state, end, steps, report);
     m_localError = current().takeLocalError();
-    if (unchecked && result == Run::Done && energyAppeared(system, state, kGrowth)) { // once more, exactly
+    if (unchecked && result == Run::Done &&
+        energyAppeared(system, energyBalance(system, state), kGrowth)) { // once more, exactly
       report.rejectedSteps += steps;
       state = m_start;
       current().restart();
       current().setSolveTolerance(std::max(kSolveShare * budget / count, 1e-6 * m_gauge.extent()), false);
       result = run(system, state, end, steps, report);
-      if (result == Run::Done && energyAppeared(system, state, kGrowth)) break;
+      if (result == Run::Done && energyAppeared(system, energyBalance(system, state), kGrowth)) break;
     }
     if (result == Run::Limit) return stopAtLimit(system, state, report), false;
     if (m_auto && result != Run::Done && (unchecked || system.isExhausted())) break;
     const bool isCheap =
       m_method == m_implicit || count >= 32.0 || m_untilCheck <= 0; // to look at the energy
     if (m_auto && result == Run::Done && !unchecked && isCheap &&
-        energyAppeared(system, state, kCoarseGrowth))
+        energyAppeared(system, energyBalance(system, state), kCoarseGrowth))
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
       const bool isDue = !unchecked && checkDue(state);
@@ -301,19 +302,18 @@ StepDriver::EnergyBalance StepDriver::energyBalance(const System& system, const 
   const double work = state.work - m_start.work;
   const double gained =
     system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
-  return {gained, kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen)};
+  return {gained, state.heat - m_start.heat, kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen),
+          std::abs(high)};
 }
 
 /// Whether the net has more energy than at the start of the stretch without work that explains it, by more
 /// than this share of what was there, has been worked and has fallen.
-bool StepDriver::energyAppeared(const System& system, const MotionState& state, double share)
+bool StepDriver::energyAppeared(const System& system, const EnergyBalance& balance, double share) noexcept
 {
-  const auto [gained, turnedOver] = energyBalance(system, state);
   // Of sums with rounding errors; and what nobody can see.
-  const double least =
-    1e-12 * (std::abs(m_startEnergies->height) + system.totalMass() * m_gauge.extent() * m_gauge.extent());
-  const double sum = std::max(m_grown, 0.0) + gained; // what came slowly is no better
-  if (!(sum <= share * turnedOver + least)) return true;
+  const double least = 1e-12 * (balance.high + system.totalMass() * m_gauge.extent() * m_gauge.extent());
+  const double sum = std::max(m_grown, 0.0) + balance.gained; // what came slowly is no better
+  if (!(sum <= share * balance.turnedOver + least)) return true;
   m_growth = sum;
   return false;
 }
@@ -323,7 +323,7 @@ bool StepDriver::energyAppeared(const System& system, const MotionState& state, 
 /// good state.
 void StepDriver::stopAtLimit(const System& system, MotionState& state, StepReport& report)
 {
-  if (energyAppeared(system, state, kGrowth)) {
+  if (energyAppeared(system, energyBalance(system, state), kGrowth)) {
     state = m_start;
     current().restart();
     m_candidates[m_method].accurateStep = 0.25 * controlledStep(kFrame);

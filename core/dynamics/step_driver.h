@@ -185,14 +185,16 @@ private:
   /// Since the start of the stretch [J].
   struct EnergyBalance {
     double gained = 0.0;     ///< without work; what dampers have taken counts as a loss
+    double heat = 0.0;       ///< that they have taken
     double turnedOver = 0.0; ///< was there, has been worked and has fallen
+    double high = 0.0;       ///< size of that of weight at the start, for the rounding of its differences
   };
   EnergyBalance energyBalance(const System& system, const MotionState& state);
-  bool energyAppeared(const System& system, const MotionState& state, double share);
+  bool energyAppeared(const System& system, const EnergyBalance& balance, double share) noexcept;
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);
   double errorOfFirst(System& system, const MotionState& state, double ratio);
-  double lostWaves(const System& system, const MotionState& state, double step);
+  static double lostWaves(const System& system, const EnergyBalance& balance, double step) noexcept;
   double swing(System& system, double distance, const NodeArray& otherV, const MotionState& state);
   double addingUp(const Candidate& candidate, const System& system, const NodeArray& otherX,
                   const NodeArray& otherV, const MotionState& state) const noexcept;
