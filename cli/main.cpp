@@ -19,7 +19,7 @@ constexpr const char* kFooter =
   "  esm simulate soft.esm --duration 2 --frames 60 -o motion.pvd\n"
   "  esm export soft.esm -o soft.ply\n"
   "\n"
-  "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the numerics failed, 4 internal.\n"
+  "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the numerics failed or the tolerance was given up, 4 internal.\n"
   "Lengths are metres, forces newtons, times seconds; numbers take a point in every locale.";
 
 Exit run(int argc, char** argv)
@@ -50,7 +50,10 @@ int main(int argc, char** argv)
 {
   esm::keepBigArraysInHeap();
   try {
-    return static_cast<int>(run(argc, argv));
+    const Exit exit = run(argc, argv);
+    if (std::cout.flush()) return static_cast<int>(exit);
+    say("the standard output cannot be written");
+    return static_cast<int>(exit == Exit::Done ? Exit::BadInput : exit);
   } catch (const std::bad_alloc&) {
     say("not enough memory");
   } catch (const std::exception& fault) {

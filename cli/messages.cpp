@@ -8,11 +8,24 @@
 
 namespace esm::cli {
 
+namespace {
+
+/// Names in files may hold line breaks and escape sequences, which would steer the terminal.
+std::string masked(std::string line, bool keepLines)
+{
+  const auto steers = [&](char c) {
+    return (static_cast<unsigned char>(c) < 0x20 && !(keepLines && (c == '\n' || c == '\t'))) || c == 0x7f;
+  };
+  for (char& c : line)
+    if (steers(c)) c = c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
+  return line;
+}
+
+} // namespace
+
 void say(const std::string& message)
 {
-  std::string line = message; // a file name may hold a line break, a message is one line
-  std::replace(line.begin(), line.end(), '\n', ' ');
-  std::cerr << "esm: " + line + "\n" << std::flush;
+  std::cerr << "esm: " + masked(message, false) + "\n" << std::flush;
 }
 
 Exit fail(const Error& error)
@@ -30,7 +43,7 @@ Exit fail(const Error& error)
 
 void print(const std::string& line)
 {
-  std::cout << line + "\n" << std::flush;
+  std::cout << masked(line, true) + "\n" << std::flush;
 }
 
 Progress::Progress(std::string what) : m_what(std::move(what)), m_terminal(::isatty(STDERR_FILENO) == 1) {}

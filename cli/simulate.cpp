@@ -9,6 +9,8 @@
 #include "core/project/project_io.h"
 
 #include <algorithm>
+#include <filesystem>
+#include <set>
 
 namespace esm::cli {
 
@@ -21,7 +23,7 @@ struct SimulateOptions {
   std::optional<int> threads;
   std::optional<bool> skipResting;
   RunOutputs outputs;
-  bool verify = false, json = false;
+  bool verify = false, json = false, acceptRough = false;
 };
 
 JsonLine jsonOf(const RunSummary& summary, const Project& project)
@@ -91,6 +93,22 @@ bool sayVerification(const SimulateOptions& options, const RunSummary& summary, 
   return check.kept;
 }
 
+/// The first output file that another output, too, would write; empty if there is none.
+std::string outputNamedTwice(const SimulateOptions& options)
+{
+  const std::string outputs[] = {options.outputs.motion, options.report, options.outputs.forceCurve,
+                                 options.outputs.mesh};
+  std::set<std::filesystem::path> seen;
+  for (const std::string& output : outputs) {
+    if (output.empty() || !specialFileKind(output).empty()) continue;
+    std::error_code code;
+    std::filesystem::path place = std::filesystem::weakly_canonical(output, code);
+    if (code) place = output;
+    if (!seen.insert(std::filesystem::absolute(place, code)).second) return output;
+  }
+  return {};
+}
+
 Exit simulate(const SimulateOptions& options)
 {
   Result<Project> project = loadProject(options.file);
@@ -99,6 +117,14 @@ Exit simulate(const SimulateOptions& options)
   if (project->simulation.duration * project->simulation.frameRate > 1e9)
     return fail(
       {ErrorCode::InvalidValue, options.file + ": more than 1e9 frames; use less --duration or --frames"});
+
+  const double fixedStep = project->simulation.solver.fixedStep;
+  if (fixedStep > 0.0 && project->simulation.duration / fixedStep > 1e18)
+    return fail({ErrorCode::InvalidValue, options.file + ": more than 1e18 steps; use a larger --step"});
+  if (const std::string twice = outputNamedTwice(options); !twice.empty()) {
+    say(twice + ": is named for two outputs; give each a file of its own");
+    return Exit::WrongUsage;
+  }
 
   const Result<RunSummary> summary =
     options.verify ? runVerified(*project, options.outputs) : runSimulation(*project, options.outputs);
@@ -114,9 +140,13 @@ Exit simulate(const SimulateOptions& options)
         " s of processor time");
   else
     say(options.file + ": stopped after " + std::to_string(summary->frames) + " frames: " + summary->reason);
-  const bool kept = good && sayVerification(options, *summary, project->simulation.solver.tolerance);
+  const double tolerance = project->simulation.solver.tolerance;
+  if (summary->steps.rough)
+    say(options.file + ": the tolerance of " + formatDouble(tolerance, 3) +
+        " was given up where keeping it cost too much work; the motion is bounded, but rough");
+  const bool kept = good && sayVerification(options, *summary, tolerance);
   if (options.json) print(json);
-  return kept ? Exit::Done : Exit::Numerics;
+  return kept && (!summary->steps.rough || options.acceptRough) ? Exit::Done : Exit::Numerics;
 }
 
 /// A solver's name, or the list of them as a usage fault.
@@ -153,6 +183,8 @@ void addSimulate(CLI::App& program, Work& work)
   command->add_flag("--verify", options->verify,
                     "measure the error by finer runs, and take finer steps where the tolerance is not kept; "
                     "exit code 3 if it cannot be");
+  command->add_flag("--accept-rough", options->acceptRough,
+                    "exit code 0, not 3, where the tolerance was given up to bound the work");
   addNumber(*command, "--step", options->fixedStep, "fixed substep [s] without error control; 0: automatic",
             NumberRange::NotNegative);
   command->add_flag_function(

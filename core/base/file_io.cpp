@@ -32,6 +32,27 @@ bool writeAll(int file, std::string_view bytes)
   return true;
 }
 
+/// What stands at a path and is no regular file; empty for files, folders and what does not exist.
+std::string specialKind(mode_t mode)
+{
+  if (S_ISCHR(mode) || S_ISBLK(mode)) return "a device";
+  if (S_ISFIFO(mode)) return "a pipe";
+  if (S_ISSOCK(mode)) return "a socket";
+  return {};
+}
+
+/// A pipe or a terminal takes the bytes as they come. Never waits for a pipe that nobody reads.
+Status writeInto(const std::filesystem::path& path, std::string_view bytes)
+{
+  const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0) return unwritable(path, errno);
+  ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
+  const bool written = writeAll(file, bytes);
+  const int reason = errno;
+  if (::close(file) != 0 && written) return unwritable(path, errno);
+  return written ? Status{} : unwritable(path, reason);
+}
+
 /// Makes a rename in this folder survive a power cut; a file system that refuses it loses only that.
 void syncFolder(const std::filesystem::path& folder)
 {
@@ -43,11 +64,20 @@ void syncFolder(const std::filesystem::path& folder)
 
 } // namespace
 
+std::string specialFileKind(const std::filesystem::path& path)
+{
+  struct stat info = {};
+  return ::stat(path.c_str(), &info) == 0 ? specialKind(info.st_mode) : std::string();
+}
+
 Result<std::string> readFile(const std::filesystem::path& path)
 {
   std::error_code code;
   if (std::filesystem::is_directory(path, code))
     return Error{ErrorCode::FileUnreadable, path.string() + ": is a folder, not a file"};
+  if (const std::string kind = specialFileKind(path);
+      !kind.empty()) // opening a pipe would wait, reading may not end
+    return Error{ErrorCode::FileUnreadable, path.string() + ": is " + kind + ", not a file"};
   const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
   if (file < 0)
     return Error{ErrorCode::FileUnreadable,
@@ -74,6 +104,13 @@ Result<std::string> readFile(const std::filesystem::path& path)
 
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes, bool keepBackup)
 {
+  struct stat special = {};
+  if (::stat(path.c_str(), &special) == 0) {
+    if (S_ISCHR(special.st_mode) || S_ISFIFO(special.st_mode)) return writeInto(path, bytes);
+    if (const std::string kind = specialKind(special.st_mode); !kind.empty())
+      return Error{ErrorCode::FileUnwritable,
+                   path.string() + ": cannot be written, it is " + kind + "; name a file"};
+  }
   // A link is followed, so that saving through one changes the file it names and leaves the link.
   std::error_code code;
   std::filesystem::path target = path;

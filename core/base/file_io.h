@@ -10,11 +10,16 @@
 
 namespace esm {
 
-/// The whole file as bytes. Errors: FileUnreadable (absent, a folder, no permission).
+/// "a device", "a pipe" or "a socket" if that is what stands at `path` (links are followed), else empty.
+std::string specialFileKind(const std::filesystem::path& path);
+
+/// The whole file as bytes. Errors: FileUnreadable (absent, a folder, a device, pipe or socket, no
+/// permission).
 Result<std::string> readFile(const std::filesystem::path& path);
 
 /// Writes all or nothing: a temporary file beside `path`, fsync, rename. Whatever fails, the old file
-/// stays as it was. With `keepBackup` the previous version stays as `path` + ".bak".
+/// stays as it was. A character device or a pipe that is read is written into and never replaced; block
+/// devices and sockets are refused. With `keepBackup` the previous version stays as `path` + ".bak".
 /// Errors: FileUnwritable, with the system's reason.
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes,
                            bool keepBackup = false);

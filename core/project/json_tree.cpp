@@ -190,9 +190,16 @@ void appendValue(std::string& out, const Json& value, std::size_t indent, bool t
 
 } // namespace
 
+std::string_view withoutByteOrderMark(std::string_view bytes) noexcept
+{
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  return bytes;
+}
+
 Result<Json> parseJson(std::string_view bytes, const std::string& origin)
 {
-  return parse(bytes, origin, Json::input_format_t::json);
+  return parse(withoutByteOrderMark(bytes), origin, Json::input_format_t::json);
 }
 
 Result<Json> parseCbor(std::string_view bytes, const std::string& origin)

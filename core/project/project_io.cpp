@@ -171,6 +171,7 @@ bool isCborMap(std::string_view bytes)
 
 Result<Project> parseTree(std::string_view bytes, const std::string& origin)
 {
+  bytes = json::withoutByteOrderMark(bytes);
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos)
     return Error{ErrorCode::BadFormat, origin + ": is empty, it holds no project"};

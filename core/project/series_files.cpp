@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/project/series_files.h"
 
+#include "core/base/file_io.h"
+
 #include <cerrno>
 #include <cstdlib>
 #include <fcntl.h>
@@ -60,6 +62,9 @@ Result<TemporaryFile> TemporaryFile::create(const fs::path& path)
   std::error_code code;
   if (fs::is_directory(path, code))
     return Error{ErrorCode::FileUnwritable, path.string() + ": cannot be written, it is a folder"};
+  if (const std::string kind = specialFileKind(path); !kind.empty()) // a rename would replace it
+    return Error{ErrorCode::FileUnwritable,
+                 path.string() + ": cannot be written, it is " + kind + "; name a file"};
   std::string temporary = path.string() + ".XXXXXX";
   const int descriptor = ::mkostemp(temporary.data(), O_CLOEXEC);
   if (descriptor < 0) return cannotWrite(path, errno);

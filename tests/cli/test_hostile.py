@@ -2,10 +2,17 @@
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: MIT
 """Mutated and truncated projects through the real program: exit 1 and one line each, never a crash."""
+import json
+import os
+import pathlib
 import random
+import stat
+import subprocess
 import unittest
 
-from program import ProgramTest
+from program import OSCILLATOR, PROGRAM, ProgramTest
+
+DATA = pathlib.Path(__file__).parent.parent / "data"
 
 
 def mutate(content, dice):
@@ -42,6 +49,53 @@ class HostileProjects(ProgramTest):
         self.run_program("import", "tet.obj", "-o", "p.esm")
         self.write("p.esm", (self.folder / "p.esm").read_text().replace('"schema_version": 1', '"schema_version": 9'))
         self.assertIn("newer version", self.refused("info", "p.esm"))
+
+
+class OutputsAndTerminal(ProgramTest):
+    """What is written where, and what reaches the terminal."""
+
+    def test_a_pipe_at_the_output_is_not_replaced(self):
+        for option in ("-o", "--report", "--force-curve"):
+            name = "pipe" + option + ".csv"
+            os.mkfifo(self.folder / name)
+            self.assertIn("pipe", self.refused("simulate", "osc.json", option, name))
+            self.assertTrue(stat.S_ISFIFO((self.folder / name).stat().st_mode))
+
+    def test_two_outputs_on_one_file_are_refused(self):
+        line = self.refused("simulate", "osc.json", "-o", "x.csv", "--report", "./x.csv", exit_code=2)
+        self.assertIn("two outputs", line)
+        self.assertFalse((self.folder / "x.csv").exists())
+
+    def test_a_step_that_never_ends_is_refused(self):
+        self.assertIn("--step", self.refused("simulate", "osc.json", "--step", "1e-300"))
+
+    def test_a_tolerance_that_was_given_up_is_said(self):
+        self.write("rough.json", (DATA / "nets" / "rough_cloud.json").read_bytes())
+        done = self.run_program("simulate", "rough.json", "--duration", "0.1", exit_code=3)
+        self.assertIn("the tolerance of 0.001 was given up", done.stderr)
+        self.run_program("simulate", "rough.json", "--duration", "0.1", "--accept-rough")
+
+    def test_a_pipe_is_no_input(self):
+        os.mkfifo(self.folder / "in.esm")
+        self.assertIn("is a pipe", self.refused("validate", "in.esm"))
+
+    def test_a_byte_order_mark_is_no_fault(self):
+        self.write("bom.json", b"\xef\xbb\xbf" + json.dumps(OSCILLATOR).encode())
+        self.run_program("validate", "bom.json")
+
+    def test_control_characters_do_not_reach_the_terminal(self):
+        self.write("escape.json", json.dumps({**OSCILLATOR, "name": "a\x1b[2Jb"}))
+        done = self.run_program("info", "escape.json")
+        self.assertNotIn("\x1b", done.stdout + done.stderr)
+        done = self.run_anyhow("info", "no\x1b[2J.esm")
+        self.assertNotIn("\x1b", done.stderr)
+
+    def test_a_full_standard_output_is_a_failure(self):
+        with open("/dev/full", "w", encoding="utf-8") as full:
+            done = subprocess.run([PROGRAM, "info", "osc.json"], cwd=self.folder, stdout=full,
+                                  stderr=subprocess.PIPE, text=True, timeout=60, check=False)
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("standard output", done.stderr)
 
 
 if __name__ == "__main__":

@@ -5,8 +5,10 @@
 #include <gtest/gtest.h>
 
 #include <csignal>
+#include <fcntl.h>
 #include <filesystem>
 #include <sys/resource.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 namespace esm {
@@ -74,6 +76,32 @@ TEST_F(FileIo, ErrorsNameTheFileAndTheCause)
             std::string::npos);
   EXPECT_NE(readFile(folder).error().detail.find("is a folder"), std::string::npos);
   EXPECT_FALSE(writeFileAtomically(folder / "no" / "such.esm", "x"));
+}
+
+// A rename would put a file where the pipe was; as root, where /dev/null was.
+TEST_F(FileIo, APipeIsWrittenIntoAndNeverReplaced)
+{
+  const std::filesystem::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  EXPECT_EQ(writeFileAtomically(pipe, "x").error().code,
+            ErrorCode::FileUnwritable); // nobody reads; does not wait
+  const int reader = ::open(pipe.c_str(), O_RDONLY | O_NONBLOCK);
+  ASSERT_GE(reader, 0);
+  EXPECT_TRUE(writeFileAtomically(pipe, "bytes"));
+  char read[8] = {};
+  EXPECT_EQ(::read(reader, read, sizeof read), 5);
+  EXPECT_STREQ(read, "bytes");
+  ::close(reader);
+  EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+  EXPECT_EQ(fileCount(), 1U);
+}
+
+TEST_F(FileIo, DevicesAndPipesAreNoInput)
+{
+  const std::filesystem::path pipe = folder / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0); // would wait for ever
+  EXPECT_EQ(readFile(pipe).error().detail, pipe.string() + ": is a pipe, not a file");
+  EXPECT_EQ(readFile("/dev/zero").error().detail, "/dev/zero: is a device, not a file"); // would never end
 }
 
 } // namespace esm
