@@ -19,8 +19,8 @@ constexpr const char* kFooter =
   "  esm simulate soft.esm --duration 2 --frames 60 -o motion.pvd\n"
   "  esm export soft.esm -o soft.ply\n"
   "\n"
-  "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the numerics failed or the tolerance was given up, "
-  "4 internal.\n"
+  "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the numerics failed or the tolerance was\n"
+  "given up, 4 internal.\n"
   "Lengths are metres, forces newtons, times seconds; numbers take a point in every locale.";
 
 Exit run(int argc, char** argv)

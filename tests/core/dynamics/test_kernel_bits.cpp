@@ -6,6 +6,7 @@
 #include "core/forces/spring_matrix.h"
 #include "core/net/net_builder.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
 
 #include <algorithm>
