@@ -4,6 +4,7 @@
 
 #include "core/base/ascii_case.h"
 #include "meshimport/content.h"
+#include "meshimport/foreign_kinds.h"
 #include "meshimport/import_endings.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/worker_process.h"
@@ -18,13 +19,14 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{1} << 30; ///< assimp takes up to forty times as much memory
 
 /// What assimp reads beside the formats of our own, sorted. Left out: mere textures, motions and cameras, and
-/// "raw", "xml" and "prj", which mean too many things.
+/// "xml" and "prj", which mean too many things, those of our own, and XGL, which the library places and reads
+/// wrongly.
 constexpr std::string_view kEndings[] = {
   "3d",   "3ds",  "3mf",     "ac",  "ac3d", "acc",  "amf", "ase",  "ask",     "assbin", "b3d", "blend",
   "bsp",  "bvh",  "cob",     "csm", "dae",  "enff", "fbx", "glb",  "gltf",    "hmp",    "ifc", "ifczip",
   "iqm",  "irr",  "irrmesh", "lwo", "lws",  "lxo",  "md2", "md3",  "md5mesh", "mdc",    "mdl", "mesh",
   "mot",  "ms3d", "ndo",     "nff", "ogex", "pk3",  "pmx", "q3o",  "q3s",     "scn",    "sib", "smd",
-  "step", "stp",  "ter",     "uc",  "vta",  "x",    "x3d", "x3db", "xgl",     "zae",    "zgl"};
+  "step", "stp",  "ter",     "uc",  "vta",  "x",    "x3d", "x3db", "zae"};
 static_assert(std::is_sorted(std::begin(kEndings), std::end(kEndings)));
 
 std::string endingOf(const std::string& origin)
@@ -59,9 +61,9 @@ Result<Mesh> readAssimp(std::string_view bytes, const std::string& origin, std::
 bool recognisesAssimp(std::string_view bytes, std::string_view ending)
 {
   if (!betrayedEnding(bytes).empty()) return true;
-  const bool zipped =
+  const bool mayBeZip =
     ending == "3mf" || ending == "zae" || ending == "ifczip" || ending == "pk3"; // by design
-  if (!zipped && !describeForeign(bytes).empty()) return false;
+  if (foreignKind(bytes) && !(mayBeZip && bytes.substr(0, 2) == "PK")) return false;
   return std::binary_search(std::begin(kEndings), std::end(kEndings), ending);
 }
 
@@ -69,8 +71,8 @@ bool recognisesAssimp(std::string_view bytes, std::string_view ending)
 
 std::span<const std::string_view> ownEndings() noexcept
 {
-  static constexpr std::string_view kOwn[] = {"obj", "stl", "ply", "off", "dxf",
-                                              "vtk", "vtu", "msh", "iv",  "wrl"};
+  static constexpr std::string_view kOwn[] = {"obj", "stl", "ply", "off", "dxf", "vtk",
+                                              "vtu", "msh", "raw", "iv",  "wrl"};
   return kOwn;
 }
 

@@ -15,34 +15,6 @@ struct Magic {
 
 using namespace std::string_view_literals;
 
-constexpr Magic kForeign[] = {
-  {"\x89PNG\r\n\x1a\n"sv, "a PNG picture"},
-  {"\xFF\xD8\xFF"sv, "a JPEG picture"},
-  {"GIF87a"sv, "a GIF picture"},
-  {"GIF89a"sv, "a GIF picture"},
-  {"II*\0"sv, "a TIFF picture"},
-  {"MM\0*"sv, "a TIFF picture"},
-  {"BM\0"sv, "a BMP picture"},
-  {"%PDF"sv, "a PDF document"},
-  {"PK\x03\x04"sv, "a ZIP archive"},
-  {"\x1F\x8B"sv, "a gzip archive"},
-  {"7z\xBC\xAF\x27\x1C"sv, "a 7z archive"},
-  {"Rar!\x1A\x07"sv, "a RAR archive"},
-  {"\xFD"
-   "7zXZ\0"sv,
-   "an xz archive"},
-  {"\x7F"
-   "ELF"sv,
-   "a program"},
-  {"MZ\x90\0"sv, "a program"},
-  {"RIFF"sv, "a sound, picture or film"},
-  {"\xFF\xFE"sv, "UTF-16 text (save it as UTF-8)"},
-  {"\xFE\xFF"sv, "UTF-16 text (save it as UTF-8)"},
-  {"<!DOCTYPE html"sv, "a web page"},
-  {"<html"sv, "a web page"},
-  {"{\\rtf"sv, "an RTF document"},
-};
-
 constexpr Magic kMeshes[] = {
   {"glTF"sv, "glb"},   {"Kaydara FBX Binary"sv, "fbx"},
   {"; FBX "sv, "fbx"}, {"BLENDER"sv, "blend"},
@@ -78,23 +50,6 @@ bool isBlankContent(std::string_view bytes)
   return bytes.find_first_not_of(" \t\r\n\v\f\0"sv) == std::string_view::npos;
 }
 
-std::string describeForeign(std::string_view bytes)
-{
-  for (const Magic& magic : kForeign)
-    if (bytes.substr(0, magic.start.size()) == magic.start) return std::string(magic.meaning);
-  return {};
-}
-
-std::string describeContent(std::string_view bytes)
-{
-  if (std::string foreign = describeForeign(bytes); !foreign.empty()) return foreign;
-  if (!looksLikeText(bytes)) return "binary data of an unknown kind";
-  const std::size_t first = bytes.find_first_not_of(" \t\r\n");
-  if (first != std::string_view::npos && (bytes[first] == '{' || bytes[first] == '[')) return "JSON text";
-  if (first != std::string_view::npos && bytes[first] == '<') return "XML text";
-  return "text of an unknown kind";
-}
-
 std::string_view betrayedEnding(std::string_view bytes)
 {
   for (const Magic& magic : kMeshes)
@@ -103,6 +58,9 @@ std::string_view betrayedEnding(std::string_view bytes)
   if (contains(bytes, "<COLLADA")) return "dae";
   if (contains(bytes, "<X3D")) return "x3d";
   if (contains(bytes, "<amf")) return "amf";
+  if (contains(bytes, "<mesh") && (contains(bytes, "<sharedgeometry") || contains(bytes, "<submeshes")))
+    return "mesh.xml"; // of Ogre
+  if (bytes.substr(0, 12) == "ISO-10303-21" && contains(bytes, "'IFC")) return "ifc";
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first != std::string_view::npos && bytes[first] == '{' && bytes.find("\"asset\"") != bytes.npos &&
       bytes.find("\"meshes\"") != bytes.npos)

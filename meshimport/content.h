@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include <string>
 #include <string_view>
 
 namespace esm {
@@ -12,12 +11,6 @@ bool looksLikeText(std::string_view bytes);
 
 /// Nothing but blanks, line ends, NULs and a byte-order mark.
 bool isBlankContent(std::string_view bytes);
-
-/// "a PNG picture", "a ZIP archive", ... for content that is surely no mesh file of ours; else empty.
-std::string describeForeign(std::string_view bytes);
-
-/// For messages about content that no reader recognises: describeForeign(), or what can be said at all.
-std::string describeContent(std::string_view bytes);
 
 /// The usual ending (without a point) of a mesh format that assimp knows and that the first bytes
 /// betray, such as "glb" or "fbx"; empty if they betray nothing.

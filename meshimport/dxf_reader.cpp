@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/dxf_reader.h"
 
+#include "core/base/ascii_case.h"
 #include "meshimport/content.h"
 #include "meshimport/dxf_groups.h"
+#include "meshimport/dxf_passed_over.h"
 #include "meshimport/raw_mesh.h"
 
 #include <Eigen/Geometry>
@@ -18,10 +20,11 @@ namespace {
 constexpr int kDeepest = 16;                                 ///< blocks in blocks
 constexpr std::size_t kMostReadAgain = std::size_t{1} << 23; ///< bytes of blocks that a small file may place
 
-/// From entity to world coordinates.
+/// From entity to world coordinates, and the layer for what lies on layer 0 of a block.
 struct Placement {
   Eigen::Matrix3d turn = Eigen::Matrix3d::Identity();
   Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+  std::string_view layer = "0";
   Eigen::Vector3d operator()(const Eigen::Vector3d& p) const { return turn * p + shift; }
 };
 
@@ -57,12 +60,9 @@ public:
     if (Status status = sections(entities); !status) return status.error();
     if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it holds no line, polyline or face" +
-                     (m_passedOver > 0 ? ", only " + std::to_string(m_passedOver) + " entities of other kinds"
-                                       : std::string()));
-    if (m_passedOver > 0)
-      notes.push_back(std::to_string(m_passedOver) +
-                      " entities that are no lines or faces (circles, texts, solids ...) were passed over.");
+                   "it holds no line, polyline or face" + m_passedOver.reason());
+    m_passedOver.tellNotes(notes);
+    if (!m_hasEnd) notes.push_back("The file ends without EOF; it may be cut short.");
     if (m_bulges > 0) notes.push_back(std::to_string(m_bulges) + " arcs of polylines became their chords.");
     return finishMesh(std::move(m_raw), m_origin, notes, m_control);
   }
@@ -85,6 +85,8 @@ private:
         section = {};
       } else if (entity.name == "EOF") {
         ended = true;
+      } else if (entity.name == "LAYER" && section == "TABLES") {
+        m_passedOver.addLayer(entity);
       } else if (entity.name == "BLOCK" && section == "BLOCKS") {
         addBlock(entity, entities);
       } else if (section == "ENTITIES") {
@@ -98,29 +100,46 @@ private:
     }
     if (!ended && !entities.atEnd())
       return wrong(entities.line(), "here a DXF group should begin with its number; is the file damaged?");
-    if (!ended) return wrong(0, "it ends without EOF; it is cut short, fetch it again");
+    if (!ended && entity.name != "ENDSEC")
+      return wrong(0, "it ends without EOF; it is cut short, fetch it again");
+    m_hasEnd = ended;
     return {};
   }
 
   void addBlock(const DxfEntity& block, DxfEntities& entities)
   {
     m_blocks.emplace(std::string(block.text(2)), Block{block.point(10), entities});
+    const std::string name = asciiLower(block.text(2));
+    const bool isSheet = name.starts_with("*paper_space") || name.starts_with("$paper_space");
     DxfEntity entity;
-    while (entities.next(entity) && entity.name != "ENDBLK") {
-    }
+    while (entities.next(entity) && entity.name != "ENDBLK")
+      if (isSheet && !isPart(entity) && entity.name != "VIEWPORT") m_passedOver.addPaper();
+  }
+
+  /// Of the entity before it.
+  static bool isPart(const DxfEntity& entity)
+  {
+    return entity.name == "VERTEX" || entity.name == "SEQEND" || entity.name == "ATTRIB";
   }
 
   /// Puts one entity into the mesh; of a POLYLINE the vertices that follow it, too.
   Status place(const DxfEntity& entity, DxfEntities& following, const Placement& at, int depth)
   {
     if (m_raw.isTooLarge()) return tooManyError(m_origin);
+    if (isPart(entity) || !m_passedOver.shows(entity, layerOf(entity, at))) return {};
     if (entity.name == "LINE") return polyline({entity.point(10), entity.point(11)}, false, at, entity);
     if (entity.name == "3DFACE") return face(entity, at);
     if (entity.name == "LWPOLYLINE") return lightPolyline(entity, at);
     if (entity.name == "POLYLINE") return heavyPolyline(entity, following, at);
     if (entity.name == "INSERT") return insert(entity, at, depth);
-    if (entity.name != "VERTEX" && entity.name != "SEQEND" && entity.name != "ATTRIB") ++m_passedOver;
+    m_passedOver.addKind(entity.name);
     return {};
+  }
+
+  static std::string_view layerOf(const DxfEntity& entity, const Placement& at)
+  {
+    const std::string_view own = entity.text(8);
+    return own.empty() || own == "0" ? at.layer : own;
   }
 
   Result<Index> vertex(const Eigen::Vector3d& p, const Placement& at, const DxfEntity& entity)
@@ -178,7 +197,7 @@ private:
 
   static Placement inAxesOf(const DxfEntity& entity, const Placement& at)
   {
-    return {at.turn * axesOf(entity), at.shift};
+    return {at.turn * axesOf(entity), at.shift, at.layer};
   }
 
   Status heavyPolyline(const DxfEntity& entity, DxfEntities& following, const Placement& at)
@@ -192,7 +211,10 @@ private:
     for (;;) {
       const DxfEntities before = following;
       if (!following.next(part))
-        return wrong(head.line, "this POLYLINE has no end (SEQEND); is the file cut short?");
+        return following.atEnd()
+                 ? wrong(head.line, "the file ends within this POLYLINE; it is cut short, fetch it again")
+                 : wrong(following.line(),
+                         "here a DXF group should begin with its number; is the file damaged?");
       if (part.name != "VERTEX") {
         if (part.name != "SEQEND") following = before; // some writers leave it out
         break;
@@ -264,7 +286,7 @@ private:
   {
     const auto block = m_blocks.find(entity.text(2));
     if (block == m_blocks.end()) {
-      ++m_passedOver;
+      m_passedOver.addKind("INSERT without its block");
       return {};
     }
     if (depth >= kDeepest) return wrong(entity.line, "blocks are nested too deep; is a block inside itself?");
@@ -275,13 +297,14 @@ private:
     const long long columns = std::max(1LL, entity.integer(70)), rows = std::max(1LL, entity.integer(71));
     const Eigen::Vector3d insertion = entity.point(10);
     const double columnStep = entity.number(44), rowStep = entity.number(45);
+    const std::string_view layer = layerOf(entity, at);
     const Block copy = block->second; // `entity` and the map may change below
     for (long long row = 0; row < rows; ++row) {
       for (long long column = 0; column < columns; ++column) {
         const Eigen::Vector3d offset(static_cast<double>(column) * columnStep,
                                      static_cast<double>(row) * rowStep, 0);
         const Eigen::Matrix3d local = axes * spin;
-        Placement inner{at.turn * local * scale.asDiagonal(), {}};
+        Placement inner{at.turn * local * scale.asDiagonal(), {}, layer};
         inner.shift = at(axes * insertion + local * offset) - inner.turn * copy.base;
         if (Status status = placeBlock(copy, inner, depth + 1); !status) return status;
       }
@@ -318,7 +341,9 @@ private:
   std::vector<Index> m_corners;
   std::map<std::string, Block, std::less<>> m_blocks;
   std::size_t m_readAgain; ///< bytes of blocks that may still be placed
-  std::size_t m_passedOver = 0, m_bulges = 0, m_count = 0;
+  DxfPassedOver m_passedOver;
+  std::size_t m_bulges = 0, m_count = 0;
+  bool m_hasEnd = false;
 };
 
 constexpr std::string_view kBinaryMagic = "AutoCAD Binary DXF";

@@ -8,12 +8,14 @@
 #include "meshimport/content.h"
 #include "meshimport/dxf_reader.h"
 #include "meshimport/file_bytes.h"
+#include "meshimport/foreign_kinds.h"
 #include "meshimport/inventor_reader.h"
 #include "meshimport/msh_reader.h"
 #include "meshimport/obj_reader.h"
 #include "meshimport/off_reader.h"
 #include "meshimport/ply_reader.h"
 #include "meshimport/raw_mesh.h"
+#include "meshimport/raw_reader.h"
 #include "meshimport/stl_reader.h"
 #include "meshimport/vtk_reader.h"
 #include "meshimport/vtu_reader.h"
@@ -53,14 +55,6 @@ Result<FileBytes> readMeshFile(const std::filesystem::path& path, WorkControl* c
   return bytes;
 }
 
-Error unrecognised(std::string_view bytes, const std::string& origin)
-{
-  return fault(
-    ErrorCode::Unsupported, origin, 0,
-    "this is " + describeContent(bytes) +
-      ", not a mesh that can be read; choose an OBJ, STL, PLY, OFF, DXF, VTK, Gmsh, glTF or other mesh file");
-}
-
 /// "scan.stl" with an OBJ inside is read as what it is, and that is said.
 void noteWrongName(const MeshReader& reader, const std::string& ending, std::vector<std::string>& notes)
 {
@@ -83,7 +77,8 @@ Result<ImportedMesh> readMesh(const std::filesystem::path& path, WorkControl* co
   const std::vector<MeshReader>& readers = readerTable();
   const auto reader = std::find_if(readers.begin(), readers.end(),
                                    [&](const MeshReader& r) { return r.recognises(bytes, ending); });
-  if (reader == readers.end()) return unrecognised(bytes, origin);
+  if (reader == readers.end())
+    return fault(ErrorCode::Unsupported, origin, 0, describeForeign(bytes, ending));
 
   ImportedMesh imported;
   imported.fingerprint = file->fingerprint();
@@ -141,9 +136,9 @@ Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportO
 const std::vector<MeshReader>& readerTable()
 {
   // The surest signs first; assimp takes what is left.
-  static const std::vector<MeshReader> table{plyReader(), offReader(),   vtkReader(),      vtuReader(),
-                                             mshReader(), dxfReader(),   inventorReader(), stlReader(),
-                                             objReader(), assimpReader()};
+  static const std::vector<MeshReader> table{plyReader(), offReader(), vtkReader(),      vtuReader(),
+                                             mshReader(), dxfReader(), inventorReader(), stlReader(),
+                                             rawReader(), objReader(), assimpReader()};
   return table;
 }
 

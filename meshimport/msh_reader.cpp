@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/msh_reader.h"
 
+#include "core/base/ascii_case.h"
 #include "meshimport/cells.h"
 #include "meshimport/number_source.h"
 
@@ -45,6 +46,8 @@ private:
 };
 
 class MshParser {
+  enum class Version { Unknown, One, Two, Four };
+
 public:
   MshParser(std::string_view bytes, const std::string& origin, WorkControl* control)
     : m_source(bytes), m_origin(origin), m_control(control), m_cells(m_raw)
@@ -54,16 +57,22 @@ public:
   {
     while (m_source.skipToWord()) {
       const std::string section(m_source.word().substr(0, 40));
-      Status status = section == "$MeshFormat" ? meshFormat()
-                      : section == "$Nodes"    ? nodes()
-                      : section == "$Elements" ? elements()
-                                               : Status();
+      if (section == "$NOD" || section == "$NOE") m_version = Version::One; // it has no line of its version
+      Status status = section == "$MeshFormat"                                        ? meshFormat()
+                      : section == "$Nodes" || section == "$NOD" || section == "$NOE" ? nodes()
+                      : section == "$Elements" || section == "$ELM"                   ? elements()
+                                                                                      : Status();
       if (stopWanted(m_control)) return cancelledError();
       if (!status) return status.error();
-      if (section.substr(0, 1) == "$" && section.substr(0, 4) != "$End") skipToEnd(section.substr(1));
+      if (section.substr(0, 1) == "$" && !equalIgnoringCase(section.substr(0, 4), "$End"))
+        skipToEnd(section.substr(1));
       m_source.nextLine();
     }
-    format = std::string("Gmsh ") + (m_isNew ? "4.1" : "2.2") + (m_source.binary ? " (binary)" : " (ASCII)");
+    format = std::string("Gmsh ") +
+             (m_version == Version::Four  ? "4.1"
+              : m_version == Version::Two ? "2.2"
+                                          : "1") +
+             (m_source.binary ? " (binary)" : " (ASCII)");
     return m_cells.finish(m_origin, notes, m_control);
   }
 
@@ -72,12 +81,13 @@ private:
   {
     return fault(ErrorCode::BadFormat, m_origin, m_source.binary ? 0 : m_source.line(), text);
   }
-  Error cutShort() const { return wrong(kCutShort); }
+  Error noNumber() const { return wrong(m_source.whyNoNumber()); }
 
   /// Sections end with "$End" and their name; those that are not read may hold anything.
   void skipToEnd(const std::string& name)
   {
-    const std::size_t end = m_source.rest().find("$End" + name);
+    const std::string start = m_version == Version::One ? "$END" : "$End";
+    const std::size_t end = m_source.rest().find(start + name);
     m_source.skipBytes(end == std::string_view::npos ? m_source.rest().size() : end);
   }
 
@@ -88,16 +98,15 @@ private:
     if (!m_source.skipToWord() || !m_source.number(version) || !m_source.integer(isBinary) ||
         !m_source.integer(size))
       return wrong("$MeshFormat needs version, type and size");
-    m_isNew = version >= 4.1;
+    m_version = version >= 4.1 ? Version::Four : Version::Two;
     if (!(version >= 2.0 && version < 3.0) && !(version >= 4.1 && version < 5.0))
       return fault(ErrorCode::Unsupported, m_origin, 0,
                    "this version of the Gmsh format is not read; save it in format 4.1 or 2.2");
-    m_known = true;
     if (isBinary == 0) return {};
     if (size != 8)
       return fault(ErrorCode::Unsupported, m_origin, 0, "a binary Gmsh file needs sizes of 8 bytes");
     m_source.nextLine();
-    if (m_source.rest().size() < 4) return cutShort();
+    if (m_source.rest().size() < 4) return noNumber();
     m_source.binary = std::endian::little;
     long long one = 0;
     m_source.next(Scalar::Int32, one);
@@ -108,7 +117,7 @@ private:
   /// Behind the line of the section's name, where a binary body begins.
   Status begin()
   {
-    if (!m_known) return wrong("the section $MeshFormat must come first");
+    if (m_version == Version::Unknown) return wrong("the section $MeshFormat must come first");
     m_source.nextLine();
     return {};
   }
@@ -132,7 +141,7 @@ private:
   Status nodes()
   {
     if (Status status = begin(); !status) return status;
-    Status status = m_isNew ? newNodes() : oldNodes();
+    Status status = m_version == Version::Four ? newNodes() : oldNodes();
     m_tags.finish();
     return status;
   }
@@ -146,10 +155,10 @@ private:
   {
     std::array<long long, 1> count{};
     if (m_source.binary) { // the count is text all the same
-      if (!m_source.integer(count[0])) return cutShort();
+      if (!m_source.integer(count[0])) return noNumber();
       m_source.nextLine();
     } else if (!numbers(Scalar::Int32, count)) {
-      return cutShort();
+      return noNumber();
     }
     if (!mayCome(count[0], 28, 8)) return tooMany(count[0], "nodes");
     for (long long i = 0; i < count[0]; ++i) {
@@ -158,7 +167,7 @@ private:
       double p[3];
       if (!m_source.next(Scalar::Int32, tag) || !m_source.next(Scalar::Float64, p[0]) ||
           !m_source.next(Scalar::Float64, p[1]) || !m_source.next(Scalar::Float64, p[2]))
-        return cutShort();
+        return noNumber();
       m_tags.add(tag);
       if (!addNode(p[0], p[1], p[2])) return tooManyError(m_origin);
     }
@@ -168,16 +177,16 @@ private:
   Status newNodes()
   {
     std::array<long long, 4> head{}; // blocks, nodes, smallest and largest tag
-    if (!numbers(Scalar::UInt64, head)) return cutShort();
+    if (!numbers(Scalar::UInt64, head)) return noNumber();
     if (!mayCome(head[0], 20, 8)) return tooMany(head[0], "blocks of nodes");
     for (long long block = 0; block < head[0]; ++block) {
       std::array<long long, 3> kind{}; // dimension, tag, with parameters
       std::array<long long, 1> count{};
-      if (!numbers(Scalar::Int32, kind) || !numbers(Scalar::UInt64, count)) return cutShort();
+      if (!numbers(Scalar::Int32, kind) || !numbers(Scalar::UInt64, count)) return noNumber();
       if (!mayCome(count[0], 32, 8)) return tooMany(count[0], "nodes");
       for (long long i = 0; i < count[0]; ++i) {
         std::array<long long, 1> tag{};
-        if (!numbers(Scalar::UInt64, tag)) return cutShort();
+        if (!numbers(Scalar::UInt64, tag)) return noNumber();
         m_tags.add(tag[0]);
       }
       const long long parameters = kind[2] != 0 ? std::clamp(kind[0], 0LL, 3LL) : 0;
@@ -185,7 +194,7 @@ private:
         if (i % 4096 == 0 && m_source.stopWanted(m_control)) return cancelledError();
         double p[6] = {};
         for (long long k = 0; k < 3 + parameters; ++k)
-          if (!m_source.next(Scalar::Float64, p[k])) return cutShort();
+          if (!m_source.next(Scalar::Float64, p[k])) return noNumber();
         if (!addNode(p[0], p[1], p[2])) return tooManyError(m_origin);
       }
     }
@@ -195,28 +204,31 @@ private:
   Status elements()
   {
     if (Status status = begin(); !status) return status;
-    return m_isNew ? newElements() : oldElements();
+    return m_version == Version::Four  ? newElements()
+           : m_version == Version::Two ? oldElements()
+                                       : firstElements();
   }
 
   Status oldElements()
   {
     std::array<long long, 1> count{};
-    if (m_source.binary ? !m_source.integer(count[0]) : !numbers(Scalar::Int32, count)) return cutShort();
+    if (m_source.binary ? !m_source.integer(count[0]) : !numbers(Scalar::Int32, count)) return noNumber();
     if (m_source.binary) m_source.nextLine();
     if (!mayCome(count[0], 8, 8)) return tooMany(count[0], "elements");
     for (long long done = 0; done < count[0];) {
       // Text: number, type, count of tags, tags, nodes. Binary: type, how many follow, count of tags; then
       // each number, tags, nodes.
       std::array<long long, 3> head{};
-      if (!numbers(Scalar::Int32, head)) return cutShort();
+      if (!numbers(Scalar::Int32, head)) return noNumber();
       const long long type = m_source.binary ? head[0] : head[1];
       const long long follow = m_source.binary ? head[1] : 1, tags = head[2];
-      if (follow < 1 || follow > count[0] - done || tags < 0 || !mayCome(tags, 4, 2)) return cutShort();
+      if (follow < 1 || follow > count[0] - done || tags < 0 || !mayCome(tags, 4, 2))
+        return wrong("an element has impossible counts; the file is damaged");
       for (long long i = 0; i < follow; ++i, ++done) {
         const long long ahead = tags + (m_source.binary ? 1 : 0);
         for (long long k = 0; k < ahead; ++k) {
           std::array<long long, 1> passed{};
-          if (!numbers(Scalar::Int32, passed)) return cutShort();
+          if (!numbers(Scalar::Int32, passed)) return noNumber();
         }
         if (Status status = element(type, Scalar::Int32, done); !status) return status;
       }
@@ -224,29 +236,50 @@ private:
     return {};
   }
 
+  /// Number, type, two regions, count of nodes, nodes.
+  Status firstElements()
+  {
+    std::array<long long, 1> count{};
+    if (!numbers(Scalar::Int32, count)) return noNumber();
+    if (!mayCome(count[0], 12, 12)) return tooMany(count[0], "elements");
+    for (long long i = 0; i < count[0]; ++i) {
+      std::array<long long, 5> head{};
+      if (!numbers(Scalar::Int32, head)) return noNumber();
+      const std::optional<CellKind> kind = kindOf(head[1]);
+      if (kind && kind->nodes != head[4])
+        return wrong("element " + std::to_string(head[0]) + " has " + std::to_string(head[4]) +
+                     " nodes, its type wants " + std::to_string(kind->nodes));
+      if (Status status = element(head[1], Scalar::Int32, i); !status) return status;
+    }
+    return {};
+  }
+
   Status newElements()
   {
     std::array<long long, 4> head{};
-    if (!numbers(Scalar::UInt64, head)) return cutShort();
+    if (!numbers(Scalar::UInt64, head)) return noNumber();
     if (!mayCome(head[0], 20, 8)) return tooMany(head[0], "blocks of elements");
     for (long long block = 0; block < head[0]; ++block) {
       std::array<long long, 3> kind{}; // dimension, tag, type
       std::array<long long, 1> count{}, tag{};
-      if (!numbers(Scalar::Int32, kind) || !numbers(Scalar::UInt64, count)) return cutShort();
+      if (!numbers(Scalar::Int32, kind) || !numbers(Scalar::UInt64, count)) return noNumber();
       if (!mayCome(count[0], 16, 4)) return tooMany(count[0], "elements");
       for (long long i = 0; i < count[0]; ++i) {
-        if (!numbers(Scalar::UInt64, tag)) return cutShort();
+        if (!numbers(Scalar::UInt64, tag)) return noNumber();
         if (Status status = element(kind[2], Scalar::UInt64, i); !status) return status;
       }
     }
     return {};
   }
 
+  static std::optional<CellKind> kindOf(long long type)
+  {
+    return type > 0 && type < 1000 ? gmshElement(static_cast<int>(type)) : std::nullopt;
+  }
   Status element(long long type, Scalar nodeType, long long number)
   {
     if (number % 4096 == 0 && m_source.stopWanted(m_control)) return cancelledError();
-    const std::optional<CellKind> kind =
-      type > 0 && type < 1000 ? gmshElement(static_cast<int>(type)) : std::nullopt;
+    const std::optional<CellKind> kind = kindOf(type);
     if (!kind)
       return fault(ErrorCode::Unsupported, m_origin, m_source.binary ? 0 : m_source.line(),
                    "elements of type " + std::to_string(type) +
@@ -254,7 +287,7 @@ private:
     m_nodes.clear();
     for (int k = 0; k < kind->nodes; ++k) {
       long long tag = 0;
-      if (!m_source.next(nodeType, tag)) return cutShort();
+      if (!m_source.next(nodeType, tag)) return noNumber();
       const Index vertex = m_tags.find(tag);
       if (vertex == kNoIndex)
         return fault(ErrorCode::InvalidValue, m_origin, m_source.binary ? 0 : m_source.line(),
@@ -272,7 +305,7 @@ private:
   CellCollector m_cells;
   NodeTags m_tags;
   std::vector<Index> m_nodes; ///< of the current element
-  bool m_known = false, m_isNew = false;
+  Version m_version = Version::Unknown;
 };
 
 bool recognisesMsh(std::string_view bytes, std::string_view)
@@ -282,16 +315,13 @@ bool recognisesMsh(std::string_view bytes, std::string_view)
   if (first == std::string_view::npos) return false;
   const std::string_view start = bytes.substr(first, 20);
   return start.substr(0, 11) == "$MeshFormat" || start.substr(0, 4) == "$NOD" ||
-         start.substr(0, 9) == "$Comments";
+         start.substr(0, 4) == "$NOE" || start.substr(0, 9) == "$Comments";
 }
 
 Result<Mesh> readMsh(std::string_view bytes, const std::string& origin, std::string& format,
                      std::vector<std::string>& notes, WorkControl* control)
 {
   format = "Gmsh";
-  if (bytes.substr(0, 64).find("$NOD") != std::string_view::npos)
-    return fault(ErrorCode::Unsupported, origin, 0,
-                 "this is a Gmsh file of format 1; save it in format 4.1 or 2.2");
   return MshParser(bytes, origin, control).run(format, notes);
 }
 

@@ -9,15 +9,12 @@
 #include <cmath>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
 
 namespace esm {
-
-/// What to say where the numbers of a file end too early.
-inline constexpr const char* kCutShort =
-  "it ends early or holds something that is no number; is it cut short?";
 
 enum class Scalar { Int8, UInt8, Int16, UInt16, Int32, UInt32, Int64, UInt64, Float32, Float64 };
 
@@ -108,6 +105,16 @@ public:
   bool hasRoomFor(std::uint64_t count, Scalar type) const
   {
     return count <= (binary ? rest().size() / scalarSize(type) : rest().size() / 2 + 1);
+  }
+
+  /// What to say where the next number is missing.
+  std::string whyNoNumber() const
+  {
+    NumberSource look = *this;
+    if (binary || !look.skipToWord()) return "it ends early; it is cut short, fetch it again";
+    const bool isLast = look.inLastLine();
+    return "'" + look.wordForMessage() + "' stands where a number should be" +
+           (isLast ? "; it may be cut short" : "; is the file damaged?");
   }
 
   template <class T>

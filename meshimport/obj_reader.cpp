@@ -4,6 +4,7 @@
 
 #include "core/base/large_pages.h"
 #include "meshimport/content.h"
+#include "meshimport/foreign_kinds.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/text_cursor.h"
 
@@ -36,7 +37,11 @@ bool isPassedOverGeometry(std::string_view word)
 
 class ObjParser {
 public:
-  ObjParser(std::string_view bytes, const std::string& origin) : m_cursor(bytes, kRules), m_origin(origin) {}
+  ObjParser(std::string_view bytes, const std::string& origin)
+    : m_cursor(bytes, kRules),
+      m_origin(origin),
+      m_doubt(bytes.find_last_of("\r\n") + 1 == bytes.size() ? "" : "; it may be cut short")
+  {}
 
   Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
@@ -56,7 +61,7 @@ public:
     if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
                    "it holds " + std::to_string(m_raw.vertexCount()) +
-                     " vertices but no face (f) and no line (l); is it cut short, or no OBJ mesh at all?");
+                     " vertices but no face (f) and no line (l), points alone make no net" + m_doubt);
     tellNotes(notes);
     return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
@@ -90,7 +95,8 @@ private:
       if (m_cursor.number(coordinate)) continue;
       if (m_cursor.atLineEnd())
         return fault(ErrorCode::BadFormat, m_origin, line,
-                     "a vertex needs three coordinates; is the file cut short?");
+                     std::string("a vertex needs three coordinates") +
+                       (m_cursor.inLastLine() ? "; the file is cut short" : ""));
       return fault(ErrorCode::BadFormat, m_origin, line,
                    "'" + m_cursor.wordForMessage() + "' is no coordinate (numbers are written with a point)");
     }
@@ -144,7 +150,7 @@ private:
   {
     return fault(ErrorCode::InvalidValue, m_origin, line,
                  "there is no vertex " + std::to_string(number) + ", the file has " +
-                   std::to_string(m_raw.vertexCount()) + " of them up to here; is it cut short?");
+                   std::to_string(m_raw.vertexCount()) + " of them up to here" + m_doubt);
   }
 
   void tellNotes(std::vector<std::string>& notes) const
@@ -166,6 +172,7 @@ private:
   RawMesh m_raw;
   std::vector<Index> m_corners; ///< of the current statement
   std::vector<Forward> m_forward;
+  const char* m_doubt; ///< for messages about a file that ends within a line
   std::size_t m_thinFaces = 0, m_passedOver = 0, m_unknown = 0;
   long m_firstUnknown = 0;
 };
@@ -174,7 +181,7 @@ private:
 bool recognisesObj(std::string_view bytes, std::string_view ending)
 {
   if (!looksLikeText(bytes)) return false;
-  if (ending == "obj") return describeForeign(bytes).empty();
+  if (ending == "obj") return !foreignKind(bytes);
   TextCursor cursor(bytes.substr(0, 1 << 16), kRules);
   for (; !cursor.atEnd(); cursor.nextLine()) {
     if (cursor.word() != "v") continue;

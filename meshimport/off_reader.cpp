@@ -38,7 +38,15 @@ public:
   }
 
 private:
-  Error wrong(const char* text) { return fault(ErrorCode::BadFormat, m_origin, m_cursor.line(), text); }
+  Error wrong(const std::string& text) const
+  {
+    return fault(ErrorCode::BadFormat, m_origin, m_cursor.line(), text);
+  }
+  /// For what is missing where the cursor is: in the last line the rest of the file may be missing, too.
+  Error missing(const char* text) const
+  {
+    return wrong(text + std::string(m_cursor.inLastLine() ? "; the file is cut short, fetch it again" : ""));
+  }
 
   void skipToWord()
   {
@@ -72,7 +80,7 @@ private:
       double p[3];
       for (double& coordinate : p)
         if (!m_cursor.number(coordinate))
-          return wrong("a vertex needs three coordinates, written with a point; is the file cut short?");
+          return missing("a vertex needs three coordinates, written with a point");
       m_raw.addVertex(p[0], p[1], p[2], m_cursor.line());
       if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
@@ -87,12 +95,11 @@ private:
       skipToWord();
       long long count = 0;
       if (!m_cursor.integer(count) || count < 0)
-        return wrong("a face begins with the number of its corners; is the file cut short?");
+        return missing("a face begins with the number of its corners");
       corners.clear();
       for (long long k = 0; k < count; ++k) {
         long long vertex = 0;
-        if (!m_cursor.integer(vertex))
-          return wrong("a face has fewer corners than it says; is the file cut short?");
+        if (!m_cursor.integer(vertex)) return missing("a face has fewer corners than it says");
         if (vertex < 0 || vertex >= m_vertices)
           return fault(ErrorCode::InvalidValue, m_origin, m_cursor.line(),
                        "there is no vertex " + std::to_string(vertex) + ", the file has vertices 0 to " +

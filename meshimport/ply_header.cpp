@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/ply_header.h"
 
+#include "core/base/ascii_case.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/text_cursor.h"
 
@@ -16,10 +17,10 @@ std::optional<PlyScalar> scalarNamed(std::string_view name)
 {
   using enum PlyScalar;
   constexpr std::pair<std::string_view, PlyScalar> kNames[] = {
-    {"char", Int8},     {"int8", Int8},       {"uchar", UInt8},    {"uint8", UInt8},
-    {"short", Int16},   {"int16", Int16},     {"ushort", UInt16},  {"uint16", UInt16},
-    {"int", Int32},     {"int32", Int32},     {"uint", UInt32},    {"uint32", UInt32},
-    {"float", Float32}, {"float32", Float32}, {"double", Float64}, {"float64", Float64}};
+    {"char", Int8},       {"int8", Int8},      {"uchar", UInt8},    {"uint8", UInt8},   {"short", Int16},
+    {"int16", Int16},     {"ushort", UInt16},  {"uint16", UInt16},  {"int", Int32},     {"int32", Int32},
+    {"uint", UInt32},     {"uint32", UInt32},  {"int64", Int64},    {"uint64", UInt64}, {"float", Float32},
+    {"float32", Float32}, {"double", Float64}, {"float64", Float64}};
   for (const auto& [known, type] : kNames)
     if (known == name) return type;
   return std::nullopt;
@@ -50,12 +51,24 @@ private:
 
   Status statement(std::string_view word)
   {
-    if (word == "comment" || word == "obj_info") return {};
+    if (equalIgnoringCase(word.substr(0, 7), "comment") || word == "obj_info" || word[0] == '#') return {};
     if (word == "format") return format();
     if (word == "element") return element();
     if (word == "property") return property();
-    return wrong("a PLY header line begins with '" + std::string(word.substr(0, 30)) +
-                 "'; is the file cut short or damaged?");
+    return stray(word);
+  }
+
+  /// Some writers put remarks there without the word comment; further on it may be half of a property.
+  Status stray(std::string_view word)
+  {
+    std::string start(word.substr(0, 30));
+    if (!m_header.elements.empty())
+      return wrong("a PLY header line begins with '" + start + "'" +
+                   (m_cursor.inLastLine()
+                      ? "; the file is cut short"
+                      : ", which is no word of PLY; remarks begin with the word comment"));
+    if (m_header.strayLines++ == 0) m_header.firstStray = std::move(start);
+    return {};
   }
 
   Status format()
@@ -153,14 +166,14 @@ private:
 
 std::size_t plySize(PlyScalar type) noexcept
 {
-  static constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 4, 8};
+  static constexpr std::size_t kSizes[] = {1, 1, 2, 2, 4, 4, 8, 8, 4, 8};
   return kSizes[static_cast<std::size_t>(type)];
 }
 
 int PlyElement::find(std::string_view property) const
 {
   for (std::size_t i = 0; i < properties.size(); ++i)
-    if (properties[i].name == property) return static_cast<int>(i);
+    if (equalIgnoringCase(properties[i].name, property)) return static_cast<int>(i);
   return -1;
 }
 

@@ -3,12 +3,13 @@
 #include "meshimport/ply_reader.h"
 
 #include "core/base/large_pages.h"
-#include "meshimport/byte_order.h"
 #include "meshimport/ply_header.h"
+#include "meshimport/ply_roles.h"
+#include "meshimport/ply_source.h"
 #include "meshimport/raw_mesh.h"
-#include "meshimport/text_cursor.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -16,101 +17,7 @@ namespace esm {
 
 namespace {
 
-/// Values of a binary body, one after the other.
-template <std::endian order>
-class BinarySource {
-public:
-  static constexpr bool isBinary = true;
-  BinarySource(std::string_view bytes, const PlyHeader& header) : m_left(bytes.substr(header.bodyStart)) {}
-
-  bool beginRow() { return true; }
-  void endRow() {}
-  long line() const { return 0; }
-  std::size_t mostItems(PlyScalar type) const { return m_left.size() / plySize(type); }
-  std::size_t bytesLeft() const { return m_left.size(); }
-
-  /// The next `count` bytes, or null if there are fewer.
-  const char* take(std::uint64_t count)
-  {
-    if (m_left.size() < count) return nullptr;
-    const char* from = m_left.data();
-    m_left.remove_prefix(count);
-    return from;
-  }
-  /// Of the usual list of corners: the count as one byte, then so many Ts.
-  template <class T>
-  static T item(const char* from)
-  {
-    return load<T, order>(from);
-  }
-
-  bool value(PlyScalar type, double& value)
-  {
-    if (m_left.size() < plySize(type)) return false;
-    value = decode(type, m_left.data());
-    m_left.remove_prefix(plySize(type));
-    return true;
-  }
-
-  template <class T>
-  static double as(const char* from)
-  {
-    return static_cast<double>(load<T, order>(from));
-  }
-  static double decode(PlyScalar type, const char* from)
-  {
-    switch (type) {
-    case PlyScalar::Int8:
-      return as<std::int8_t>(from);
-    case PlyScalar::UInt8:
-      return as<std::uint8_t>(from);
-    case PlyScalar::Int16:
-      return as<std::int16_t>(from);
-    case PlyScalar::UInt16:
-      return as<std::uint16_t>(from);
-    case PlyScalar::Int32:
-      return as<std::int32_t>(from);
-    case PlyScalar::UInt32:
-      return as<std::uint32_t>(from);
-    case PlyScalar::Float32:
-      return as<float>(from);
-    case PlyScalar::Float64:
-      return as<double>(from);
-    }
-    return 0.0;
-  }
-
-private:
-  std::string_view m_left;
-};
-
-/// Values of an ASCII body: one row of an element per line, blank lines between rows do not matter.
-class AsciiSource {
-public:
-  static constexpr bool isBinary = false;
-  AsciiSource(std::string_view bytes, const PlyHeader& header)
-    : m_cursor(bytes.substr(header.bodyStart)), m_firstLine(header.bodyLine)
-  {}
-
-  bool beginRow()
-  {
-    while (!m_cursor.atEnd() && m_cursor.atLineEnd()) m_cursor.nextLine();
-    return !m_cursor.atEnd();
-  }
-  void endRow() { m_cursor.nextLine(); }
-  long line() const { return m_firstLine + m_cursor.line() - 1; }
-  std::size_t mostItems(PlyScalar) const { return m_cursor.rest().size() / 2 + 1; }
-  std::size_t bytesLeft()
-  {
-    beginRow();
-    return m_cursor.rest().size();
-  }
-  bool value(PlyScalar, double& value) { return m_cursor.number(value); }
-
-private:
-  TextCursor m_cursor;
-  long m_firstLine;
-};
+using namespace ply;
 
 template <class Source>
 class BodyParser {
@@ -122,28 +29,67 @@ public:
   Result<Mesh> run(std::vector<std::string>& notes, WorkControl* control)
   {
     m_control = control;
-    m_vertexTotal = vertexTotal();
+    m_vertexElement = plyVertices(m_header);
+    m_vertexTotal = m_vertexElement ? m_vertexElement->count : 0;
     for (const PlyElement& element : m_header.elements) {
       if (element.properties.empty() || element.count == 0) continue;
-      Status status = element.name == "vertex" ? vertices(element)
-                      : element.name == "face" ? faces(element)
-                      : element.name == "edge" ? edges(element)
-                                               : passOver(element, notes);
-      if (!status) return status.error();
+      if (Status status = read(element, notes); !status) return status.error();
     }
-    if (m_raw.isEmpty())
-      return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it holds " + std::to_string(m_raw.vertexCount()) +
-                     " vertices but no face and no edge; a point cloud makes no net");
+    if (m_raw.isEmpty()) return nothingIn();
     if (const std::size_t left = m_source.bytesLeft(); left > 0)
       notes.push_back(std::to_string(left) + " bytes behind the last element were passed over.");
     if (m_thinFaces > 0)
       notes.push_back(std::to_string(m_thinFaces) +
                       " faces with fewer than three corners were read as lines.");
+    if (m_otherCells > 0)
+      notes.push_back(std::to_string(m_otherCells) + " cells that are no tetrahedra were passed over.");
     return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
 
 private:
+  Status read(const PlyElement& element, std::vector<std::string>& notes)
+  {
+    if (&element == m_vertexElement) return vertices(element);
+    const PlyRole role = plyRole(element);
+    if (role.note)
+      notes.push_back(std::to_string(element.count) + " of the element '" + shortName(element) +
+                      "' were read as " + role.note + ".");
+    switch (role.shape) {
+    case PlyShape::Face:
+      return faces(element, role.list);
+    case PlyShape::Strip:
+    case PlyShape::Fan:
+    case PlyShape::Polyline:
+    case PlyShape::Tetrahedron:
+      return lists(element, role);
+    case PlyShape::Edge:
+      return edges(element, role.ends);
+    case PlyShape::None:
+      return passOver(element, notes);
+    }
+    return {};
+  }
+
+  /// Why no net comes of it, and what would help.
+  Error nothingIn() const
+  {
+    std::string text =
+      "it holds " + std::to_string(m_raw.vertexCount()) + " vertices but no face and no edge";
+    for (const PlyElement& element : m_header.elements) {
+      if (element.count == 0 || &element == m_vertexElement) continue;
+      const auto isList = [](const PlyProperty& property) { return property.isList; };
+      const bool holdsLists = std::any_of(element.properties.begin(), element.properties.end(), isList);
+      if (isPlyGrid(element))
+        return empty(text + "; a range grid is a scan that must be triangulated first, as MeshLab does");
+      if (holdsLists)
+        return empty(text + " that are known, only lists in the element '" + shortName(element) +
+                     "'; save it with faces");
+    }
+    return empty(text + "; a point cloud makes no net, make a surface of it first");
+  }
+  Error empty(const std::string& text) const { return fault(ErrorCode::EmptyResult, m_origin, 0, text); }
+  static std::string shortName(const PlyElement& element) { return element.name.substr(0, 30); }
+
   Error wrong(ErrorCode code, const char* element, std::uint64_t row, const std::string& text) const
   {
     return fault(code, m_origin, m_source.line(),
@@ -155,21 +101,23 @@ private:
   {
     if (stopWantedAt(number, element.count, m_control)) return cancelledError();
     const char* name = element.name.c_str();
-    if (!m_source.beginRow()) return wrong(ErrorCode::BadFormat, name, number, kCutShort);
+    if (!m_source.beginRow()) return wrong(ErrorCode::BadFormat, name, number, kEndsEarly);
     for (std::size_t i = 0; i < element.properties.size(); ++i) {
       const PlyProperty& property = element.properties[i];
       double first = 0.0;
       if (!m_source.value(property.isList ? property.countType : property.type, first))
-        return wrong(ErrorCode::BadFormat, name, number, kCutShort);
+        return wrong(ErrorCode::BadFormat, name, number, m_source.fault());
       m_scalars[i] = first;
       if (!property.isList) continue;
       const double most = static_cast<double>(m_source.mostItems(property.type));
       if (!(first >= 0.0 && first <= most && first == std::floor(first)))
         return wrong(ErrorCode::BadFormat, name, number,
-                     "a list of impossible length; the file is damaged or cut short");
+                     first > most ? "a list of impossible length; the file is damaged or cut short"
+                                  : "a list of impossible length; the file is damaged");
       m_list.resize(static_cast<std::size_t>(first));
       for (double& item : m_list)
-        if (!m_source.value(property.type, item)) return wrong(ErrorCode::BadFormat, name, number, kCutShort);
+        if (!m_source.value(property.type, item))
+          return wrong(ErrorCode::BadFormat, name, number, m_source.fault());
       if (static_cast<int>(i) == listPlace) m_wantedList.swap(m_list);
     }
     m_source.endRow();
@@ -199,12 +147,9 @@ private:
     return {};
   }
 
-  Status faces(const PlyElement& element)
+  Status faces(const PlyElement& element, int place)
   {
-    int place = element.find("vertex_indices");
-    if (place < 0) place = element.find("vertex_index");
-    if (place < 0 || !element.properties[static_cast<std::size_t>(place)].isList)
-      return fault(ErrorCode::BadFormat, m_origin, 0, "its faces have no list vertex_indices");
+    if (place < 0) return fault(ErrorCode::BadFormat, m_origin, 0, "its faces have no list vertex_indices");
     m_scalars.resize(element.properties.size());
     m_raw.triangles.reserve(
       static_cast<Eigen::Index>(std::min<std::uint64_t>(element.count, m_source.bytesLeft())));
@@ -249,7 +194,7 @@ private:
     for (std::uint64_t r = 0; r < element.count; ++r) {
       if (stopWantedAt(r, element.count, m_control)) return cancelledError();
       const char* from = m_source.take(plain.size);
-      if (!from) return wrong(ErrorCode::BadFormat, "vertex", r, kCutShort);
+      if (!from) return wrong(ErrorCode::BadFormat, "vertex", r, kEndsEarly);
       const auto at = [&](int k) {
         return isFloat ? double{Source::template item<float>(from + offset[k])}
                        : Source::decode(type[k], from + offset[k]);
@@ -303,7 +248,7 @@ private:
     const char* const count = m_source.take(1);
     const std::size_t corners = count ? static_cast<std::uint8_t>(*count) : 0;
     const char* const from = m_source.take(4 * corners);
-    if (!count || !from) return wrong(ErrorCode::BadFormat, "face", row, kCutShort);
+    if (!count || !from) return wrong(ErrorCode::BadFormat, "face", row, kEndsEarly);
     const auto corner = [from](std::size_t k) { return Source::template item<std::uint32_t>(from + 4 * k); };
     m_corners.resize(corners);
     for (std::size_t k = 0; k < corners; ++k) {
@@ -314,16 +259,14 @@ private:
     return m_raw.isTooLarge() ? Status(tooManyError(m_origin)) : Status();
   }
 
-  Status edges(const PlyElement& element)
+  Status edges(const PlyElement& element, const std::array<int, 2>& ends)
   {
-    const int a = element.find("vertex1"), b = element.find("vertex2");
-    if (a < 0 || b < 0)
-      return fault(ErrorCode::BadFormat, m_origin, 0, "its edges have no vertex1 and vertex2");
+    if (ends[0] < 0) return fault(ErrorCode::BadFormat, m_origin, 0, "its edges have no vertex1 and vertex2");
     m_scalars.resize(element.properties.size());
     for (std::uint64_t r = 0; r < element.count; ++r) {
       if (Status status = row(element, r, -1); !status) return status;
       m_corners.clear();
-      for (const int place : {a, b})
+      for (const int place : ends)
         if (Status status = addCorner("edge", r, m_scalars[static_cast<std::size_t>(place)]); !status)
           return status;
       m_raw.addPolyline(m_corners);
@@ -331,12 +274,54 @@ private:
     return {};
   }
 
+  /// Strips, fans and lines of any length, in which -1 begins a new one; tetrahedra.
+  Status lists(const PlyElement& element, const PlyRole& role)
+  {
+    const char* const name = element.name.c_str();
+    const PlyScalar type = element.properties[static_cast<std::size_t>(role.list)].type;
+    const double unsignedRestart = type == PlyScalar::UInt32 ? 4294967295.0 : -1.0; // -1 all the same
+    m_scalars.resize(element.properties.size());
+    for (std::uint64_t r = 0; r < element.count; ++r) {
+      if (Status status = row(element, r, role.list); !status) return status;
+      m_corners.clear();
+      for (const double vertex : m_wantedList) {
+        if (vertex == -1.0 || vertex == unsignedRestart)
+          addShape(role.shape);
+        else if (Status status = addCorner(name, r, vertex); !status)
+          return status;
+      }
+      addShape(role.shape);
+      if (m_raw.isTooLarge()) return tooManyError(m_origin);
+    }
+    return {};
+  }
+
+  /// Makes what it says of the corners, and forgets these.
+  void addShape(PlyShape shape)
+  {
+    const std::vector<Index>& c = m_corners;
+    for (std::size_t i = 2; i < c.size() && (shape == PlyShape::Strip || shape == PlyShape::Fan); ++i) {
+      const Index a = shape == PlyShape::Fan ? c[0] : c[i - 2], b = c[i - 1];
+      if (a == b || b == c[i] || c[i] == a) continue; // a stitch between two parts of the strip
+      if (shape == PlyShape::Strip && i % 2 == 1)     // every other triangle is turned round
+        m_raw.addTriangle(b, a, c[i]);
+      else
+        m_raw.addTriangle(a, b, c[i]);
+    }
+    if (shape == PlyShape::Polyline) m_raw.addPolyline(c);
+    if (shape == PlyShape::Tetrahedron && c.size() == 4)
+      m_raw.tetrahedra.insert(m_raw.tetrahedra.end(), c.begin(), c.end());
+    else if (shape == PlyShape::Tetrahedron && !c.empty())
+      ++m_otherCells;
+    m_corners.clear();
+  }
+
   Status passOver(const PlyElement& element, std::vector<std::string>& notes)
   {
     m_scalars.resize(element.properties.size());
     for (std::uint64_t r = 0; r < element.count; ++r)
       if (Status status = row(element, r, -1); !status) return status;
-    notes.push_back(std::to_string(element.count) + " of the element '" + element.name.substr(0, 30) +
+    notes.push_back(std::to_string(element.count) + " of the element '" + shortName(element) +
                     "' were passed over.");
     return {};
   }
@@ -358,23 +343,14 @@ private:
                    std::to_string(static_cast<long long>(m_vertexTotal) - 1));
   }
 
-  std::uint64_t vertexTotal() const
-  {
-    for (const PlyElement& element : m_header.elements)
-      if (element.name == "vertex" && !element.properties.empty()) return element.count;
-    return 0;
-  }
-
-  static constexpr const char* kCutShort =
-    "it ends early or holds something that is no number; is the file cut short?";
-
   const PlyHeader& m_header;
   Source m_source;
   const std::string& m_origin;
   RawMesh m_raw;
   std::vector<double> m_scalars, m_list, m_wantedList;
   std::vector<Index> m_corners;
-  std::size_t m_thinFaces = 0;
+  const PlyElement* m_vertexElement = nullptr; ///< of the header
+  std::size_t m_thinFaces = 0, m_otherCells = 0;
   std::uint64_t m_vertexTotal = 0;
   WorkControl* m_control = nullptr;
 };
@@ -400,6 +376,10 @@ Result<Mesh> readPly(std::string_view bytes, const std::string& origin, std::str
   format = "PLY";
   const Result<PlyHeader> header = parsePlyHeader(bytes, origin);
   if (!header) return header.error();
+  if (header->strayLines > 0)
+    notes.push_back(std::to_string(header->strayLines) +
+                    " header lines without the word comment were passed over (the first begins with '" +
+                    header->firstStray + "').");
   switch (header->encoding) {
   case PlyEncoding::Ascii:
     format = "PLY (ASCII)";

@@ -6,10 +6,13 @@
 #include "core/base/large_pages.h"
 #include "meshimport/byte_order.h"
 #include "meshimport/content.h"
+#include "meshimport/foreign_kinds.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/text_cursor.h"
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace esm {
 
@@ -18,6 +21,7 @@ namespace {
 // Binary: 80 bytes of free text, the count of facets, then per facet a normal and three corners as twelve
 // floats and two spare bytes; all little-endian.
 constexpr std::size_t kHeader = 84, kFacet = 50, kFirstCorner = 12;
+constexpr std::size_t kLook = 4096; ///< bytes of a text, for the signs of an STL
 
 std::uint64_t facetCount(std::string_view bytes)
 {
@@ -30,20 +34,65 @@ bool hasBinarySize(std::string_view bytes)
   return bytes.size() >= kHeader && bytes.size() == kHeader + kFacet * facetCount(bytes);
 }
 
-bool isAscii(std::string_view bytes)
+/// The first word, or "facet normal" further on in a file that is an STL by its name.
+bool isAscii(std::string_view bytes, std::string_view ending)
 {
   if (hasBinarySize(bytes) || !looksLikeText(bytes)) return false;
   TextCursor cursor(bytes);
   while (!cursor.atEnd() && cursor.atLineEnd()) cursor.nextLine();
-  return equalIgnoringCase(cursor.word(), "solid");
+  const std::string_view first = cursor.word();
+  if (equalIgnoringCase(first, "solid")) return true;
+  if (equalIgnoringCase(first, "facet") && equalIgnoringCase(cursor.word(), "normal")) return true;
+  return ending == "stl" && asciiLower(bytes.substr(0, kLook)).find("facet normal") != std::string::npos;
 }
 
 bool recognisesStl(std::string_view bytes, std::string_view ending)
 {
-  if (hasBinarySize(bytes) || isAscii(bytes)) return true;
-  // Cut short or too long, but by its name an STL and by its bytes nothing else.
-  return ending == "stl" && !looksLikeText(bytes) && describeForeign(bytes).empty() &&
-         betrayedEnding(bytes).empty();
+  if (hasBinarySize(bytes) || isAscii(bytes, ending)) return true;
+  // Its count is wrong, but by its name it is an STL and by its bytes nothing else.
+  return ending == "stl" && !looksLikeText(bytes) && !foreignKind(bytes) && betrayedEnding(bytes).empty();
+}
+
+/// Whether the facets from number `first` on could go on the body of those before: no text or table.
+bool goOn(const char* facets, std::uint64_t first, std::uint64_t count)
+{
+  constexpr double kMostTimesLarger = 1000.0, kNothing = 1e-30;
+  double largest = 0.0, largestBehind = 0.0;
+  for (std::uint64_t f = 0; f < count; ++f)
+    for (std::size_t k = 0; k < 9; ++k) {
+      const double x = double{loadLittle<float>(facets + kFacet * f + kFirstCorner + 4 * k)};
+      if (!std::isfinite(x)) return false;
+      double& most = f < first ? largest : largestBehind;
+      most = std::max(most, std::abs(x));
+    }
+  return largestBehind > kNothing && (first == 0 || largestBehind <= kMostTimesLarger * largest);
+}
+
+/// How many facets to read. The count of the header is often wrong: writers of streams leave it open, and
+/// other readers go by the size of the file.
+Result<std::uint64_t> facetsToRead(std::string_view bytes, const std::string& origin,
+                                   std::vector<std::string>& notes)
+{
+  const std::uint64_t promised = facetCount(bytes), body = bytes.size() - kHeader, there = body / kFacet;
+  const bool isWhole = body % kFacet == 0, isOpen = promised == 0 || promised == 0xFFFFFFFF;
+  const std::string promise = "its header promises " + std::to_string(promised) + " facets in " +
+                              std::to_string(kHeader + kFacet * promised) + " bytes, but it has " +
+                              std::to_string(bytes.size());
+  if (promised == there && isWhole) return promised;
+  if (isWhole && there > 0 && (promised > there || goOn(bytes.data() + kHeader, promised, there))) {
+    notes.push_back("The header promises " + std::to_string(promised) + " facets, but " +
+                    std::to_string(there) + " are there; all of these were read." +
+                    (promised > there && !isOpen ? " The file may be cut short." : ""));
+    return there;
+  }
+  if (promised == 0xFFFFFFFF || (promised == 0 && there > 0))
+    return fault(ErrorCode::BadFormat, origin, 0,
+                 promise + "; nor do these hold a whole number of facets, so it is no STL or damaged");
+  if (promised > there)
+    return fault(ErrorCode::BadFormat, origin, 0, promise + "; it is cut short or no STL, fetch it again");
+  notes.push_back(std::to_string(body - kFacet * promised) +
+                  " bytes behind the last facet were passed over.");
+  return promised;
 }
 
 Result<Mesh> readBinary(std::string_view bytes, const std::string& origin, std::vector<std::string>& notes,
@@ -53,15 +102,10 @@ Result<Mesh> readBinary(std::string_view bytes, const std::string& origin, std::
     return fault(ErrorCode::BadFormat, origin, 0,
                  "it has " + std::to_string(bytes.size()) +
                    " bytes, less than the 84 of a binary STL header; it is cut short");
-  const std::uint64_t facets = facetCount(bytes), wanted = kHeader + kFacet * facets;
-  if (bytes.size() < wanted)
-    return fault(ErrorCode::BadFormat, origin, 0,
-                 "its header promises " + std::to_string(facets) + " facets in " + std::to_string(wanted) +
-                   " bytes, but it has " + std::to_string(bytes.size()) +
-                   "; it is cut short or no STL, fetch it again");
+  const Result<std::uint64_t> toRead = facetsToRead(bytes, origin, notes);
+  if (!toRead) return toRead.error();
+  const std::uint64_t facets = *toRead;
   if (12 * facets > kMostItems) return tooManyError(origin);
-  if (bytes.size() > wanted)
-    notes.push_back(std::to_string(bytes.size() - wanted) + " bytes behind the last facet were passed over.");
 
   Mesh mesh;
   mesh.position.resize(3, static_cast<Eigen::Index>(3 * facets));
@@ -108,9 +152,10 @@ public:
         if (Status status = statement(); !status) return status.error();
       if (m_raw.isTooLarge()) return tooManyError(m_origin);
     }
-    if (m_inSolid)
+    if (m_inFacet)
       return fault(ErrorCode::BadFormat, m_origin, m_cursor.line(),
-                   "the file ends without 'endsolid'; it is cut short, fetch it again");
+                   "the file ends within a facet; it is cut short, fetch it again");
+    tellNotes(notes);
     return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
 
@@ -154,27 +199,68 @@ private:
   {
     const long line = m_cursor.line();
     TextCursor before = m_cursor;
-    const std::string_view word = m_cursor.word();
+    std::string_view word = m_cursor.word();
     if (word == "vertex") return vertex(line);
-    const auto is = [word](std::string_view keyword) {
+    const auto is = [&word](std::string_view keyword) {
       return word == keyword || equalIgnoringCase(word, keyword);
     };
+    std::string oneWord; // of "end" and "facet", for instance
+    if (is("end")) {
+      oneWord = "end" + asciiLower(m_cursor.word());
+      word = oneWord;
+    }
     if (is("vertex")) return vertex(line);
-    if (is("outer") || is("endfacet")) return {};
+    if (is("outer")) return {};
     if (is("loop")) {
       m_corners.clear();
     } else if (is("endloop")) {
-      return endLoop(line);
-    } else if (is("facet")) { // the normal may be anything, "nan" included: corners say it better
-      m_cursor.nextLine();
+      if (Status status = endLoop(line); !status) return status;
+    } else if (is("endfacet")) {
+      m_inFacet = false;
+    } else if (is("facet")) {
+      m_inFacet = true;
+      skipNormal();
     } else if (is("solid") || is("endsolid")) { // a name may hold any words
       m_inSolid = is("solid");
       m_cursor.nextLine();
     } else {
-      return fault(ErrorCode::BadFormat, m_origin, line,
-                   "'" + before.wordForMessage() + "' is no word of an ASCII STL; is the file cut short?");
+      return other(before, line);
     }
+    if (!oneWord.empty()) m_splitWords.insert(oneWord);
     return {};
+  }
+
+  /// It may be anything, "nan" included: corners say it better.
+  void skipNormal()
+  {
+    for (TextCursor look = m_cursor; !m_cursor.atLineEnd(); m_cursor = look)
+      if (equalIgnoringCase(look.word(), "outer")) return;
+    m_cursor.nextLine();
+  }
+
+  /// Colours and remarks of some writers stand between facets.
+  Status other(TextCursor& at, long line)
+  {
+    if (m_inFacet) {
+      const bool isLast = at.inLastLine();
+      return fault(ErrorCode::BadFormat, m_origin, line,
+                   "'" + at.wordForMessage() + "' is no word of an ASCII STL" +
+                     (isLast ? "; the file is cut short" : ""));
+    }
+    if (m_otherLines++ == 0) m_firstOther = at.wordForMessage();
+    m_cursor.nextLine();
+    return {};
+  }
+
+  void tellNotes(std::vector<std::string>& notes) const
+  {
+    for (const std::string& word : m_splitWords)
+      notes.push_back("The word '" + word + "' is written in two; it was read all the same.");
+    if (m_otherLines > 0)
+      notes.push_back(std::to_string(m_otherLines) +
+                      " lines between facets were passed over (the first begins with '" + m_firstOther +
+                      "').");
+    if (m_inSolid) notes.push_back("The file ends without 'endsolid'; it may be cut short.");
   }
 
   Status vertex(long line)
@@ -204,14 +290,17 @@ private:
   TextCursor m_cursor;
   const std::string& m_origin;
   RawMesh m_raw;
-  std::vector<Index> m_corners; ///< of the current facet
-  bool m_inSolid = false;
+  std::vector<Index> m_corners;       ///< of the current facet
+  std::set<std::string> m_splitWords; ///< "endsolid" and others, written in two words
+  std::string m_firstOther;
+  std::size_t m_otherLines = 0;
+  bool m_inSolid = false, m_inFacet = false;
 };
 
 Result<Mesh> readStl(std::string_view bytes, const std::string& origin, std::string& format,
                      std::vector<std::string>& notes, WorkControl* control)
 {
-  const bool ascii = isAscii(bytes);
+  const bool ascii = isAscii(bytes, "stl");
   format = ascii ? "STL (ASCII)" : "STL (binary)";
   Result<Mesh> mesh =
     ascii ? AsciiParser(bytes, origin).run(notes, control) : readBinary(bytes, origin, notes, control);

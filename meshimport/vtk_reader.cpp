@@ -12,14 +12,32 @@ namespace esm {
 
 namespace {
 
+/// What VTK itself writes in its files; it has 4 bytes for a vtkIdType there, whatever it has in memory.
 std::optional<Scalar> scalarNamed(std::string_view name)
 {
   using enum Scalar;
-  constexpr std::pair<std::string_view, Scalar> kNames[] = {
-    {"float", Float32},        {"double", Float64},        {"int", Int32},  {"unsigned_int", UInt32},
-    {"short", Int16},          {"unsigned_short", UInt16}, {"char", Int8},  {"unsigned_char", UInt8},
-    {"vtktypeint64", Int64},   {"vtkIdType", Int64},       {"long", Int64}, {"unsigned_long", UInt64},
-    {"vtktypeuint64", UInt64}, {"vtktypeint32", Int32}};
+  constexpr std::pair<std::string_view, Scalar> kNames[] = {{"float", Float32},
+                                                            {"double", Float64},
+                                                            {"int", Int32},
+                                                            {"unsigned_int", UInt32},
+                                                            {"short", Int16},
+                                                            {"unsigned_short", UInt16},
+                                                            {"char", Int8},
+                                                            {"unsigned_char", UInt8},
+                                                            {"vtktypeint64", Int64},
+                                                            {"vtkIdType", Int32},
+                                                            {"long", Int64},
+                                                            {"unsigned_long", UInt64},
+                                                            {"vtktypeuint64", UInt64},
+                                                            {"vtktypeint32", Int32},
+                                                            {"signed_char", Int8},
+                                                            {"vtktypeuint32", UInt32},
+                                                            {"vtktypeint16", Int16},
+                                                            {"vtktypeuint16", UInt16},
+                                                            {"vtktypeint8", Int8},
+                                                            {"vtktypeuint8", UInt8},
+                                                            {"vtktypefloat32", Float32},
+                                                            {"vtktypefloat64", Float64}};
   for (const auto& [known, type] : kNames)
     if (equalIgnoringCase(name, known)) return type;
   return std::nullopt;
@@ -44,6 +62,10 @@ public:
       const std::string keyword(m_source.word().substr(0, 40));
       const auto is = [&keyword](std::string_view word) { return equalIgnoringCase(keyword, word); };
       if (is("POINT_DATA") || is("CELL_DATA")) break; // nothing of ours comes behind
+      if (is("METADATA")) {
+        metadata(m_components);
+        continue;
+      }
       Status status = is("POINTS")            ? points()
                       : is("VERTICES")        ? list(1)
                       : is("LINES")           ? list(4)
@@ -51,13 +73,13 @@ public:
                       : is("TRIANGLE_STRIPS") ? list(6)
                       : is("CELLS")           ? cells()
                       : is("CELL_TYPES")      ? cellTypes()
-                      : is("METADATA")        ? metadata()
                       : is("FIELD")           ? field()
                                               : unknown(keyword);
       if (stopWanted(m_control)) return cancelledError();
       if (!status) return status.error();
     }
-    if (!m_list.end.empty() && !m_hasTypes) return wrong("its cells have no CELL_TYPES; is it cut short?");
+    if (!m_list.end.empty() && !m_hasTypes)
+      return wrong("its cells have no CELL_TYPES; it is cut short, fetch it again");
     return m_cells.finish(m_origin, notes, m_control);
   }
 
@@ -66,7 +88,7 @@ private:
   {
     return fault(ErrorCode::BadFormat, m_origin, m_source.binary ? 0 : m_source.line(), text);
   }
-  Error cutShort() const { return wrong(kCutShort); }
+  Error noNumber() const { return wrong(m_source.whyNoNumber()); }
 
   Status header(std::string& format)
   {
@@ -95,38 +117,93 @@ private:
   {
     return wrong("'" + keyword + "' is no part of a VTK mesh; is the file damaged?");
   }
-  /// Annotations of newer files, up to an empty line.
-  Status metadata()
+  /// Annotations of the array before, up to an empty line; but components without a name have one, too.
+  void metadata(std::uint64_t components)
   {
-    for (m_source.nextLine(); !m_source.atEnd() && !m_source.atLineEnd();) m_source.nextLine();
-    return {};
+    for (m_source.nextLine(); !m_source.atEnd() && !m_source.atLineEnd(); m_source.nextLine()) {
+      if (!equalIgnoringCase(m_source.word(), "COMPONENT_NAMES")) continue;
+      for (std::uint64_t i = 0; i < components && !m_source.atEnd(); ++i) m_source.nextLine();
+    }
   }
-  /// FIELD name n, then n times: name, components, tuples, type and the numbers.
+
+  /// FIELD name n, then n times: name, components, tuples, type and the values.
   Status field()
   {
     m_source.word();
     const Result<std::uint64_t> arrays = count();
     if (!arrays) return arrays.error();
-    for (std::uint64_t i = 0; i < *arrays; ++i) {
-      if (!m_source.skipToWord()) return cutShort();
-      m_source.word();
+    std::uint64_t componentsBefore = 0;
+    for (std::uint64_t i = 0; i < *arrays;) {
+      if (!m_source.skipToWord()) return noNumber();
+      const std::string_view name = m_source.word();
+      if (name == "METADATA" && i > 0) {
+        metadata(componentsBefore);
+        continue;
+      }
+      ++i;
+      if (name == "NULL_ARRAY") continue;
       const Result<std::uint64_t> components = count();
       if (!components) return components.error();
       const Result<std::uint64_t> tuples = count();
       if (!tuples) return tuples.error();
-      const std::optional<Scalar> type = scalarNamed(m_source.word());
-      if (!type)
-        return fault(ErrorCode::Unsupported, m_origin, m_source.line(),
-                     "field data of this type before the points is not read; save the file without it");
+      const std::string type(m_source.word().substr(0, 40));
       m_source.nextLine();
-      if (*components > kMostItems || *tuples > kMostItems ||
-          !m_source.hasRoomFor(*components * *tuples, *type))
-        return tooSmall(*tuples, "values of a field");
-      double value = 0.0;
-      for (std::uint64_t k = *components * *tuples; k > 0; --k)
-        if (!m_source.next(*type, value)) return cutShort();
+      if (*components > kMostItems || *tuples > kMostItems) return tooSmall(*tuples, "values of a field");
+      if (Status status = passValues(type, *components * *tuples); !status) return status;
+      componentsBefore = *components;
+    }
+    // What comes behind the last array belongs to it.
+    NumberSource look = m_source;
+    if (look.skipToWord() && look.word() == "METADATA") {
+      m_source = look;
+      metadata(componentsBefore);
     }
     return {};
+  }
+
+  Status passValues(const std::string& type, std::uint64_t values)
+  {
+    const auto is = [&type](std::string_view word) { return equalIgnoringCase(type, word); };
+    const bool isString = is("string") || is("utf8_string");
+    const std::optional<Scalar> scalar = scalarNamed(type);
+    if (is("variant") || (isString && !m_source.binary)) {
+      for (std::uint64_t i = 0; i < values; ++i, m_source.nextLine())
+        if (m_source.atEnd()) return noNumber();
+    } else if (isString) {
+      for (std::uint64_t i = 0; i < values; ++i)
+        if (!passString()) return noNumber();
+    } else if (is("bit") && m_source.binary) {
+      if (!passBytes((values + 7) / 8)) return noNumber();
+    } else if (scalar || is("bit")) {
+      if (!m_source.hasRoomFor(values, scalar.value_or(Scalar::UInt8)))
+        return tooSmall(values, "values of a field");
+      double value = 0.0;
+      for (std::uint64_t k = values; k > 0; --k)
+        if (!m_source.next(scalar.value_or(Scalar::UInt8), value)) return noNumber();
+    } else {
+      return fault(ErrorCode::Unsupported, m_origin, m_source.line(),
+                   "field data of the type '" + type +
+                     "' before the points is not read; save the file without it");
+    }
+    return {};
+  }
+  bool passBytes(std::uint64_t bytes)
+  {
+    if (bytes > m_source.rest().size()) return false;
+    m_source.skipBytes(bytes);
+    return true;
+  }
+  /// In binary files a string begins with its length, in as many bytes as the two highest bits say.
+  bool passString()
+  {
+    const std::string_view bytes = m_source.rest();
+    if (bytes.empty()) return false;
+    const std::size_t size = std::size_t{1} << (3 - (static_cast<unsigned char>(bytes[0]) >> 6));
+    if (bytes.size() < size) return false;
+    std::uint64_t length = static_cast<unsigned char>(bytes[0]) & 0x3Fu;
+    for (std::size_t i = 1; i < size; ++i) length = length << 8 | static_cast<unsigned char>(bytes[i]);
+    m_source.skipBytes(size);
+    return passBytes(length);
   }
 
   Result<std::uint64_t> count()
@@ -155,15 +232,17 @@ private:
       if (i % 4096 == 0 && m_source.stopWanted(m_control)) return cancelledError();
       double p[3];
       for (double& coordinate : p)
-        if (!m_source.next(*type, coordinate)) return cutShort();
+        if (!m_source.next(*type, coordinate)) return noNumber();
       m_raw.addVertex(p[0], p[1], p[2], m_source.binary ? 0 : m_source.line());
     }
+    m_components = 3;
     return {};
   }
 
   /// CELLS n size, then as version 1 to 4 "count, nodes" n times, or as version 5 offsets and nodes apart.
   Status readList(CellList& list)
   {
+    m_components = 1;
     const Result<std::uint64_t> cells = count();
     if (!cells) return cells.error();
     const Result<std::uint64_t> size = count();
@@ -174,7 +253,7 @@ private:
       return offsetList(*cells, *size, list);
     if (*size > kMostItems || !m_source.hasRoomFor(*size, Scalar::Int32)) return tooSmall(*size, "numbers");
     std::vector<long long> numbers;
-    if (!m_source.numbers(Scalar::Int32, *size, numbers, m_control)) return cutShort();
+    if (!m_source.numbers(Scalar::Int32, *size, numbers, m_control)) return noNumber();
     for (std::size_t at = 0; at < numbers.size();) {
       const long long corners = numbers[at++];
       if (corners < 0 || static_cast<std::uint64_t>(corners) > numbers.size() - at)
@@ -195,13 +274,16 @@ private:
     for (const bool isOffsets : {true, false}) {
       m_source.skipToWord();
       if (!equalIgnoringCase(m_source.word(), isOffsets ? "OFFSETS" : "CONNECTIVITY"))
-        return wrong("OFFSETS and CONNECTIVITY of the cells are missing; is it cut short?");
+        return wrong(
+          m_source.atEnd()
+            ? "it ends before OFFSETS and CONNECTIVITY of the cells; it is cut short, fetch it again"
+            : "OFFSETS and CONNECTIVITY of the cells are missing; is the file damaged?");
       const std::optional<Scalar> type = scalarNamed(m_source.word());
       if (!type) return wrong("the cells have a type that VTK does not know");
       m_source.nextLine();
       const std::uint64_t count = isOffsets ? offsets : size;
       if (count > kMostItems || !m_source.hasRoomFor(count, *type)) return tooSmall(count, "numbers");
-      if (!m_source.numbers(*type, count, isOffsets ? end : list.nodes, m_control)) return cutShort();
+      if (!m_source.numbers(*type, count, isOffsets ? end : list.nodes, m_control)) return noNumber();
     }
     for (std::size_t i = 0; i < end.size(); ++i) {
       const long long before = i > 0 ? end[i - 1] : 0;
@@ -233,7 +315,7 @@ private:
     std::vector<int> types;
     if (*cells != m_list.end.size())
       return wrong("it has not as many CELL_TYPES as CELLS; the file is damaged");
-    if (!m_source.numbers(Scalar::Int32, *cells, types, m_control)) return cutShort();
+    if (!m_source.numbers(Scalar::Int32, *cells, types, m_control)) return noNumber();
     m_hasTypes = true;
     return addCells(m_list, [&types](std::size_t i) { return types[i]; });
   }
@@ -272,7 +354,8 @@ private:
   WorkControl* m_control;
   RawMesh m_raw;
   CellCollector m_cells;
-  CellList m_list; ///< of an unstructured grid, until its types come
+  CellList m_list;                ///< of an unstructured grid, until its types come
+  std::uint64_t m_components = 1; ///< of the array that was read last
   bool m_hasTypes = false;
 };
 

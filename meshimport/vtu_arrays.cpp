@@ -12,8 +12,10 @@ namespace {
 
 Error damaged(const VtuArray& array, const char* what)
 {
-  return {ErrorCode::BadFormat, "the array '" + std::string(array.name.substr(0, 40)) + "' " + what +
-                                  "; the file is damaged or cut short"};
+  return {ErrorCode::BadFormat,
+          "the array '" + std::string(array.name.substr(0, 40)) + "' " + what +
+            (array.format == VtuArray::Format::Appended ? "; the file is damaged or cut short"
+                                                        : "; the file is damaged")};
 }
 
 int base64Value(char c)

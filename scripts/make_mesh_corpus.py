@@ -275,6 +275,11 @@ def msh(model, version, binary=False):
     tag = [3 * i + 5 for i in range(len(model.points))]  # tags need not be 1, 2, 3
     head = f"$MeshFormat\n{version} {int(binary)} 8\n".encode() + (struct.pack("<i", 1) + b"\n" if binary else b"")
     n, c = len(tag), len(all_cells)
+    if version == "1":  # no line of its version, the count of nodes before them
+        nodes = "".join(f"{t} {words(p)}\n" for t, p in zip(tag, model.points))
+        elements = "".join(f"{i + 1} {g} 1 1 {len(nodes_)} {' '.join(str(tag[k]) for k in nodes_)}\n"
+                           for i, (_, g, nodes_) in enumerate(all_cells))
+        return f"$NOD\n{n}\n{nodes}$ENDNOD\n$ELM\n{c}\n{elements}$ENDELM\n".encode()
     if version == "2.2" and not binary:
         nodes = f"{n}\n" + "".join(f"{t} {words(p)}\n" for t, p in zip(tag, model.points))
         elements = f"{c}\n" + "".join(f"{i + 1} {g} 2 1 1 {' '.join(str(tag[k]) for k in nodes_)}\n"
@@ -318,7 +323,7 @@ def formats(files):
     for name, model in {"octa": OCTA, "far": PRECISE["far"], **LINES, **SOLIDS}.items():
         for ending, write in {"ascii.vtk": vtk, "binary.vtk": lambda m: vtk(m, True), "ascii.vtu": lambda m: vtu(m, "ascii"),
                               "base64.vtu": lambda m: vtu(m, "base64"), "zlib.vtu": lambda m: vtu(m, "zlib"),
-                              "raw.vtu": lambda m: vtu(m, "raw"), "v2.msh": lambda m: msh(m, "2.2"),
+                              "raw.vtu": lambda m: vtu(m, "raw"), "v1.msh": lambda m: msh(m, "1"), "v2.msh": lambda m: msh(m, "2.2"),
                               "v2b.msh": lambda m: msh(m, "2.2", True), "v4.msh": lambda m: msh(m, "4.1"),
                               "v4b.msh": lambda m: msh(m, "4.1", True)}.items():
             files[f"{name}.{ending}"] = write(model), model.expected()
@@ -342,11 +347,16 @@ def dialects(files):
     files["dialect_two_corner_faces.obj"] = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nf 1 2\nf 2 3\n", lines.expected()
     files["dialect_long_l.obj"] = b"v 0 0 0\nv 1 0 0\nv 1 1 0\nl 1 2 3\n", lines.expected()
     soup = OCTA.soup().expected()
-    ascii_stl = stl_ascii(OCTA).decode()
+    binary_stl, ascii_stl = stl_binary(OCTA), stl_ascii(OCTA).decode()
     files["dialect_upper.stl"] = ascii_stl.upper().replace("\n", "\r\n").encode(), soup
     files["dialect_two_solids.stl"] = stl_ascii(TETRA) + stl_ascii(moved(OCTA, 2, (8, 0, 0))), SURFACES["parts"].soup().expected()
     files["dialect_solid_binary.stl"] = stl_binary(OCTA, b"solid says nothing"), soup
     files["dialect_trailing.stl"] = stl_binary(OCTA, tail=b"written by a friendly program"), soup
+    files["dialect_count_all_ones.stl"] = binary_stl[:80] + b"\xff\xff\xff\xff" + binary_stl[84:], soup
+    files["dialect_count_wraps.stl"] = binary_stl[:80] + struct.pack("<I", 85899346) + binary_stl[84:], soup
+    files["dialect_count_zero.stl"] = binary_stl[:80] + bytes(4) + binary_stl[84:], soup
+    files["dialect_no_endsolid.stl"] = ascii_stl.rsplit("endsolid", 1)[0].encode(), soup
+    files["dialect_two_words.stl"] = ascii_stl.replace("endsolid", "end solid").encode(), soup
     files["dialect_float.ply"] = ply(OCTA, "<", "float"), octa
     files["dialect_crlf.ply"] = ply(OCTA).replace(b"\n", b"\r\n"), octa
     files["dialect_comments.off"] = off(OCTA).replace(b"OFF\n", b"# a comment\nOFF # and one\n"), octa
@@ -387,8 +397,6 @@ def invalid(files):
     binary, ascii_stl = stl_binary(OCTA), stl_ascii(OCTA).decode()
     refuse("cut.stl", binary[:300], "promises")
     refuse("header_only.stl", binary[:60] + b"\0", "less than the 84")
-    refuse("lying.stl", binary[:80] + struct.pack("<I", 0xFFFFFFFF) + binary[84:], "promises 4294967295")
-    refuse("wrapping.stl", binary[:80] + struct.pack("<I", 85899346) + binary[84:], "promises 85899346")
     refuse("no_facets.stl", "solid x\nendsolid x\n", "without a single facet")
     refuse("cut_ascii.stl", ascii_stl[:200], "cut short")
     refuse("nan.stl", stl_binary(Model([(0, 0, 0), (math.nan, 0, 0), (0, 1, 0)], [(0, 1, 2)])), "not a finite number")
@@ -418,7 +426,7 @@ def invalid(files):
     refuse("index.vtu", vtu(Model(OCTA.points, [(0, 1, 77)]), "ascii"), "there is no point 77")
     refuse("lying.msh", msh(OCTA, "2.2").replace(b"$Nodes\n6", b"$Nodes\n900000000"), "promises 900000000")
     refuse("lying_blocks.msh", msh(OCTA, "4.1").replace(b"$Nodes\n1 6", b"$Nodes\n900000000 6"), "promises 900000000")
-    refuse("old.msh", b"$NOD\n1\n1 0 0 0\n$ENDNOD\n", "format 1")
+    refuse("old.msh", b"$NOD\n1\n1 0 0 0\n$ENDNOD\n", "1 points")
     refuse("cut.msh", msh(OCTA, "4.1", True)[:200], "cut short")
     refuse("node.msh", msh(OCTA, "2.2").replace(b" 5 11 17\n", b" 5 11 18\n"), "there is no node 18")
 

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/worker/assimp_scene.h"
 
+#include "core/base/ascii_case.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/folder_files.h"
 #include "meshimport/worker/limits.h"
@@ -11,7 +12,9 @@
 #include <assimp/Importer.hpp>
 #include <assimp/scene.h>
 
+#include <algorithm>
 #include <span>
+#include <string_view>
 
 namespace esm {
 
@@ -93,6 +96,16 @@ private:
   std::size_t m_points = 0;
 };
 
+/// Whether what the library complains of is an end that comes too early.
+bool tellsOfTheEnd(std::string_view complaint)
+{
+  const std::string text = asciiLower(complaint);
+  constexpr std::string_view kSigns[] = {"end of file",   "eof",       "unexpected end",
+                                         "premature end", "too small", "truncated"};
+  return std::any_of(std::begin(kSigns), std::end(kSigns),
+                     [&](std::string_view sign) { return text.find(sign) != text.npos; });
+}
+
 } // namespace
 
 WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, const std::string& ending)
@@ -103,9 +116,11 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
   WorkerReply reply;
   const aiScene* scene = importer.ReadFile(files->name(), 0);
   if (!scene) {
+    const std::string complaint = importer.GetErrorString();
     reply.refusal = fault(ErrorCode::BadFormat, origin, 0,
-                          std::string("the assimp library cannot read it (") + importer.GetErrorString() +
-                            "); is it cut short? Otherwise save it as OBJ, PLY or STL");
+                          "the assimp library cannot read it (" + complaint +
+                            (tellsOfTheEnd(complaint) ? "); fetch it again, it may be cut short, or" : ");") +
+                            " save it as OBJ, PLY or STL in the program it comes from");
     return reply;
   }
   reply.format = ending + " (assimp)";

@@ -81,6 +81,24 @@ inline std::string summary(const Result<ImportedMesh>& imported)
          std::to_string(report.triangles);
 }
 
+/// What the mesh holds or the error, so that one comparison tells all.
+inline std::string contents(const Result<ImportedMesh>& imported)
+{
+  if (!imported) return "error: " + imported.error().detail;
+  const Mesh& mesh = imported->mesh;
+  return std::to_string(mesh.vertexCount()) + " vertices, " + std::to_string(mesh.segmentCount()) +
+         " segments, " + std::to_string(mesh.triangleCount()) + " triangles, " +
+         std::to_string(mesh.tetrahedronCount()) + " tetrahedra";
+}
+
+inline std::string allNotes(const Result<ImportedMesh>& imported)
+{
+  std::string all;
+  if (imported)
+    for (const std::string& note : imported->notes) all += note;
+  return all;
+}
+
 /// A value as bytes of the given order.
 template <class T>
 std::string bytesOf(T value, std::endian order = std::endian::little)

@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 
-// Files of finite-element and visualization programs (VTK, VTU, Gmsh) and drawings (DXF): what becomes of
-// each cell and entity, and what is refused in one sentence.
+// Files of finite-element and visualization programs (VTK, VTU, Gmsh): what becomes of each cell, and what is
+// refused in one sentence.
+#include "tests/meshimport/dxf_text.h"
 #include "tests/meshimport/import_bytes.h"
 
 #include <gmock/gmock.h>
@@ -12,23 +13,6 @@ namespace {
 using namespace esm;
 using namespace esm::test;
 using ::testing::HasSubstr;
-
-std::string contents(const Result<ImportedMesh>& imported)
-{
-  if (!imported) return "error: " + imported.error().detail;
-  const Mesh& mesh = imported->mesh;
-  return std::to_string(mesh.vertexCount()) + " vertices, " + std::to_string(mesh.segmentCount()) +
-         " segments, " + std::to_string(mesh.triangleCount()) + " triangles, " +
-         std::to_string(mesh.tetrahedronCount()) + " tetrahedra";
-}
-
-std::string allNotes(const Result<ImportedMesh>& imported)
-{
-  std::string all;
-  if (imported)
-    for (const std::string& note : imported->notes) all += note;
-  return all;
-}
 
 // === VTK
 
@@ -172,80 +156,6 @@ TEST(Gmsh, binaryFilesOfBothByteOrdersArrive)
               "4 vertices, 0 segments, 0 triangles, 1 tetrahedra");
 }
 
-// === DXF
-
-std::string dxf(const std::string& entities, const std::string& blocks = "")
-{
-  return "0\nSECTION\n2\nBLOCKS\n" + blocks + "0\nENDSEC\n0\nSECTION\n2\nENTITIES\n" + entities +
-         "0\nENDSEC\n0\nEOF\n";
-}
-std::string dxfVertex(const char* x, const char* y, const char* z, const char* more = "")
-{
-  return std::string("0\nVERTEX\n8\n0\n10\n") + x + "\n20\n" + y + "\n30\n" + z + "\n" + more;
-}
-const std::string kFourVertices = dxfVertex("0", "0", "0") + dxfVertex("1", "0", "0") +
-                                  dxfVertex("1", "1", "0") + dxfVertex("0", "1", "0") + "0\nSEQEND\n";
-
-TEST(Dxf, aPolylineOfFourVerticesHasThreeSegmentsAndFourIfClosed)
-{
-  EXPECT_EQ(contents(importBytes("a.dxf", dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices))),
-            "4 vertices, 3 segments, 0 triangles, 0 tetrahedra");
-  EXPECT_EQ(contents(importBytes("a.dxf", dxf("0\nPOLYLINE\n70\n9\n" + kFourVertices))),
-            "4 vertices, 4 segments, 0 triangles, 0 tetrahedra");
-}
-
-TEST(Dxf, aLightPolylineLiesAtItsElevation)
-{
-  const auto imported =
-    importBytes("a.dxf", dxf("  0\nLWPOLYLINE\n 90\n3\n 70\n1\n 38\n2.5\n 10\n0\n 20\n0\n 10\n1\n"
-                             " 20\n0\n 42\n0.5\n 10\n0\n 20\n1\n"));
-  EXPECT_EQ(contents(imported), "3 vertices, 3 segments, 0 triangles, 0 tetrahedra");
-  EXPECT_EQ(imported->mesh.position.row(2).minCoeff(), 2.5);
-  EXPECT_THAT(allNotes(imported), HasSubstr("1 arcs of polylines became their chords"));
-}
-
-TEST(Dxf, facesPolyfacesAndMeshesAreFaces)
-{
-  const std::string face =
-    "0\n3DFACE\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n12\n1\n22\n1\n32\n0\n13\n1\n23\n1\n33\n0\n";
-  EXPECT_EQ(contents(importBytes("a.dxf", dxf(face))), "3 vertices, 0 segments, 1 triangles, 0 tetrahedra");
-  const auto corner = [](const char* x, const char* y) { return dxfVertex(x, y, "0", "70\n192\n"); };
-  const std::string polyface =
-    "0\nPOLYLINE\n70\n64\n71\n4\n72\n1\n" + corner("0", "0") + corner("1", "0") + corner("1", "1") +
-    corner("0", "1") + dxfVertex("0", "0", "0", "70\n128\n71\n1\n72\n-2\n73\n3\n74\n4\n") + "0\nSEQEND\n";
-  EXPECT_EQ(contents(importBytes("a.dxf", dxf(polyface))),
-            "4 vertices, 0 segments, 2 triangles, 0 tetrahedra");
-  EXPECT_EQ(contents(importBytes("a.dxf", dxf("0\nPOLYLINE\n70\n16\n71\n2\n72\n2\n" + kFourVertices))),
-            "4 vertices, 0 segments, 2 triangles, 0 tetrahedra");
-}
-
-TEST(Dxf, anInsertIsScaledTurnedAndMoved)
-{
-  const std::string block =
-    "0\nBLOCK\n2\nB\n10\n1\n20\n0\n30\n0\n0\nLINE\n10\n1\n20\n0\n30\n0\n11\n2\n21\n0\n31\n0\n"
-    "0\nENDBLK\n";
-  const auto imported =
-    importBytes("a.dxf", dxf("0\nINSERT\n2\nB\n10\n5\n20\n5\n30\n0\n41\n3\n50\n90\n", block));
-  ASSERT_EQ(contents(imported), "2 vertices, 1 segments, 0 triangles, 0 tetrahedra");
-  EXPECT_TRUE(imported->mesh.position.col(0).isApprox(Eigen::Vector3d(5, 5, 0), 1e-12)); // a few roundings
-  EXPECT_TRUE(imported->mesh.position.col(1).isApprox(Eigen::Vector3d(5, 8, 0), 1e-12));
-}
-
-TEST(Dxf, aBlockInsideItselfAndABombOfBlocksAreRefused)
-{
-  const std::string line = "0\nLINE\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n";
-  const std::string self = "0\nBLOCK\n2\nB\n" + line + "0\nINSERT\n2\nB\n0\nENDBLK\n";
-  EXPECT_THAT(contents(importBytes("a.dxf", dxf("0\nINSERT\n2\nB\n", self))), HasSubstr("nested too deep"));
-  std::string bomb = "0\nBLOCK\n2\nB0\n" + line + "0\nENDBLK\n";
-  for (int i = 1; i < 12; ++i) { // 10^11 lines
-    bomb += "0\nBLOCK\n2\nB" + std::to_string(i) + "\n";
-    for (int k = 0; k < 10; ++k) bomb += "0\nINSERT\n2\nB" + std::to_string(i - 1) + "\n";
-    bomb += "0\nENDBLK\n";
-  }
-  EXPECT_THAT(contents(importBytes("a.dxf", dxf("0\nINSERT\n2\nB11\n", bomb))),
-              HasSubstr("explode them first"));
-}
-
 // === Open Inventor and VRML
 
 TEST(Inventor, facesAndLinesOfBothFormatsArriveWhereTheirTransformsPutThem)
@@ -314,10 +224,6 @@ const RefusedCells kRefused[] = {
    "</Shape></Scene></X3D>",
    "X3D line sets are not read"},
   {"inventorCut", "x.iv", "#Inventor V2.1 ascii\nSeparator { Coordinate3 { point [ 0 0", ""},
-  {"dxfBinary", "x.dxf", std::string("AutoCAD Binary DXF\r\n\x1a\0 and so on", 31), "binary DXF is not read"},
-  {"dxfCut", "x.dxf", dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices).substr(0, 110), "cut short"},
-  {"dxfComma", "x.dxf", dxf("0\nLINE\n10\n0,5\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n"), "written with a point"},
-  {"dxfCirclesOnly", "x.dxf", dxf("0\nCIRCLE\n10\n0\n20\n0\n40\n1\n"), "only 1 entities of other kinds"},
 };
 INSTANTIATE_TEST_SUITE_P(Files, CellFileRefused, ::testing::ValuesIn(kRefused),
                          [](const auto& file) { return std::string(file.param.test); });

@@ -139,7 +139,9 @@ TEST(Fuzz, anySampleCutAnywhereIsReadOrRefused)
     for (int i = 0; i < 40; ++i) {
       const Result<ImportedMesh> imported = importBytes(name, bytes.substr(0, random() % bytes.size()));
       EXPECT_TRUE(!imported || indicesInRange(imported->mesh));
-      EXPECT_TRUE(!imported || std::string_view(name) != "uterus.stl"); // its size tells every cut
+      if (imported && std::string_view(name) == "uterus.stl") { // its count and size tell every cut
+        EXPECT_NE(::testing::PrintToString(imported->notes).find("may be cut short"), std::string::npos);
+      }
     }
   }
 }
