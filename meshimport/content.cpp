@@ -44,6 +44,13 @@ bool looksLikeText(std::string_view bytes)
   return start.find('\0') == std::string_view::npos && static_cast<std::size_t>(odd) * 100 <= start.size();
 }
 
+std::string_view withoutPadding(std::string_view bytes)
+{
+  const std::string_view text = bytes.substr(0, bytes.find_last_not_of("\0\x1A"sv) + 1);
+  const bool hasLines = text.find_first_of("\r\n") != std::string_view::npos; // more than a binary header
+  return hasLines && looksLikeText(text) ? text : bytes;
+}
+
 bool isBlankContent(std::string_view bytes)
 {
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);

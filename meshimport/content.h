@@ -9,6 +9,10 @@ namespace esm {
 /// Whether the first kilobytes could be ASCII or UTF-8 text: no NUL, hardly a control character.
 bool looksLikeText(std::string_view bytes);
 
+/// Without the NULs or the end-of-text byte (Ctrl-Z) that some programs put behind a text; other content as
+/// it is.
+std::string_view withoutPadding(std::string_view bytes);
+
 /// Nothing but blanks, line ends, NULs and a byte-order mark.
 bool isBlankContent(std::string_view bytes);
 

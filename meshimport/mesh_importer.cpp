@@ -72,7 +72,7 @@ Result<ImportedMesh> readMesh(const std::filesystem::path& path, WorkControl* co
 {
   const Result<FileBytes> file = readMeshFile(path, control);
   if (!file) return file.error();
-  const std::string_view bytes = file->view();
+  const std::string_view bytes = withoutPadding(file->view());
   const std::string ending = endingOf(path), origin = path.string();
   const std::vector<MeshReader>& readers = readerTable();
   const auto reader = std::find_if(readers.begin(), readers.end(),

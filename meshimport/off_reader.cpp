@@ -14,10 +14,12 @@ namespace {
 /// [ST][C][N]OFF; the variants with a fourth coordinate or n of them are other geometry.
 bool isMagic(std::string_view word)
 {
-  if (word.substr(0, 2) == "ST") word.remove_prefix(2);
-  if (word.substr(0, 1) == "C") word.remove_prefix(1);
-  if (word.substr(0, 1) == "N") word.remove_prefix(1);
-  return word == "OFF";
+  const std::string letters = asciiLower(word.substr(0, 8));
+  std::string_view rest = letters;
+  if (rest.substr(0, 2) == "st") rest.remove_prefix(2);
+  if (rest.substr(0, 1) == "c") rest.remove_prefix(1);
+  if (rest.substr(0, 1) == "n") rest.remove_prefix(1);
+  return rest == "off";
 }
 
 class OffParser {
@@ -56,7 +58,8 @@ private:
   Status header()
   {
     skipToWord();
-    m_cursor.word(); // the magic; the counts may follow it on the same line
+    TextCursor magic = m_cursor; // the counts may follow it on the same line; Geomview lets it be missing
+    if (isMagic(magic.word())) m_cursor = magic;
     skipToWord();
     if (equalIgnoringCase(m_cursor.rest().substr(0, 6), "binary"))
       return fault(ErrorCode::Unsupported, m_origin, m_cursor.line(),
@@ -118,12 +121,17 @@ private:
   long long m_vertices = 0, m_faces = 0;
 };
 
-bool recognisesOff(std::string_view bytes, std::string_view)
+/// The magic, or three counts alone on the first line of a file that is an OFF by its name.
+bool recognisesOff(std::string_view bytes, std::string_view ending)
 {
   if (!looksLikeText(bytes)) return false;
   TextCursor cursor(bytes, TextCursor::HashComments);
   while (!cursor.atEnd() && cursor.atLineEnd()) cursor.nextLine();
-  return isMagic(cursor.word());
+  TextCursor counts = cursor;
+  if (isMagic(cursor.word())) return true;
+  long long count = 0;
+  return ending == "off" && counts.integer(count) && counts.integer(count) && counts.integer(count) &&
+         counts.atLineEnd();
 }
 
 Result<Mesh> readOff(std::string_view bytes, const std::string& origin, std::string& format,

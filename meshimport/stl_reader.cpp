@@ -211,7 +211,7 @@ private:
     }
     if (is("vertex")) return vertex(line);
     if (is("outer")) return {};
-    if (is("loop")) {
+    if (is("loop") || is("outerloop")) {
       m_corners.clear();
     } else if (is("endloop")) {
       if (Status status = endLoop(line); !status) return status;

@@ -99,6 +99,37 @@ TEST(Dialects, linesBetweenFacetsOfAnAsciiStlArePassedOver)
               HasSubstr("2 lines between facets were passed over (the first begins with 'color')"));
 }
 
+TEST(Dialects, outerLoopMayBeOneWord)
+{
+  EXPECT_EQ(
+    summary(importBytes("x.stl", "solid\n" + replaced(kFacet, "outer loop", "outerloop") + "endsolid\n")),
+    "3/3/1");
+}
+
+// === Texts
+
+TEST(Dialects, aTextMayBePaddedBehindItsEnd)
+{
+  const std::string off = "OFF\n3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  for (const std::string& padding :
+       {std::string(1, '\x1A'), std::string(512, '\0'), std::string("\x1A\0\0", 3)}) {
+    EXPECT_EQ(summary(importBytes("x.off", off + padding)), "3/3/1");
+    EXPECT_EQ(summary(importBytes("x.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n" + padding)), "3/3/1");
+    EXPECT_EQ(summary(importBytes("x.stl", "solid\n" + kFacet + "endsolid\n" + padding)), "3/3/1");
+    EXPECT_EQ(summary(importBytes("x.stl", binaryStl(kTwoFacets, 2) + padding)),
+              "4/5/2"); // a note, as before
+  }
+}
+
+TEST(Dialects, theWordOffMayBeSmallOrMissing)
+{
+  const std::string counts = "3 1 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n";
+  EXPECT_EQ(summary(importBytes("x.off", "off\n" + counts)), "3/3/1");
+  EXPECT_EQ(summary(importBytes("x.off", "# by hand\n" + counts)), "3/3/1");
+  EXPECT_FALSE(importBytes("x.txt", counts));
+  EXPECT_FALSE(importBytes("x.off", "0 0 0\n1 0 0\n0 1 0\n")); // points
+}
+
 // === PLY
 
 TEST(Dialects, aPlyHeaderLineWithoutTheWordCommentIsPassedOver)
