@@ -29,14 +29,14 @@ constexpr std::string_view kOtherOut = "choose a mesh file";
 constexpr std::string_view kUnknownOut =
   "choose an OBJ, STL, PLY, OFF, DXF, VTK, Gmsh, glTF or other mesh file";
 
-struct Magic {
+struct ByteSign {
   std::size_t at;
   std::string_view bytes;
   ForeignKind kind;
 };
 
 /// The longer ones first where one begins like another.
-constexpr Magic kMagics[] = {
+constexpr ByteSign kByteSigns[] = {
   {0, "\x89PNG\r\n\x1a\n"sv, {"a PNG picture", kPictureOut}},
   {0, "\xFF\xD8\xFF"sv, {"a JPEG picture", kPictureOut}},
   {0, "GIF87a"sv, {"a GIF picture", kPictureOut}},
@@ -160,7 +160,7 @@ struct EndingKind {
   std::string_view ending;
   ForeignKind kind;
 };
-constexpr EndingKind kEndings[] = {
+constexpr EndingKind kNamedEndings[] = {
   {"sldprt", {"a SolidWorks part", kCadOut}},
   {"sldasm", {"a SolidWorks assembly", kCadOut}},
   {"ipt", {"an Autodesk Inventor part", kCadOut}},
@@ -180,7 +180,7 @@ constexpr EndingKind kEndings[] = {
   {"poly", {"a TetGen file", "convert it with tetgen -k, which writes VTK"}},
 };
 
-constexpr std::size_t kLook = 1 << 16; ///< bytes; some decks begin with pages of remarks
+constexpr std::size_t kForeignLook = 1 << 16; ///< bytes; some decks begin with pages of remarks
 
 std::string_view takeLine(std::string_view& text)
 {
@@ -256,7 +256,7 @@ bool isTableOfNumbers(std::string_view text)
 
 std::optional<ForeignKind> kindOfText(std::string_view text)
 {
-  const std::string_view start = trimmed(text.substr(0, kLook));
+  const std::string_view start = trimmed(text.substr(0, kForeignLook));
   if (startsWith(start, "iso-10303-21") && start.find("'IFC") == std::string_view::npos) return kStep;
   if (isIges(text)) return kIges;
   if (isUniversal(start)) return ForeignKind{"a universal (UNV) deck", kDeckOut};
@@ -275,7 +275,7 @@ std::optional<ForeignKind> kindOfText(std::string_view text)
 
 std::optional<ForeignKind> kindOfXml(std::string_view text)
 {
-  text = trimmed(text.substr(0, kLook));
+  text = trimmed(text.substr(0, kForeignLook));
   while (startsWith(text, "<?") || startsWith(text, "<!--") || startsWith(text, "<!doctype xdmf")) {
     const std::string_view mark = startsWith(text, "<?")     ? "?>"sv
                                   : startsWith(text, "<!--") ? "-->"sv
@@ -295,8 +295,8 @@ std::optional<ForeignKind> foreignKind(std::string_view bytes)
   if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
   // A FreeCAD document is a ZIP archive whose first file has a name of its own.
   if (holdsAt(bytes, 0, "PK\x03\x04") && holdsAt(bytes, 30, "Document.xml")) return kFreeCad;
-  for (const Magic& magic : kMagics)
-    if (holdsAt(bytes, magic.at, magic.bytes)) return magic.kind;
+  for (const ByteSign& sign : kByteSigns)
+    if (holdsAt(bytes, sign.at, sign.bytes)) return sign.kind;
   if (isBitmap(bytes)) return kBitmap;
   if (!looksLikeText(bytes)) return std::nullopt;
   if (const auto xml = kindOfXml(bytes)) return xml;
@@ -308,15 +308,15 @@ std::string describeForeign(std::string_view bytes, std::string_view ending)
   const auto sentence = [](std::string_view what, std::string_view wayOut) {
     return "this is " + std::string(what) + "; " + std::string(wayOut);
   };
-  const auto named = std::find_if(std::begin(kEndings), std::end(kEndings),
+  const auto named = std::find_if(std::begin(kNamedEndings), std::end(kNamedEndings),
                                   [&](const EndingKind& kind) { return kind.ending == ending; });
-  const bool isNamed = named != std::end(kEndings);
+  const bool isNamed = named != std::end(kNamedEndings);
   const auto kind = foreignKind(bytes);
   const bool isVague = !kind || kind->what.substr(0, 11) == "a part of S"; // one container for many programs
   if (isNamed && isVague) return sentence(named->kind.what, named->kind.wayOut);
   if (kind) return sentence(kind->what, kind->wayOut);
   if (!looksLikeText(bytes)) return sentence("binary data of an unknown kind", kUnknownOut);
-  const std::string_view start = trimmed(bytes.substr(0, kLook));
+  const std::string_view start = trimmed(bytes.substr(0, kForeignLook));
   if (!start.empty() && (start[0] == '{' || start[0] == '['))
     return sentence("JSON text, but no glTF", kUnknownOut);
   if (!start.empty() && start[0] == '<') return sentence("XML text of an unknown kind", kUnknownOut);

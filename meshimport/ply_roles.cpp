@@ -15,33 +15,31 @@ struct NamedShape {
   PlyShape shape;
 };
 
-using enum PlyShape;
-
-constexpr NamedShape kNames[] = {{"face", Face},
-                                 {"polygon", Face},
-                                 {"poly", Face},
-                                 {"triangle", Face},
-                                 {"tri", Face},
-                                 {"quad", Face},
-                                 {"facet", Face},
-                                 {"tristrip", Strip},
-                                 {"triangle_strip", Strip},
-                                 {"trianglestrip", Strip},
-                                 {"strip", Strip},
-                                 {"trifan", Fan},
-                                 {"triangle_fan", Fan},
-                                 {"trianglefan", Fan},
-                                 {"fan", Fan},
-                                 {"edge", Edge},
-                                 {"line", Edge},
-                                 {"segment", Edge},
-                                 {"polyline", Edge},
-                                 {"tet", Tetrahedron},
-                                 {"tetra", Tetrahedron},
-                                 {"tetrahedron", Tetrahedron},
-                                 {"tetrahedra", Tetrahedron},
-                                 {"voxel", Tetrahedron},
-                                 {"cell", Tetrahedron}};
+constexpr NamedShape kPlyNames[] = {{"face", PlyShape::Face},
+                                    {"polygon", PlyShape::Face},
+                                    {"poly", PlyShape::Face},
+                                    {"triangle", PlyShape::Face},
+                                    {"tri", PlyShape::Face},
+                                    {"quad", PlyShape::Face},
+                                    {"facet", PlyShape::Face},
+                                    {"tristrip", PlyShape::Strip},
+                                    {"triangle_strip", PlyShape::Strip},
+                                    {"trianglestrip", PlyShape::Strip},
+                                    {"strip", PlyShape::Strip},
+                                    {"trifan", PlyShape::Fan},
+                                    {"triangle_fan", PlyShape::Fan},
+                                    {"trianglefan", PlyShape::Fan},
+                                    {"fan", PlyShape::Fan},
+                                    {"edge", PlyShape::Edge},
+                                    {"line", PlyShape::Edge},
+                                    {"segment", PlyShape::Edge},
+                                    {"polyline", PlyShape::Edge},
+                                    {"tet", PlyShape::Tetrahedron},
+                                    {"tetra", PlyShape::Tetrahedron},
+                                    {"tetrahedron", PlyShape::Tetrahedron},
+                                    {"tetrahedra", PlyShape::Tetrahedron},
+                                    {"voxel", PlyShape::Tetrahedron},
+                                    {"cell", PlyShape::Tetrahedron}};
 constexpr const char* kSureLists[] = {"vertex_indices", "vertex_index", "vertex_indexes", "vertexindices"};
 constexpr const char* kEnds[][2] = {
   {"vertex1", "vertex2"}, {"v1", "v2"}, {"vertex_1", "vertex_2"}, {"start", "end"}, {"from", "to"},
@@ -95,17 +93,17 @@ std::array<int, 2> edgeEnds(const PlyElement& element)
 const char* nounOf(PlyShape shape)
 {
   switch (shape) {
-  case Strip:
+  case PlyShape::Strip:
     return "strips of triangles";
-  case Fan:
+  case PlyShape::Fan:
     return "fans of triangles";
-  case Edge:
-  case Polyline:
+  case PlyShape::Edge:
+  case PlyShape::Polyline:
     return "lines";
-  case Tetrahedron:
+  case PlyShape::Tetrahedron:
     return "tetrahedra";
-  case Face:
-  case None:
+  case PlyShape::Face:
+  case PlyShape::None:
     break;
   }
   return "faces";
@@ -121,22 +119,22 @@ bool isPlyGrid(const PlyElement& element)
 PlyRole plyRole(const PlyElement& element)
 {
   PlyRole role;
-  const auto named = std::find_if(std::begin(kNames), std::end(kNames),
+  const auto named = std::find_if(std::begin(kPlyNames), std::end(kPlyNames),
                                   [&](const NamedShape& entry) { return isNamed(element, entry.name); });
-  const bool isKnown = named != std::end(kNames);
+  const bool isKnown = named != std::end(kPlyNames);
   role.list = isKnown ? cornerList(element) : sureList(element);
   role.ends = edgeEnds(element);
   if (isPlyGrid(element)) return {};
   if (isKnown)
     role.shape = named->shape;
   else if (role.list >= 0)
-    role.shape = Face;
-  if (role.shape == Edge && role.ends[0] < 0 && role.list >= 0) role.shape = Polyline;
+    role.shape = PlyShape::Face;
+  if (role.shape == PlyShape::Edge && role.ends[0] < 0 && role.list >= 0) role.shape = PlyShape::Polyline;
   // The usual names without their properties are a fault, others were perhaps meant for something else.
   const bool isUsual = element.name == "face" || element.name == "edge";
-  const bool canBeRead = role.shape == Edge ? role.ends[0] >= 0 : role.list >= 0;
-  if (!canBeRead && !isUsual) role.shape = None;
-  if (!isUsual && role.shape != None) role.note = nounOf(role.shape);
+  const bool canBeRead = role.shape == PlyShape::Edge ? role.ends[0] >= 0 : role.list >= 0;
+  if (!canBeRead && !isUsual) role.shape = PlyShape::None;
+  if (!isUsual && role.shape != PlyShape::None) role.note = nounOf(role.shape);
   return role;
 }
 

@@ -21,7 +21,7 @@ namespace {
 // Binary: 80 bytes of free text, the count of facets, then per facet a normal and three corners as twelve
 // floats and two spare bytes; all little-endian.
 constexpr std::size_t kHeader = 84, kFacet = 50, kFirstCorner = 12;
-constexpr std::size_t kLook = 4096; ///< bytes of a text, for the signs of an STL
+constexpr std::size_t kStlLook = 4096; ///< bytes of a text, for the signs of an STL
 
 std::uint64_t facetCount(std::string_view bytes)
 {
@@ -43,7 +43,7 @@ bool isAscii(std::string_view bytes, std::string_view ending)
   const std::string_view first = cursor.word();
   if (equalIgnoringCase(first, "solid")) return true;
   if (equalIgnoringCase(first, "facet") && equalIgnoringCase(cursor.word(), "normal")) return true;
-  return ending == "stl" && asciiLower(bytes.substr(0, kLook)).find("facet normal") != std::string::npos;
+  return ending == "stl" && asciiLower(bytes.substr(0, kStlLook)).find("facet normal") != std::string::npos;
 }
 
 bool recognisesStl(std::string_view bytes, std::string_view ending)

@@ -13,32 +13,32 @@ namespace esm {
 namespace {
 
 /// What VTK itself writes in its files; it has 4 bytes for a vtkIdType there, whatever it has in memory.
-std::optional<Scalar> scalarNamed(std::string_view name)
+std::optional<Scalar> vtkScalar(std::string_view name)
 {
   using enum Scalar;
-  constexpr std::pair<std::string_view, Scalar> kNames[] = {{"float", Float32},
-                                                            {"double", Float64},
-                                                            {"int", Int32},
-                                                            {"unsigned_int", UInt32},
-                                                            {"short", Int16},
-                                                            {"unsigned_short", UInt16},
-                                                            {"char", Int8},
-                                                            {"unsigned_char", UInt8},
-                                                            {"vtktypeint64", Int64},
-                                                            {"vtkIdType", Int32},
-                                                            {"long", Int64},
-                                                            {"unsigned_long", UInt64},
-                                                            {"vtktypeuint64", UInt64},
-                                                            {"vtktypeint32", Int32},
-                                                            {"signed_char", Int8},
-                                                            {"vtktypeuint32", UInt32},
-                                                            {"vtktypeint16", Int16},
-                                                            {"vtktypeuint16", UInt16},
-                                                            {"vtktypeint8", Int8},
-                                                            {"vtktypeuint8", UInt8},
-                                                            {"vtktypefloat32", Float32},
-                                                            {"vtktypefloat64", Float64}};
-  for (const auto& [known, type] : kNames)
+  constexpr std::pair<std::string_view, Scalar> kScalars[] = {{"float", Float32},
+                                                              {"double", Float64},
+                                                              {"int", Int32},
+                                                              {"unsigned_int", UInt32},
+                                                              {"short", Int16},
+                                                              {"unsigned_short", UInt16},
+                                                              {"char", Int8},
+                                                              {"unsigned_char", UInt8},
+                                                              {"vtktypeint64", Int64},
+                                                              {"vtkIdType", Int32},
+                                                              {"long", Int64},
+                                                              {"unsigned_long", UInt64},
+                                                              {"vtktypeuint64", UInt64},
+                                                              {"vtktypeint32", Int32},
+                                                              {"signed_char", Int8},
+                                                              {"vtktypeuint32", UInt32},
+                                                              {"vtktypeint16", Int16},
+                                                              {"vtktypeuint16", UInt16},
+                                                              {"vtktypeint8", Int8},
+                                                              {"vtktypeuint8", UInt8},
+                                                              {"vtktypefloat32", Float32},
+                                                              {"vtktypefloat64", Float64}};
+  for (const auto& [known, type] : kScalars)
     if (equalIgnoringCase(name, known)) return type;
   return std::nullopt;
 }
@@ -165,7 +165,7 @@ private:
   {
     const auto is = [&type](std::string_view word) { return equalIgnoringCase(type, word); };
     const bool isString = is("string") || is("utf8_string");
-    const std::optional<Scalar> scalar = scalarNamed(type);
+    const std::optional<Scalar> scalar = vtkScalar(type);
     if (is("variant") || (isString && !m_source.binary)) {
       for (std::uint64_t i = 0; i < values; ++i, m_source.nextLine())
         if (m_source.atEnd()) return noNumber();
@@ -222,7 +222,7 @@ private:
   {
     const Result<std::uint64_t> points = count();
     if (!points) return points.error();
-    const std::optional<Scalar> type = scalarNamed(m_source.word());
+    const std::optional<Scalar> type = vtkScalar(m_source.word());
     if (!type) return wrong("the points have a type that VTK does not know");
     m_source.nextLine();
     if (*points > kMostItems / 3 || !m_source.hasRoomFor(3 * *points, *type))
@@ -278,7 +278,7 @@ private:
           m_source.atEnd()
             ? "it ends before OFFSETS and CONNECTIVITY of the cells; it is cut short, fetch it again"
             : "OFFSETS and CONNECTIVITY of the cells are missing; is the file damaged?");
-      const std::optional<Scalar> type = scalarNamed(m_source.word());
+      const std::optional<Scalar> type = vtkScalar(m_source.word());
       if (!type) return wrong("the cells have a type that VTK does not know");
       m_source.nextLine();
       const std::uint64_t count = isOffsets ? offsets : size;

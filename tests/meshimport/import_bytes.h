@@ -17,6 +17,7 @@
 namespace esm::test {
 
 inline const std::filesystem::path kSamples = std::filesystem::path(ESM_SOURCE_DIR) / "resources" / "samples";
+inline const std::filesystem::path kMeshData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
 
 /// A file that a reader must refuse, and what it must say.
 struct Refused {
@@ -79,6 +80,13 @@ inline std::string summary(const Result<ImportedMesh>& imported)
   const MeshReport& report = imported->report;
   return std::to_string(report.nodes) + "/" + std::to_string(report.springs) + "/" +
          std::to_string(report.triangles);
+}
+
+/// Why bytes in a file of that name are refused.
+inline std::string refusalOf(const std::string& name, std::string_view bytes)
+{
+  const auto imported = importBytes(name, bytes);
+  return imported ? "read" : imported.error().detail;
 }
 
 /// What the mesh holds or the error, so that one comparison tells all.

@@ -15,14 +15,12 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::filesystem::path kData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
-
 // === STL
 
 /// A stream whose writer never went back to fill in the count; VTK and others read by the size of the file.
 TEST(Dialects, aBinaryStlWithoutACountIsReadByItsSize)
 {
-  const auto cube = importMesh(kData / "count_all_ones.stl");
+  const auto cube = importMesh(kMeshData / "count_all_ones.stl");
   EXPECT_EQ(summary(cube), "8/18/12");
   EXPECT_THAT(allNotes(cube),
               AllOf(HasSubstr("promises 4294967295 facets, but 12 are there"), Not(HasSubstr("cut short"))));
@@ -62,7 +60,7 @@ const std::string kFacet =
 
 TEST(Dialects, anAsciiStlMayWriteItsEndsInTwoWords)
 {
-  const auto file = importMesh(kData / "end_solid_two_words.stl");
+  const auto file = importMesh(kMeshData / "end_solid_two_words.stl");
   EXPECT_EQ(summary(file), "3/3/1");
   EXPECT_THAT(allNotes(file), HasSubstr("'endsolid' is written in two"));
   const auto all = importBytes(
@@ -134,7 +132,7 @@ TEST(Dialects, theWordOffMayBeSmallOrMissing)
 
 TEST(Dialects, aPlyHeaderLineWithoutTheWordCommentIsPassedOver)
 {
-  const auto file = importMesh(kData / "header_line_without_comment.ply");
+  const auto file = importMesh(kMeshData / "header_line_without_comment.ply");
   EXPECT_EQ(summary(file), "4/6/4");
   EXPECT_THAT(
     allNotes(file),
@@ -186,11 +184,11 @@ TEST(Dialects, aPlyMayHaveNumbersOfEightBytesAndCapitals)
 /// Written by VTK 9.1 itself: arrays of texts, bits, variants and ids before the points, annotations behind.
 TEST(Dialects, whatVtkWritesBeforeThePointsIsPassedOver)
 {
-  EXPECT_EQ(contents(importMesh(kData / "metadata_fielddata.vtk")),
+  EXPECT_EQ(contents(importMesh(kMeshData / "metadata_fielddata.vtk")),
             "6 vertices, 3 segments, 2 triangles, 0 tetrahedra");
-  EXPECT_EQ(importMesh(kData / "metadata_fielddata.vtk")->report.springs, 8);
+  EXPECT_EQ(importMesh(kMeshData / "metadata_fielddata.vtk")->report.springs, 8);
   for (const char* name : {"field_arrays_ascii.vtk", "field_arrays_binary.vtk"}) {
-    const auto imported = importMesh(kData / name);
+    const auto imported = importMesh(kMeshData / name);
     ASSERT_EQ(contents(imported), "4 vertices, 0 segments, 2 triangles, 0 tetrahedra") << name;
     EXPECT_EQ(imported->report.boxMax, Eigen::Vector3d(10, 10, 0)) << name;
   }
@@ -208,20 +206,14 @@ TEST(Dialects, aBinaryVtkIdTypeHasFourBytes)
   EXPECT_EQ(summary(importBytes("x.vtk", bytes)), "3/3/1");
 }
 
-std::string refusal(const std::string& name, const std::string& bytes)
-{
-  const auto imported = importBytes(name, bytes);
-  return imported ? "read" : imported.error().detail;
-}
-
 TEST(Dialects, fieldDataThatEndsEarlyOrIsUnknownIsRefused)
 {
   const std::string head = "# vtk DataFile Version 5.1\nx\nASCII\nDATASET POLYDATA\nFIELD FieldData 1\n";
   const std::string points = "POINTS 3 float\n0 0 0 1 0 0 0 1 0\nPOLYGONS 1 4\n3 0 1 2\n";
   EXPECT_EQ(summary(importBytes("x.vtk", head + "a 1 2 string\n\n\n" + points)), "3/3/1");
-  EXPECT_THAT(refusal("x.vtk", head + "a 1 9 string\nx\n"), HasSubstr("it ends early; it is cut short"));
-  EXPECT_THAT(refusal("x.vtk", head + "a 1 2 colour\nx\n" + points), HasSubstr("of the type 'colour'"));
-  EXPECT_THAT(refusal("x.vtk", head + "a 1 1 double\nred\n" + points),
+  EXPECT_THAT(refusalOf("x.vtk", head + "a 1 9 string\nx\n"), HasSubstr("it ends early; it is cut short"));
+  EXPECT_THAT(refusalOf("x.vtk", head + "a 1 2 colour\nx\n" + points), HasSubstr("of the type 'colour'"));
+  EXPECT_THAT(refusalOf("x.vtk", head + "a 1 1 double\nred\n" + points),
               AllOf(HasSubstr("'red' stands where a number should be"), Not(HasSubstr("cut short"))));
 }
 
@@ -244,13 +236,13 @@ TEST(Dialects, gmshFilesOfFormatOneAreRead)
 
 TEST(Dialects, damagedGmshFilesOfFormatOneSayWhatIsWrong)
 {
-  EXPECT_THAT(refusal("x.msh", replaced(kMsh1, "2 3 1 1 4", "2 3 1 1 3")),
+  EXPECT_THAT(refusalOf("x.msh", replaced(kMsh1, "2 3 1 1 4", "2 3 1 1 3")),
               HasSubstr("element 2 has 3 nodes, its type wants 4"));
-  EXPECT_THAT(refusal("x.msh", replaced(kMsh1, "1 2 4 5", "1 2 4 6")), HasSubstr("there is no node 6"));
-  EXPECT_THAT(refusal("x.msh", replaced(kMsh1, "$ELM\n4", "$ELM\n4000000")),
+  EXPECT_THAT(refusalOf("x.msh", replaced(kMsh1, "1 2 4 5", "1 2 4 6")), HasSubstr("there is no node 6"));
+  EXPECT_THAT(refusalOf("x.msh", replaced(kMsh1, "$ELM\n4", "$ELM\n4000000")),
               HasSubstr("promises 4000000 elements"));
-  EXPECT_THAT(refusal("x.msh", kMsh1.substr(0, kMsh1.find("3 1 1 1 2"))), HasSubstr("cut short"));
-  EXPECT_THAT(refusal("x.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n"), HasSubstr("1 points but no line"));
+  EXPECT_THAT(refusalOf("x.msh", kMsh1.substr(0, kMsh1.find("3 1 1 1 2"))), HasSubstr("cut short"));
+  EXPECT_THAT(refusalOf("x.msh", "$NOD\n1\n1 0 0 0\n$ENDNOD\n"), HasSubstr("1 points but no line"));
 }
 
 // === DXF
@@ -286,7 +278,7 @@ TEST(CutShort, isNotSaidOfFilesThatGoOn)
               "version=\"1.4.1\"><asset><up_axis>Q</up_axis></asset><scene/></COLLADA>"},
     {"x.3ds", "no 3DS at all"}};
   for (const auto& [name, bytes] : whole) {
-    const std::string text = refusal(name, bytes);
+    const std::string text = refusalOf(name, bytes);
     EXPECT_THAT(text, AllOf(HasSubstr(name), Not(HasSubstr("cut short")))) << bytes;
   }
 }
@@ -302,7 +294,7 @@ TEST(CutShort, isSaidOfFilesThatEndTooEarly)
     {"x.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 float\n0 0 0 1 0 0 0 1\n"},
     {"x.stl", "solid x\n" + kFacet.substr(0, 60)},
     {"x.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n"}};
-  for (const auto& [name, bytes] : cut) EXPECT_THAT(refusal(name, bytes), HasSubstr("cut short")) << bytes;
+  for (const auto& [name, bytes] : cut) EXPECT_THAT(refusalOf(name, bytes), HasSubstr("cut short")) << bytes;
 }
 
 } // namespace

@@ -75,8 +75,6 @@ TEST(Dxf, aBlockInsideItselfAndABombOfBlocksAreRefused)
 
 // === What does not show
 
-const std::filesystem::path kData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
-
 /// A line of length 1 that begins at (x, 0, 0), with more groups.
 std::string line(int x, const std::string& groups = "")
 {
@@ -97,7 +95,7 @@ std::string withLayers(const std::string& drawing)
 TEST(Dxf, theFrameInPaperSpaceIsNoPartOfTheModel)
 {
   const auto imported =
-    importMesh(kData / "paper_space_frame.dxf"); // three lines of a model, four of a frame
+    importMesh(kMeshData / "paper_space_frame.dxf"); // three lines of a model, four of a frame
   EXPECT_EQ(contents(imported), "3 vertices, 3 segments, 0 triangles, 0 tetrahedra");
   EXPECT_EQ(imported->report.boxMax.x(), 10.0);
   EXPECT_EQ(allNotes(imported).find("paper space"), allNotes(imported).find("4 entities") + 14);
@@ -151,35 +149,31 @@ TEST(Dxf, whatABlockShowsDependsOnTheLayerOfItsInsert)
 
 // === What is refused, and why
 
-std::string refusal(const std::string& bytes)
-{
-  const auto imported = importBytes("x.dxf", bytes);
-  return imported ? "read" : imported.error().detail;
-}
-
 TEST(Dxf, aDrawingOfCurvesAloneIsRefusedWithTheirKindsAndAWayOut)
 {
-  const auto imported = importMesh(kData / "only_curves.dxf");
+  const auto imported = importMesh(kMeshData / "only_curves.dxf");
   ASSERT_FALSE(imported);
   EXPECT_THAT(imported.error().detail, HasSubstr("only 1 CIRCLE, 1 SPLINE; convert curves to polylines"));
-  const std::string solids = refusal(dxf("0\n3DSOLID\n0\n3DSOLID\n0\nTEXT\n"));
+  const std::string solids = refusalOf("x.dxf", dxf("0\n3DSOLID\n0\n3DSOLID\n0\nTEXT\n"));
   EXPECT_THAT(solids, HasSubstr("only 2 3DSOLID, 1 TEXT; save solids and surfaces as STL"));
   EXPECT_EQ(solids.find("curves"), std::string::npos);
 }
 
 TEST(Dxf, aDrawingThatShowsNothingIsRefusedWithWhatHidesIt)
 {
-  EXPECT_THAT(refusal(withLayers(dxf(line(0, "67\n1\n") + line(1, "8\nOff\n") + line(2, "60\n1\n")))),
-              HasSubstr("only 1 entities in paper space, 1 invisible entities, 1 entities on layers that are "
-                        "frozen or off (Off); move what is wanted to model space and show it"));
+  EXPECT_THAT(
+    refusalOf("x.dxf", withLayers(dxf(line(0, "67\n1\n") + line(1, "8\nOff\n") + line(2, "60\n1\n")))),
+    HasSubstr("only 1 entities in paper space, 1 invisible entities, 1 entities on layers that are "
+              "frozen or off (Off); move what is wanted to model space and show it"));
 }
 
 TEST(Dxf, damagedAndForeignDrawingsSayWhatIsWrong)
 {
-  EXPECT_THAT(refusal(std::string("AutoCAD Binary DXF\r\n\x1a\0 and so on", 31)),
+  EXPECT_THAT(refusalOf("x.dxf", std::string("AutoCAD Binary DXF\r\n\x1a\0 and so on", 31)),
               HasSubstr("binary DXF is not read"));
-  EXPECT_THAT(refusal(dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices).substr(0, 110)), HasSubstr("cut short"));
-  EXPECT_THAT(refusal(dxf("0\nLINE\n10\n0,5\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n")),
+  EXPECT_THAT(refusalOf("x.dxf", dxf("0\nPOLYLINE\n70\n8\n" + kFourVertices).substr(0, 110)),
+              HasSubstr("cut short"));
+  EXPECT_THAT(refusalOf("x.dxf", dxf("0\nLINE\n10\n0,5\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n")),
               HasSubstr("written with a point"));
 }
 

@@ -14,8 +14,6 @@ using ::testing::AllOf;
 using ::testing::HasSubstr;
 using ::testing::Not;
 
-const std::filesystem::path kData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
-
 struct Foreign {
   const char* test;
   const char* name;
@@ -145,7 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Files, ForeignFile, ::testing::ValuesIn(kForeign),
 
 TEST(ForeignKinds, theFilesOfTheDataFolderAreNamed)
 {
-  const auto deck = importMesh(kData / "abaqus.inp"), step = importMesh(kData / "plate.step");
+  const auto deck = importMesh(kMeshData / "abaqus.inp"), step = importMesh(kMeshData / "plate.step");
   ASSERT_FALSE(deck);
   EXPECT_THAT(deck.error().detail,
               AllOf(HasSubstr("this is an Abaqus or CalculiX deck; convert it to VTU or Gmsh .msh")));

@@ -14,8 +14,6 @@ using namespace esm;
 using namespace esm::test;
 using ::testing::HasSubstr;
 
-const std::filesystem::path kData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
-
 const std::string kObj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::string kPng("\x89PNG\r\n\x1a\n\0\0\0\rIHDR\0\0\0\x01\0\0\0\x01\x08\x02\0\0\0", 29);
 
@@ -69,7 +67,7 @@ TEST(ImportMesh, messagesStayOnOneLineEvenIfTheNameDoesNot)
 TEST(ImportMesh, theBadExamplesAreEachRefusedInOneLine)
 {
   int count = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(kData / "bad")) {
+  for (const auto& entry : std::filesystem::directory_iterator(kMeshData / "bad")) {
     const Result<ImportedMesh> imported = importMesh(entry.path());
     ASSERT_FALSE(imported) << entry.path();
     EXPECT_THAT(imported.error().detail, HasSubstr(entry.path().filename().string()));

@@ -13,10 +13,9 @@ using namespace esm;
 using namespace esm::test;
 using ::testing::HasSubstr;
 
-const std::filesystem::path kData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
-
 /// An ASCII PLY over the corners of a unit square and a point above it.
-std::string ply(const std::string& elements, const std::string& rows, const std::string& vertex = "vertex")
+std::string squarePly(const std::string& elements, const std::string& rows,
+                      const std::string& vertex = "vertex")
 {
   return "ply\nformat ascii 1.0\nelement " + vertex +
          " 5\nproperty float x\nproperty float y\nproperty float z\n" + elements +
@@ -30,7 +29,7 @@ std::string listElement(const std::string& name, int count, const std::string& l
 
 TEST(PlyElements, stripsOfTrianglesBeginAnewAtMinusOne)
 {
-  const auto imported = importMesh(kData / "tristrips.ply"); // ten corners in one strip, four in another
+  const auto imported = importMesh(kMeshData / "tristrips.ply"); // ten corners in one strip, four in another
   EXPECT_EQ(summary(imported), "14/22/10");
   EXPECT_THAT(allNotes(imported), HasSubstr("1 of the element 'tristrips' were read as strips of triangles"));
 }
@@ -38,8 +37,9 @@ TEST(PlyElements, stripsOfTrianglesBeginAnewAtMinusOne)
 TEST(PlyElements, everyOtherTriangleOfAStripIsTurnedRound)
 {
   for (const std::string& bytes :
-       {ply(listElement("tristrips", 1), "4 0 1 2 3\n"), ply(listElement("TriStrip", 2), "4 0 1 2 3\n1 -1\n"),
-        ply(listElement("strip", 1, "indices"), "9 -1 0 1 2 3 -1 4 4 -1\n")}) {
+       {squarePly(listElement("tristrips", 1), "4 0 1 2 3\n"),
+        squarePly(listElement("TriStrip", 2), "4 0 1 2 3\n1 -1\n"),
+        squarePly(listElement("strip", 1, "indices"), "9 -1 0 1 2 3 -1 4 4 -1\n")}) {
     const auto imported = importBytes("x.ply", bytes);
     ASSERT_EQ(contents(imported), "5 vertices, 0 segments, 2 triangles, 0 tetrahedra") << bytes;
     const Mesh& mesh = imported->mesh;
@@ -55,7 +55,7 @@ TEST(PlyElements, everyOtherTriangleOfAStripIsTurnedRound)
 /// A corner twice makes no triangle but keeps the turn: 0 1 2 | 2 1 3 becomes 0 1 2 2 ... in one strip.
 TEST(PlyElements, stitchesInAStripAreNoTriangles)
 {
-  const auto imported = importBytes("x.ply", ply(listElement("tristrips", 1), "7 0 1 2 2 2 1 3\n"));
+  const auto imported = importBytes("x.ply", squarePly(listElement("tristrips", 1), "7 0 1 2 2 2 1 3\n"));
   EXPECT_EQ(contents(imported), "5 vertices, 0 segments, 2 triangles, 0 tetrahedra");
 }
 
@@ -76,68 +76,62 @@ TEST(PlyElements, facesMayHaveOtherNames)
   for (const char* name :
        {"face", "faces", "Face", "polygon", "polygons", "triangle", "triangles", "tri", "facet"})
     for (const char* list : {"vertex_indices", "vertex_index", "indices", "vertices"})
-      EXPECT_EQ(contents(importBytes("x.ply", ply(listElement(name, 2, list), row))),
+      EXPECT_EQ(contents(importBytes("x.ply", squarePly(listElement(name, 2, list), row))),
                 "5 vertices, 0 segments, 2 triangles, 0 tetrahedra")
         << name << " " << list;
   const auto surface =
-    importBytes("x.ply", ply(listElement("surface_patch", 2), row)); // its list says enough
+    importBytes("x.ply", squarePly(listElement("surface_patch", 2), row)); // its list says enough
   EXPECT_EQ(contents(surface), "5 vertices, 0 segments, 2 triangles, 0 tetrahedra");
   EXPECT_THAT(allNotes(surface), HasSubstr("2 of the element 'surface_patch' were read as faces"));
-  EXPECT_EQ(contents(importBytes("x.ply", ply(listElement("quads", 1), "4 0 1 3 2\n"))),
+  EXPECT_EQ(contents(importBytes("x.ply", squarePly(listElement("quads", 1), "4 0 1 3 2\n"))),
             "5 vertices, 0 segments, 2 triangles, 0 tetrahedra");
-  EXPECT_EQ(contents(importBytes("x.ply", ply(listElement("trifans", 1), "4 0 1 3 2\n"))),
+  EXPECT_EQ(contents(importBytes("x.ply", squarePly(listElement("trifans", 1), "4 0 1 3 2\n"))),
             "5 vertices, 0 segments, 2 triangles, 0 tetrahedra");
 }
 
 TEST(PlyElements, facesBesideStripsAreBothRead)
 {
-  const auto imported =
-    importBytes("x.ply", ply(listElement("face", 1) + listElement("tristrips", 1), "3 0 1 4\n4 0 1 2 3\n"));
+  const auto imported = importBytes(
+    "x.ply", squarePly(listElement("face", 1) + listElement("tristrips", 1), "3 0 1 4\n4 0 1 2 3\n"));
   EXPECT_EQ(contents(imported), "5 vertices, 0 segments, 3 triangles, 0 tetrahedra");
 }
 
 TEST(PlyElements, verticesAndLinesMayHaveOtherNames)
 {
-  EXPECT_EQ(contents(importBytes("x.ply", ply(listElement("face", 1), "3 0 1 2\n", "vertices"))),
+  EXPECT_EQ(contents(importBytes("x.ply", squarePly(listElement("face", 1), "3 0 1 2\n", "vertices"))),
             "5 vertices, 0 segments, 1 triangles, 0 tetrahedra");
   for (const char* ends : {"vertex1 vertex2", "v1 v2", "start end"}) {
     const std::string names(ends);
     const std::string first = names.substr(0, names.find(' ')), second = names.substr(names.find(' ') + 1);
-    EXPECT_EQ(contents(importBytes(
-                "x.ply", ply("element lines 2\nproperty int " + first + "\nproperty int " + second + "\n",
-                             "0 1\n1 3\n"))),
+    EXPECT_EQ(contents(importBytes("x.ply", squarePly("element lines 2\nproperty int " + first +
+                                                        "\nproperty int " + second + "\n",
+                                                      "0 1\n1 3\n"))),
               "5 vertices, 2 segments, 0 triangles, 0 tetrahedra")
       << ends;
   }
-  EXPECT_EQ(contents(importBytes("x.ply", ply(listElement("polyline", 2), "3 0 1 3\n2 4 0\n"))),
+  EXPECT_EQ(contents(importBytes("x.ply", squarePly(listElement("polyline", 2), "3 0 1 3\n2 4 0\n"))),
             "5 vertices, 3 segments, 0 triangles, 0 tetrahedra");
 }
 
 TEST(PlyElements, tetrahedraAreRead)
 {
-  const auto imported = importBytes("x.ply", ply(listElement("voxel", 2), "4 0 1 2 4\n3 0 1 2\n"));
+  const auto imported = importBytes("x.ply", squarePly(listElement("voxel", 2), "4 0 1 2 4\n3 0 1 2\n"));
   EXPECT_EQ(contents(imported), "5 vertices, 0 segments, 0 triangles, 1 tetrahedra");
   EXPECT_THAT(allNotes(imported), HasSubstr("1 cells that are no tetrahedra were passed over"));
 }
 
-std::string refusal(const std::string& bytes)
-{
-  const auto imported = importBytes("x.ply", bytes);
-  return imported ? "read" : imported.error().detail;
-}
-
 TEST(PlyElements, whatHoldsNoFacesIsNamedForWhatItHolds)
 {
-  EXPECT_THAT(refusal(ply("", "")),
+  EXPECT_THAT(refusalOf("x.ply", squarePly("", "")),
               HasSubstr("5 vertices but no face and no edge; a point cloud makes no net"));
-  EXPECT_THAT(refusal(ply("element camera 1\nproperty float f\n", "1\n")),
+  EXPECT_THAT(refusalOf("x.ply", squarePly("element camera 1\nproperty float f\n", "1\n")),
               HasSubstr("a point cloud makes no net"));
   // scans of laser scanners: each place of a grid holds no point or one
-  EXPECT_THAT(refusal(ply(listElement("range_grid", 6), "1 0\n1 1\n0\n1 2\n1 3\n1 4\n")),
+  EXPECT_THAT(refusalOf("x.ply", squarePly(listElement("range_grid", 6), "1 0\n1 1\n0\n1 2\n1 3\n1 4\n")),
               HasSubstr("a range grid is a scan that must be triangulated first"));
-  EXPECT_THAT(refusal(ply(listElement("surfel", 1, "neighbours"), "3 0 1 2\n")),
+  EXPECT_THAT(refusalOf("x.ply", squarePly(listElement("surfel", 1, "neighbours"), "3 0 1 2\n")),
               HasSubstr("only lists in the element 'surfel'"));
-  EXPECT_THAT(refusal(ply(listElement("tristrips", 1), "4 0 1 2 9\n")),
+  EXPECT_THAT(refusalOf("x.ply", squarePly(listElement("tristrips", 1), "4 0 1 2 9\n")),
               HasSubstr("tristrips 1: there is no vertex 9"));
 }
 

@@ -10,11 +10,9 @@ using namespace esm;
 using namespace esm::test;
 using ::testing::HasSubstr;
 
-const std::filesystem::path kData = std::filesystem::path(ESM_TEST_DATA) / "meshes";
-
 TEST(Raw, eachLineIsATriangle)
 {
-  const auto imported = importMesh(kData / "triangles.raw"); // a square of two
+  const auto imported = importMesh(kMeshData / "triangles.raw"); // a square of two
   EXPECT_EQ(summary(imported), "4/5/2");
   EXPECT_EQ(imported->format, "RAW triangles");
   EXPECT_EQ(imported->report.boxMax, Eigen::Vector3d(10, 10, 0));
@@ -54,20 +52,17 @@ TEST(Raw, orAColourAndATriangle)
 
 TEST(Raw, otherNumbersAreRefused)
 {
-  const auto refusal = [](const std::string& bytes) {
-    const auto imported = importBytes("x.raw", bytes);
-    return imported ? "read" : imported.error().detail;
-  };
   const std::string good = "0 0 0 1 0 0 0 1 0\n";
-  EXPECT_THAT(refusal(good + "0 0 0 1 0 0 0 1\n" + good),
+  EXPECT_THAT(refusalOf("x.raw", good + "0 0 0 1 0 0 0 1\n" + good),
               HasSubstr("line 2: a line of a RAW file has 9 or 12 numbers, this one has 8"));
-  EXPECT_EQ(refusal(good + "0 0 0 1 0 0 0 1\n" + good).find("cut short"), std::string::npos);
-  EXPECT_THAT(refusal(good + "0 0 0 1 0"), HasSubstr("this one has 5; the file is cut short"));
-  EXPECT_THAT(refusal(good + "0 0 0 1 0 0 0 1 0 0 0 0 0\n"), HasSubstr("this one has more"));
-  EXPECT_THAT(refusal(good + "0 0 0 1 0 0 0 1,5 0\n"), HasSubstr("line 2: '1,5' is no coordinate"));
-  EXPECT_THAT(refusal(good + "0 0 0 1 0 0 0 nan 0\n"), HasSubstr("not a finite number"));
-  EXPECT_THAT(refusal("0 0 0\n1 0 0\n0 1 0\n"), HasSubstr("a table of numbers, perhaps points"));
-  EXPECT_THAT(refusal(std::string("\1\2\0\4", 4)), HasSubstr("binary data of an unknown kind"));
+  EXPECT_EQ(refusalOf("x.raw", good + "0 0 0 1 0 0 0 1\n" + good).find("cut short"), std::string::npos);
+  EXPECT_THAT(refusalOf("x.raw", good + "0 0 0 1 0"), HasSubstr("this one has 5; the file is cut short"));
+  EXPECT_THAT(refusalOf("x.raw", good + "0 0 0 1 0 0 0 1 0 0 0 0 0\n"), HasSubstr("this one has more"));
+  EXPECT_THAT(refusalOf("x.raw", good + "0 0 0 1 0 0 0 1,5 0\n"),
+              HasSubstr("line 2: '1,5' is no coordinate"));
+  EXPECT_THAT(refusalOf("x.raw", good + "0 0 0 1 0 0 0 nan 0\n"), HasSubstr("not a finite number"));
+  EXPECT_THAT(refusalOf("x.raw", "0 0 0\n1 0 0\n0 1 0\n"), HasSubstr("a table of numbers, perhaps points"));
+  EXPECT_THAT(refusalOf("x.raw", std::string("\1\2\0\4", 4)), HasSubstr("binary data of an unknown kind"));
 }
 
 /// Nothing but its name tells it from a table.
