@@ -72,7 +72,7 @@ bool recognisesAssimp(std::string_view bytes, std::string_view ending)
 std::span<const std::string_view> ownEndings() noexcept
 {
   static constexpr std::string_view kOwn[] = {"obj", "stl", "ply", "off", "dxf", "vtk",
-                                              "vtu", "msh", "raw", "iv",  "wrl"};
+                                              "vtu", "vtp", "msh", "raw", "iv",  "wrl"};
   return kOwn;
 }
 

@@ -216,11 +216,13 @@ private:
     } else if (is("endloop")) {
       if (Status status = endLoop(line); !status) return status;
     } else if (is("endfacet")) {
-      m_inFacet = false;
+      if (Status status = endFacet(line); !status) return status;
     } else if (is("facet")) {
+      if (Status status = endFacet(line); !status) return status;
       m_inFacet = true;
       skipNormal();
     } else if (is("solid") || is("endsolid")) { // a name may hold any words
+      if (Status status = endFacet(line); !status) return status;
       m_inSolid = is("solid");
       m_cursor.nextLine();
     } else {
@@ -228,6 +230,13 @@ private:
     }
     if (!oneWord.empty()) m_splitWords.insert(oneWord);
     return {};
+  }
+
+  /// Whether or not the words for it are there.
+  Status endFacet(long line)
+  {
+    m_inFacet = false;
+    return m_corners.empty() ? Status() : endLoop(line);
   }
 
   /// It may be anything, "nan" included: corners say it better.

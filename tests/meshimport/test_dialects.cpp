@@ -97,6 +97,14 @@ TEST(Dialects, linesBetweenFacetsOfAnAsciiStlArePassedOver)
               HasSubstr("2 lines between facets were passed over (the first begins with 'color')"));
 }
 
+TEST(Dialects, aFacetOfAnAsciiStlEndsWithOrWithoutItsWords)
+{
+  const std::string both = kFacet + replaced(kFacet, "vertex 0 0 0", "vertex 1 1 0");
+  for (const char* word : {"endloop\n", "endfacet\n", "endloop\nendfacet\n"})
+    EXPECT_EQ(summary(importBytes("x.stl", "solid\n" + replaced(both, word, "") + "endsolid\n")), "4/5/2")
+      << word;
+}
+
 TEST(Dialects, outerLoopMayBeOneWord)
 {
   EXPECT_EQ(

@@ -62,6 +62,11 @@ const Foreign kForeign[] = {
    "<?xml version=\"1.0\" ?>\n<!DOCTYPE Xdmf SYSTEM \"Xdmf.dtd\" []>\n<Xdmf Version=\"3.0\">", "an XDMF file",
    "VTU"},
   {"hdf5", "a.cgns", "\x89HDF\r\n\x1a\n" + std::string(50, '\0'), "HDF5", "VTU"},
+  {"radioss", "a_0000.rad", "#RADIOSS STARTER\n/BEGIN\n", "a Radioss deck", "VTU"},
+  {"gid", "a.msh", "MESH dimension 3 ElemType Triangle Nnode 3\nCoordinates\n", "a GiD mesh", "VTU"},
+  {"fluent", "a.msh", "(0 \"by hand\")\n(2 3)\n", "a Fluent mesh", "VTU"},
+  {"tecplot", "a.dat", "TITLE = \"x\"\nVARIABLES = \"X\" \"Y\" \"Z\"\n", "a Tecplot file", "VTU"},
+  {"gambit", "a.neu", "        CONTROL INFO 2.4.6\n** GAMBIT NEUTRAL FILE\n", "a Gambit mesh", "VTU"},
   {"tetgen", "a.node", "4 3 0 0\n1 0 0 0\n2 1 0 0\n3 0 1 0\n4 0 0 1\n", "a TetGen file", "tetgen -k"},
   {"gmshGeometry", "a.geo", "Point(1) = {0, 0, 0, 1};\n", "a Gmsh geometry", "mesh it in Gmsh"},
   // CAD
