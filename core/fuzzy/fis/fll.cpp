@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/fuzzy/fis/files.h"
 #include "core/fuzzy/fis/source_text.h"
@@ -119,6 +120,8 @@ private:
   bool startPart(std::string_view key, std::string_view value)
   {
     if (key == "Engine") {
+      if (m_hasEngine) throw Fault{key.data(), "a second engine begins here; a file holds one"};
+      m_hasEngine = true;
       m_system.name = value;
     } else if (key == "InputVariable") {
       m_part = Part::Input;
@@ -251,6 +254,7 @@ private:
   SourceText& m_source;
   System m_system;
   Part m_part = Part::System;
+  bool m_hasEngine = false;
   std::vector<PendingRule> m_rules;
 };
 
@@ -411,7 +415,8 @@ private:
 
 Result<System> readFll(std::string_view text, std::string_view fileName)
 {
-  SourceText source(text, fileName);
+  const std::string utf8 = toUtf8(text);
+  SourceText source(utf8, fileName);
   return runReader(source, [&] { return FllReader(source).read(); });
 }
 

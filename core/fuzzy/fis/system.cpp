@@ -91,9 +91,12 @@ bool isArea(Defuzzifier defuzzifier) noexcept
 std::vector<std::string> formulaNames(const System& system, std::size_t output)
 {
   std::vector<std::string> names = {"x"};
-  for (const InputVariable& input : system.inputs) names.push_back(input.name);
+  const auto add = [&](const std::string& name, const char* role) {
+    names.push_back(name == "x" ? std::string(role) + name : name);
+  };
+  for (const InputVariable& input : system.inputs) add(input.name, "input.");
   for (std::size_t i = 0; i < std::min(output, system.outputs.size()); ++i)
-    names.push_back(system.outputs[i].name);
+    add(system.outputs[i].name, "output.");
   return names;
 }
 
