@@ -1,12 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/base/text_encoding.h"
+#include "core/fuzzy/fis/fcl_blocks.h"
+#include "core/fuzzy/fis/fcl_defaults.h"
 #include "core/fuzzy/fis/fcl_terms.h"
 #include "core/fuzzy/fis/files.h"
 #include "core/fuzzy/fis/format_names.h"
 
 #include <algorithm>
-#include <cmath>
 #include <map>
 #include <set>
 
@@ -15,34 +16,6 @@ namespace esm::fis {
 namespace {
 
 using namespace fcl;
-
-/// What may begin the body of a function block, which then has no name.
-constexpr std::array<std::string_view, 9> kParts = {"VAR_INPUT", "VAR_OUTPUT", "VAR",
-                                                    "FUZZIFY",   "DEFUZZIFY",  "RULEBLOCK",
-                                                    "OPTION",    "OPTIONS",    "END_FUNCTION_BLOCK"};
-
-/// The text of one FUNCTION_BLOCK, from its name to its end.
-struct FunctionBlock {
-  std::string name;
-  std::string_view text;
-};
-
-std::vector<FunctionBlock> functionBlocksOf(std::string_view text)
-{
-  FclScanner scan(text);
-  std::vector<FunctionBlock> blocks;
-  if (!scan.is("FUNCTION_BLOCK")) return {{std::string(), text}};
-  while (!scan.atEnd()) {
-    scan.expect("FUNCTION_BLOCK");
-    const std::size_t from = scan.place();
-    const bool named = std::none_of(kParts.begin(), kParts.end(), [&](auto part) { return scan.is(part); });
-    std::string name = named && !scan.atEnd() ? std::string(scan.word()) : std::string();
-    while (!scan.atEnd() && !scan.is("END_FUNCTION_BLOCK") && !scan.is("FUNCTION_BLOCK")) scan.take();
-    blocks.push_back({std::move(name), text.substr(from, scan.place() - from)});
-    scan.accept("END_FUNCTION_BLOCK");
-  }
-  return blocks;
-}
 
 class FclReader {
 public:
@@ -71,7 +44,12 @@ public:
     }
     for (const auto& [block, text] : m_rules) addRule(m_system.blocks[block], text);
     accumulate();
-    for (OutputVariable& output : m_system.outputs) complete(output);
+    for (OutputVariable& output : m_system.outputs) {
+      if (!completeOutput(output, m_hasMethod.count(output.name) > 0))
+        m_notes.add(nullptr,
+                    "the terms of '" + output.name + "' are singletons: METHOD : COG is read as COGS");
+      output.joinsEqualTerms = isWeighted(output.defuzzifier) && output.aggregation;
+    }
     return std::move(m_system);
   }
 
@@ -260,51 +238,29 @@ private:
     constexpr std::array<std::string_view, 7> kKeys = {"AND",     "OR",   "ACT",          "RULE",
                                                        "ENABLED", "ACCU", "END_RULEBLOCK"};
     if (indexIn(kKeys, m_scan.word()) < 0) block.name = std::string(m_scan.take());
-    Pair pair;
+    NormWords words;
     while (!m_scan.accept("END_RULEBLOCK")) {
       if (m_scan.accept("RULE")) {
         m_scan.upTo(':'); // its number or name
         m_scan.expect(":");
         m_rules.emplace_back(m_system.blocks.size() - 1, m_scan.restOfStatement());
       } else {
-        readBlockKey(block, pair);
+        readBlockKey(block, words);
       }
       m_scan.accept(";");
     }
-    completePair(block, pair);
-    if (!block.implication) block.implication = TNorm::Minimum;
+    completeNorms(block, words);
   }
 
-  /// Which of the norms of "and" and "or" a block names, and how.
-  struct Pair {
-    std::string_view conjunction{}, disjunction{};
-  };
-
-  /// The standard has one of AND and OR follow from the other by De Morgan's law.
-  static void completePair(RuleBlock& block, const Pair& pair)
-  {
-    if (pair.conjunction.empty() && pair.disjunction.empty()) {
-      block.conjunction = TNorm::Minimum;
-      block.disjunction = SNorm::Maximum;
-    } else if (pair.disjunction.empty() && block.conjunction) {
-      block.disjunction = static_cast<SNorm>(*block.conjunction); // both lists have the same order
-      if (equalIgnoringCase(pair.conjunction, "HAMACHER")) block.disjunction = SNorm::EinsteinSum;
-    } else if (pair.conjunction.empty() && block.disjunction &&
-               static_cast<int>(*block.disjunction) < kTNormCount) {
-      block.conjunction = static_cast<TNorm>(*block.disjunction);
-      if (equalIgnoringCase(pair.disjunction, "EINSTEIN")) block.conjunction = TNorm::HamacherProduct;
-    }
-  }
-
-  void readBlockKey(RuleBlock& block, Pair& pair)
+  void readBlockKey(RuleBlock& block, NormWords& words)
   {
     const std::string_view key = m_scan.take();
     m_scan.expect(":");
     if (equalIgnoringCase(key, "AND")) {
-      pair.conjunction = m_scan.word();
+      words.conjunction = m_scan.word();
       block.conjunction = readNorm<TNorm>(kTNorms, kForeignTNorms, tNormNamed);
     } else if (equalIgnoringCase(key, "OR")) {
-      pair.disjunction = m_scan.word();
+      words.disjunction = m_scan.word();
       block.disjunction = readNorm<SNorm>(kSNorms, kForeignSNorms, sNormNamed);
     } else if (equalIgnoringCase(key, "ACT")) {
       block.implication = readNorm<TNorm>(kTNorms, kForeignTNorms, tNormNamed);
@@ -374,66 +330,6 @@ private:
     });
   }
 
-  /// Without METHOD it is COG, over numbers COGS; without RANGE the terms span it; without ACCU it is MAX.
-  void complete(OutputVariable& output)
-  {
-    const bool numbers =
-      !output.terms.empty() && std::all_of(output.terms.begin(), output.terms.end(),
-                                           [](const Term& term) { return isNumber(term.shape); });
-    if (m_hasMethod.count(output.name) == 0 && !output.terms.empty())
-      output.defuzzifier = numbers ? Defuzzifier::WeightedAverage : Defuzzifier::Centroid;
-    if (!isArea(output.defuzzifier)) return;
-    if (output.defuzzifier == Defuzzifier::Centroid && numbers) {
-      m_notes.add(nullptr, "the terms of '" + output.name + "' are singletons: METHOD : COG is read as COGS");
-      output.defuzzifier = Defuzzifier::WeightedAverage;
-      return;
-    }
-    if (!output.aggregation) output.aggregation = SNorm::Maximum;
-    if (std::isfinite(output.minimum) || std::isfinite(output.maximum)) return;
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    for (const Term& term : output.terms) {
-      const auto [from, to] = spanOf(term);
-      low = std::min(low, from), high = std::max(high, to);
-    }
-    if (low <= high) output.minimum = low, output.maximum = high;
-  }
-
-  /// Where a curve does something: as far as jFuzzyLogic takes it to reach.
-  static std::pair<double, double> spanOf(const Term& term)
-  {
-    const auto& p = term.parameters;
-    double low = HUGE_VAL, high = -HUGE_VAL;
-    const auto around = [&](double centre, double reach) {
-      low = std::min(low, centre - std::abs(reach)), high = std::max(high, centre + std::abs(reach));
-    };
-    switch (term.shape) {
-    case Shape::Gaussian:
-      around(p[0], 4.0 * p[1]);
-      break;
-    case Shape::GaussianProduct:
-      around(p[0], 4.0 * p[1]);
-      around(p[2], 4.0 * p[3]);
-      break;
-    case Shape::Bell:
-      around(p[0], std::pow(999.0, 0.5 / p[2]) * p[1]);
-      break;
-    case Shape::Sigmoid:
-      around(p[0], 9.0 / p[1]);
-      break;
-    case Shape::SigmoidDifference:
-    case Shape::SigmoidProduct:
-      around(p[0], 9.0 / p[1]);
-      around(p[3], 9.0 / p[2]);
-      break;
-    case Shape::Function:
-      break;
-    default:
-      forEachCorner(Curve{term.shape, p, term.height, nullptr, {}},
-                    [&](const Corner& corner) { around(corner.x, 0.0); });
-    }
-    return {low, high};
-  }
-
   struct Accumulation {
     std::size_t block;
     SNorm norm;
@@ -448,30 +344,6 @@ private:
   std::map<std::pair<int, int>, std::vector<double>> m_singletons; ///< heights, by output and first term
 };
 
-std::string nameOf(const FunctionBlock& block, std::size_t index)
-{
-  return block.name.empty() ? std::to_string(index + 1) : block.name;
-}
-
-/// The block of that name or number, else the first one with a word about the others.
-const FunctionBlock& choose(const std::vector<FunctionBlock>& blocks, std::string_view wanted, Notes& notes)
-{
-  std::string names;
-  for (std::size_t i = 0; i < blocks.size(); ++i) {
-    const bool isWanted = equalIgnoringCase(blocks[i].name, wanted) || std::to_string(i + 1) == wanted;
-    if (!wanted.empty() && isWanted) return blocks[i];
-    if (i > 0 || !wanted.empty()) names += (names.empty() ? "'" : ", '") + nameOf(blocks[i], i) + '\'';
-  }
-  const char* at = blocks.front().text.data();
-  if (!wanted.empty())
-    throw Fault{at, "there is no function block " + shown(wanted) + "; there are " + names};
-  if (blocks.size() > 1)
-    notes.add(blocks[1].text.data(), "the file holds " + std::to_string(blocks.size()) +
-                                       " function blocks; '" + nameOf(blocks[0], 0) + "' is read, not " +
-                                       names + " (--block NAME chooses)");
-  return blocks.front();
-}
-
 } // namespace
 
 Result<System> readFcl(std::string_view text, std::string_view fileName, const ReadOptions& options)
@@ -482,7 +354,7 @@ Result<System> readFcl(std::string_view text, std::string_view fileName, const R
   return runReader(source, [&] {
     blankComments(plain);
     const auto blocks = functionBlocksOf(plain);
-    return FclReader(choose(blocks, options.block, notes), notes).read();
+    return FclReader(chooseBlock(blocks, options.block, notes), notes).read();
   });
 }
 

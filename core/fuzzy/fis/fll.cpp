@@ -113,6 +113,8 @@ private:
   /// What fuzzylite does not know.
   void readOwn(std::string_view text)
   {
+    if (m_part == Part::Output && text == "equal-terms: joined")
+      m_system.outputs.back().joinsEqualTerms = true;
     if (m_part == Part::Block && text == "conclusion-hedges: set")
       m_system.blocks.back().conclusionHedges = ConclusionHedges::OnSet;
   }
@@ -342,6 +344,11 @@ private:
     line("defuzzifier: " + defuzzifier);
     line("default: " + formatDouble(output.defaultValue));
     line("lock-previous: " + truth(output.lockPrevious));
+    if (output.joinsEqualTerms) {
+      line("#! equal-terms: joined");
+      m_written.losses.push_back("output '" + output.name +
+                                 "': fuzzylite will count each rule by itself that concludes the same term");
+    }
     for (const Term& term : output.terms) writeTerm(term);
   }
 

@@ -234,6 +234,16 @@ private:
       if (proposition.hedges.size() > 16) throw Fault{m_word.data(), "there are more than 16 hedges here"};
     }
     proposition.term = find(terms);
+    if (proposition.term < 0 && !proposition.hedges.empty()) { // a term called "very" is read as "very_"
+      const std::string usable = usableName(nameOf(proposition.hedges.back()));
+      const auto same =
+        std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.name == usable; });
+      if (same != terms.end()) {
+        proposition.hedges.pop_back();
+        proposition.term = static_cast<int>(same - terms.begin());
+        return proposition;
+      }
+    }
     if (proposition.term < 0)
       throw Fault{m_word.data(), m_word.empty()
                                    ? "here the name of a term is missing"

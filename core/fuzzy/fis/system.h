@@ -62,6 +62,9 @@ struct OutputVariable {
   Defuzzifier defuzzifier = Defuzzifier::Centroid;
   int resolution = 100; ///< of area defuzzifiers, where Options ask for it
   WeightedType weightedType = WeightedType::Automatic;
+  /// Of weighted defuzzifiers: rules that conclude the same term count once, with their degrees gathered by
+  /// the aggregation (IEC 61131-7). Else each counts by itself, as with fuzzylite 6 and MATLAB.
+  bool joinsEqualTerms = false;
   std::vector<Term> terms;
 };
 

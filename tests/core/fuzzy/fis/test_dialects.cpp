@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // FCL of the standard and of jFuzzyLogic, FIS of MATLAB, FLL of fuzzylite as real files carry them.
-#include "core/fuzzy/fis/evaluator.h"
-#include "core/fuzzy/fis/files.h"
+#include "tests/core/fuzzy/fis/mutations.h"
 
 #include <gtest/gtest.h>
 
@@ -261,6 +260,43 @@ TEST(FclFunctions, SingletonsConcludeEachOfThem)
   EXPECT_NEAR(fcl.at(2.5), (0.75 * 1 + 0.375 * 3 + 0.25 * 6) / 1.375, 1e-12);
 }
 
+// The standard gathers what several rules say of one singleton before the average is taken: with degrees 3/4
+// and 1/4 for low, 1/4 for high.
+TEST(FclAccumulation, GathersEqualConclusionsFirst)
+{
+  Fcl fcl;
+  fcl.rules += "\n RULE 3 : IF x IS b THEN y IS low;";
+  const std::pair<const char*, double> norms[] = {{"", 1.0},
+                                                  {"ACCU : MAX;", 0.75},
+                                                  {"ACCU : BSUM;", 1.0},
+                                                  {"ACCU : PROBOR;", 0.8125},
+                                                  {"ACCU : SUM;", 1.0},
+                                                  {"ACCU : NONE;", 1.0}};
+  for (const auto& [norm, low] : norms) {
+    fcl.norms = std::string("AND : MIN; ") + norm;
+    EXPECT_NEAR(fcl.at(2.5), (2 * low + 6 * 0.25) / (low + 0.25), 1e-12) << norm;
+    const auto system = readFcl(fcl.text(), "t.fcl");
+    EXPECT_TRUE(readFll(writeFll(*system).text, "back").value() == *system);
+    EXPECT_EQ(valueOf(readFcl(writeFcl(*system).text, "back"), {2.5}), fcl.at(2.5)) << norm;
+    const auto evaluator = Evaluator::create(*system);
+    Workspace workspace = evaluator->makeWorkspace();
+    evaluator->evaluate(std::vector<double>{2.5}, workspace);
+    Gradient gradient;
+    evaluator->differentiate(0, workspace, gradient);
+    // Central differences of a smooth quotient at 1e-5 are right to about 1e-10.
+    EXPECT_NEAR(gradient.byInput[0], (fcl.at(2.5 + 1e-5) - fcl.at(2.5 - 1e-5)) / 2e-5, 1e-8) << norm;
+  }
+}
+
+// A term may be called as a hedge is.
+TEST(FclRules, TermsMayBeCalledAsHedgesAre)
+{
+  Fcl fcl;
+  fcl.input = "TERM very := (0, 1) (10, 0);\n TERM b := (0, 0) (10, 1);";
+  fcl.rules = "RULE 1 : IF x IS VERY THEN y IS low;\n RULE 2 : IF x IS NOT very THEN y IS high;";
+  EXPECT_NEAR(fcl.at(2.5), 3.0, 1e-12);
+}
+
 // Without RANGE a bell reaches as far as with jFuzzyLogic, four deviations: its centroid is its mean.
 TEST(FclDefaults, RangeAndMethodFollowFromTheTerms)
 {
@@ -331,6 +367,14 @@ TEST(FclNotes, CommentsMayStandAnywhere)
     "% all\n RULE 1 : IF x (* the input *) IS a // low\n THEN y IS low; # one\n RULE 2 : IF x IS b /* b */ "
     "THEN y IS high;";
   EXPECT_NEAR(fcl.at(2.5), 3.0, 1e-12);
+}
+
+// The text that the tests of damaged files begin with is sound itself.
+TEST(FclDialects, AllWordsAtOnceAreRead)
+{
+  const auto system = readFcl(kForeignFcl, "t.fcl");
+  ASSERT_TRUE(system) << system.error().detail;
+  EXPECT_EQ(system->blocks[0].rules.size(), 3U); // one for the singleton of half height
 }
 
 // What is read can be written in every format and says the same when it is read again.
