@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "bench/runs.h"
 
+#include "core/base/csv_reader.h"
 #include "core/base/file_io.h"
 #include "core/base/text_number.h"
 
@@ -165,25 +166,15 @@ std::string csvText(const std::vector<Row>& rows)
 
 namespace {
 
-std::optional<Row> rowOf(std::string_view line)
+std::optional<Row> rowOf(const std::vector<std::string>& fields)
 {
-  const std::size_t quote = line.find('"', 1); // names of scenes contain commas
-  if (!line.starts_with('"') || quote == line.npos) return std::nullopt;
-  std::vector<std::string_view> fields = {line.substr(1, quote - 1)};
-  for (line.remove_prefix(quote + 1); line.starts_with(',');) {
-    line.remove_prefix(1);
-    fields.push_back(line.substr(0, line.find(',')));
-    line.remove_prefix(fields.back().size());
-  }
-  if (fields.size() != 9) return std::nullopt;
   const auto flag = [&](std::size_t i) { return fields[i] == "1"; };
   const std::optional<double> setting = parseDouble(fields[4]), seconds = parseDouble(fields[5]),
                               error = fields[6].empty() ? std::nan("") : parseDouble(fields[6]);
   const std::optional<long long> springs = parseInteger(fields[7]);
   if (!setting || !(*setting > 0.0) || !seconds || !error || !springs) return std::nullopt;
-  return Row{
-    std::string(fields[0]), std::string(fields[1]), flag(2), flag(3), *setting, *seconds, *error, *springs,
-    !fields[6].empty(),     std::string(fields[8])};
+  return Row{fields[0], fields[1],          flag(2),  flag(3), *setting, *seconds, *error,
+             *springs,  !fields[6].empty(), fields[8]};
 }
 
 } // namespace
@@ -192,19 +183,23 @@ Result<std::vector<Row>> readCsv(const std::filesystem::path& file)
 {
   const Result<std::string> text = readFile(file);
   if (!text) return text.error();
+  Result<CsvReader> table = CsvReader::open(*text, file.string());
+  if (!table) return table.error();
+  const auto fault = [&](const CsvRow& row) {
+    return table->error(row, "not a row of esm_bench work_precision --csv");
+  };
+  std::string header;
+  for (const std::string& cell : table->header().cells) header += (header.empty() ? "" : ",") + cell;
+  if (header + '\n' != csvHeader()) return fault(table->header());
   std::vector<Row> rows;
-  std::string_view rest = *text;
-  for (int number = 1; !rest.empty(); ++number) {
-    const std::string_view line = rest.substr(0, rest.find('\n'));
-    rest.remove_prefix(std::min(rest.size(), line.size() + 1));
-    if (number == 1 && std::string(line) + '\n' == csvHeader()) continue;
-    const std::optional<Row> row = rowOf(line);
-    if (!row)
-      return Error{ErrorCode::BadFormat, file.string() + ", line " + std::to_string(number) +
-                                           ": not a row of esm_bench work_precision --csv"};
+  for (CsvRow line;;) {
+    const Result<bool> more = table->next(line);
+    if (!more) return more.error();
+    if (!*more) return rows;
+    const std::optional<Row> row = rowOf(line.cells);
+    if (!row) return fault(line);
     rows.push_back(*row);
   }
-  return rows;
 }
 
 } // namespace esm::bench

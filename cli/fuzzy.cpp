@@ -22,7 +22,7 @@ Result<fis::Format> formatOf(const std::string& file)
   return Error{ErrorCode::Unsupported, file + ": the name must end in .fll, .fcl or .fis"};
 }
 
-Exit convert(const std::string& from, const std::string& to)
+Exit convert(const FuzzySource& from, const std::string& to)
 {
   const Result<fis::Format> format = formatOf(to);
   if (!format) return fail(format.error());
@@ -59,20 +59,22 @@ JsonLine jsonOf(const fis::Finding& finding, const fis::System& system)
   return line;
 }
 
-Exit check(const std::string& file, bool json)
+Exit check(const FuzzySource& source, bool json)
 {
-  const Result<fis::System> system = readFuzzySystem(file);
+  std::vector<std::string> notes;
+  const Result<fis::System> system = readFuzzySystem(source, notes);
   if (!system) return fail(system.error());
+  for (const std::string& note : notes) say(note);
   const auto findings = fis::checkRules(*system);
   if (!json) {
     for (const fis::Finding& finding : findings)
       print(std::string(fis::nameOf(finding.kind)) + ": " + finding.message);
-    print(file + ": " + std::string(fis::nameOf(fis::kindOf(*system))) + ", " +
+    print(source.file + ": " + std::string(fis::nameOf(fis::kindOf(*system))) + ", " +
           std::to_string(findings.size()) + " findings");
     return Exit::Done;
   }
   JsonLine line;
-  line.add("file", file);
+  line.add("file", source.file);
   line.add("kind", fis::nameOf(fis::kindOf(*system)));
   line.add("inputs", system->inputs.size());
   line.add("outputs", system->outputs.size());
@@ -82,43 +84,64 @@ Exit check(const std::string& file, bool json)
   std::vector<JsonLine> list;
   for (const fis::Finding& finding : findings) list.push_back(jsonOf(finding, *system));
   line.add("findings", list);
+  line.add("notes", notes);
   print(line.text());
   return Exit::Done;
+}
+
+void addSource(CLI::App& command, const std::string& name, FuzzySource& source)
+{
+  command.add_option(name, source.file, kFormats)->required();
+  command.add_option("--block", source.block,
+                     "name or number of the function block to read, where an FCL file holds several");
 }
 
 void addEval(CLI::App& fuzzy, Work& work)
 {
   auto options = std::make_shared<FuzzyEvalOptions>();
   CLI::App* command = fuzzy.add_subcommand("eval", "Compute the outputs of a table of inputs");
-  command->add_option("FILE", options->file, kFormats)->required();
+  addSource(*command, "FILE", options->source);
   command
-    ->add_option("--in", options->input,
-                 "CSV with the header in:NAME,...; cells are numbers (nan: not given), intervals low..high "
-                 "or words (\"very hot\")")
+    ->add_option(
+      "--in", options->input,
+      "table with the header in:NAME,...; cells are numbers (nan: not given), intervals low..high or "
+      "words (\"very hot\"); commas, semicolons or tabs between cells")
     ->required();
   command->add_option("-o,--output", options->output,
-                      "CSV to write: the table with out:NAME columns; else stdout");
+                      "the table to write, with out:NAME columns and in the style of --in; else stdout");
   command
-    ->add_option("--resolution", options->resolution,
-                 "exact (default) areas, or N samples as other programs take")
+    ->add_option(
+      "--resolution", options->resolution,
+      "exact (default) areas; N samples as other programs take; file: as many as the file says for each "
+      "output, 100 where it says nothing")
     ->check([](const std::string& text) {
       const auto number = parseInteger(text);
-      const bool good = text == "exact" || (number && *number >= 1 && *number <= 1000000);
-      return good ? std::string()
-                  : "--resolution takes 'exact' or a whole number from 1 to 1000000, not '" + text + "'";
+      const bool good = text == "exact" || text == "file" || (number && *number >= 1 && *number <= 1000000);
+      return good
+               ? std::string()
+               : "--resolution takes 'exact', 'file' or a whole number from 1 to 1000000, not '" + text + "'";
     });
   command->callback([options, &work] { work = [options] { return evaluateFuzzy(*options); }; });
 }
 
 } // namespace
 
-Result<fis::System> readFuzzySystem(const std::string& file)
+Result<fis::System> readFuzzySystem(const FuzzySource& source, std::vector<std::string>& notes)
 {
-  const Result<fis::Format> format = formatOf(file);
+  const Result<fis::Format> format = formatOf(source.file);
   if (!format) return format.error();
-  const Result<std::string> text = readFile(file);
+  const Result<std::string> text = readFile(source.file);
   if (!text) return text.error();
-  return fis::readSystem(*format, *text, file);
+  return fis::readSystem(*format, *text, source.file, {&notes, source.block});
+}
+
+Result<fis::System> readFuzzySystem(const FuzzySource& source)
+{
+  std::vector<std::string> notes;
+  Result<fis::System> system = readFuzzySystem(source, notes);
+  if (system)
+    for (const std::string& note : notes) say(note);
+  return system;
 }
 
 void addFuzzy(CLI::App& program, Work& work)
@@ -128,20 +151,21 @@ void addFuzzy(CLI::App& program, Work& work)
   fuzzy->require_subcommand(1);
   addEval(*fuzzy, work);
 
-  auto names = std::make_shared<std::pair<std::string, std::string>>();
+  auto from = std::make_shared<FuzzySource>();
+  auto to = std::make_shared<std::string>();
   CLI::App* conversion =
     fuzzy->add_subcommand("convert", "Write a system in another format; says first what that cannot hold");
-  conversion->add_option("FROM", names->first, kFormats)->required();
-  conversion->add_option("TO", names->second, "the file to write, of the format of its name")->required();
-  conversion->callback([names, &work] { work = [names] { return convert(names->first, names->second); }; });
+  addSource(*conversion, "FROM", *from);
+  conversion->add_option("TO", *to, "the file to write, of the format of its name")->required();
+  conversion->callback([from, to, &work] { work = [from, to] { return convert(*from, *to); }; });
 
-  auto file = std::make_shared<std::string>();
+  auto source = std::make_shared<FuzzySource>();
   auto json = std::make_shared<bool>(false);
   CLI::App* checks = fuzzy->add_subcommand(
     "check", "List uncovered inputs, rules that contradict, repeat or never count, and odd terms");
-  checks->add_option("FILE", *file, kFormats)->required();
+  addSource(*checks, "FILE", *source);
   addJsonFlag(*checks, *json);
-  checks->callback([file, json, &work] { work = [file, json] { return check(*file, *json); }; });
+  checks->callback([source, json, &work] { work = [source, json] { return check(*source, *json); }; });
 }
 
 } // namespace esm::cli

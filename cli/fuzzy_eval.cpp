@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/fuzzy.h"
 
+#include "core/base/csv_reader.h"
 #include "core/base/file_io.h"
 #include "core/base/text_number.h"
 #include "core/fuzzy/fis/evaluator.h"
@@ -16,126 +17,125 @@ namespace {
 
 std::string_view trimmed(std::string_view text)
 {
-  const std::size_t from = text.find_first_not_of(" \t\r");
+  const std::size_t from = text.find_first_not_of(' ');
   if (from == std::string_view::npos) return {};
-  return text.substr(from, text.find_last_not_of(" \t\r") - from + 1);
+  return text.substr(from, text.find_last_not_of(' ') - from + 1);
 }
 
-std::vector<std::string_view> split(std::string_view line)
-{
-  std::vector<std::string_view> cells;
-  for (std::size_t from = 0; from <= line.size();) {
-    const std::size_t to = std::min(line.find(',', from), line.size());
-    cells.push_back(trimmed(line.substr(from, to - from)));
-    from = to + 1;
-  }
-  return cells;
-}
-
-/// A table of inputs turned into one of inputs and outputs, row by row.
+/// A table of inputs turned into one of inputs and outputs, in the same style: separator, decimal sign.
 class Table {
 public:
-  Table(const fis::Evaluator& evaluator, const std::string& file)
+  Table(const fis::Evaluator& evaluator, CsvReader reader)
     : m_evaluator(evaluator),
       m_workspace(evaluator.makeWorkspace()),
-      m_file(file),
+      m_reader(std::move(reader)),
       m_inputs(evaluator.system().inputs.size()),
       m_hedges(m_inputs.size()),
       m_column(m_inputs.size(), kMissing)
   {}
 
-  Result<std::string> fill(std::string_view text)
+  Result<std::string> fill()
   {
-    if (text.substr(0, 3) == "\xEF\xBB\xBF") text.remove_prefix(3);
-    int number = 0;
-    for (std::size_t from = 0; from < text.size();) {
-      const std::size_t to = std::min(text.find('\n', from), text.size());
-      const std::string_view line = trimmed(text.substr(from, to - from));
-      from = to + 1;
-      ++number;
-      if (line.empty()) continue;
-      if (Status status = m_width == 0 ? readHeader(line, number) : readRow(line, number); !status)
-        return status.error();
+    if (const Status status = findColumns(); !status) return status.error();
+    for (;;) {
+      CsvRow row;
+      const Result<bool> more = m_reader.next(row);
+      if (!more) return more.error();
+      if (!*more) return text();
+      if (const Status status = evaluate(row); !status) return status.error();
+      m_rows.push_back(std::move(row.cells));
     }
-    if (m_width == 0)
-      return Error{ErrorCode::EmptyResult, m_file + ": holds no header such as in:" + firstName()};
-    return std::move(m_text);
   }
 
 private:
   static constexpr std::size_t kMissing = static_cast<std::size_t>(-1);
 
-  std::string firstName() const
+  Status findColumns()
   {
-    return m_inputs.empty() ? "name" : m_evaluator.system().inputs.front().name;
-  }
-  Error wrong(int line, std::size_t column, const std::string& what) const
-  {
-    return {ErrorCode::BadFormat,
-            m_file + ':' + std::to_string(line) + ": column " + std::to_string(column + 1) + ": " + what};
-  }
-
-  Status readHeader(std::string_view line, int number)
-  {
-    const auto cells = split(line);
     const auto& inputs = m_evaluator.system().inputs;
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      if (cells[c].substr(0, 3) != "in:") continue; // other columns are carried along
-      const auto input = std::find_if(inputs.begin(), inputs.end(),
-                                      [&](const auto& i) { return i.name == cells[c].substr(3); });
+    const CsvRow& header = m_reader.header();
+    for (std::size_t c = 0; c < header.cells.size(); ++c) {
+      const std::string_view cell = header.cells[c];
+      if (!cell.starts_with("in:")) continue; // other columns are carried along
+      const std::string_view name = trimmed(cell.substr(3));
+      const auto input =
+        std::find_if(inputs.begin(), inputs.end(), [&](const auto& i) { return i.name == name; });
       if (input == inputs.end())
-        return wrong(number, c, "the system has no input '" + std::string(cells[c].substr(3)) + "'");
+        return m_reader.error(header, c, "the system has no input '" + std::string(name) + "'");
       std::size_t& column = m_column[static_cast<std::size_t>(input - inputs.begin())];
-      if (column != kMissing) return wrong(number, c, "the input occurs twice");
+      if (column != kMissing) return m_reader.error(header, c, "the input occurs twice");
       column = c;
     }
     for (std::size_t i = 0; i < inputs.size(); ++i)
       if (m_column[i] == kMissing)
-        return wrong(number, cells.size(), "the column in:" + inputs[i].name + " is missing");
-    m_width = cells.size();
-    m_text = line;
-    for (const auto& output : m_evaluator.system().outputs) m_text += ",out:" + output.name;
-    m_text += '\n';
+        return m_reader.error(header, header.cells.size(), "the column in:" + inputs[i].name + " is missing");
     return {};
   }
 
-  Status readRow(std::string_view line, int number)
+  Status evaluate(const CsvRow& row)
   {
-    const auto cells = split(line);
-    if (cells.size() != m_width)
-      return wrong(number, std::min(cells.size(), m_width),
-                   "the row has " + std::to_string(cells.size()) + " cells, the header " +
-                     std::to_string(m_width));
-    for (std::size_t i = 0; i < m_inputs.size(); ++i)
-      if (!readCell(cells[m_column[i]], i))
-        return wrong(number, m_column[i],
-                     "'" + std::string(cells[m_column[i]].substr(0, 60)) +
-                       "' is no number, no interval low..high and no term of '" +
-                       m_evaluator.system().inputs[i].name + "'");
+    for (std::size_t i = 0; i < m_inputs.size(); ++i) {
+      const std::string& cell = row.cells[m_column[i]];
+      std::string why;
+      if (readCell(cell, i, why)) continue;
+      if (why.empty())
+        why = "'" + cell.substr(0, 60) + "' is no number, no interval low..high and no term of '" +
+              m_evaluator.system().inputs[i].name + "'";
+      return m_reader.error(row, m_column[i], why);
+    }
     m_workspace.restart(); // each row by itself
     m_evaluator.evaluate(std::span<const fis::Input>(m_inputs), m_workspace);
-    m_text += line;
-    for (const fis::OutputResult& result : m_workspace.outputs())
-      m_text += ',' + (std::isnan(result.value) ? "nan" : formatDouble(result.value, 17));
-    m_text += '\n';
+    for (const fis::OutputResult& result : m_workspace.outputs()) m_results.push_back(result.value);
     return {};
   }
 
-  /// "0.5", "0.2..0.4" or "very hot".
-  bool readCell(std::string_view cell, std::size_t input)
+  /// Only at the end is the decimal sign known: "5" may stand before "2,5".
+  std::string text() const
   {
-    if (const auto number = parseDouble(cell)) {
-      m_inputs[input] = fis::Input::number(*number);
+    const char separator = m_reader.separatorToWrite();
+    const auto& outputs = m_evaluator.system().outputs;
+    std::string text;
+    const auto add = [&](const std::vector<std::string>& cells) {
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        text += (i == 0 ? "" : std::string(1, separator)) + csvCell(cells[i], separator);
+    };
+    add(m_reader.header().cells);
+    for (const auto& output : outputs) text += separator + csvCell("out:" + output.name, separator);
+    text += '\n';
+    for (std::size_t r = 0; r < m_rows.size(); ++r) {
+      add(m_rows[r]);
+      for (std::size_t o = 0; o < outputs.size(); ++o)
+        text += separator + csvCell(numberText(m_results[r * outputs.size() + o]), separator);
+      text += '\n';
+    }
+    return text;
+  }
+
+  std::string numberText(double value) const
+  {
+    std::string text = std::isnan(value) ? "nan" : formatDouble(value, 17);
+    if (m_reader.decimalComma()) std::replace(text.begin(), text.end(), '.', ',');
+    return text;
+  }
+
+  /// "0.5", "0.2..0.4" or "very hot". @param why is set where it is clear what is wrong
+  bool readCell(std::string_view cell, std::size_t input, std::string& why)
+  {
+    using Kind = CsvNumber::Kind;
+    const std::size_t dots = cell.find("..");
+    const CsvNumber low = m_reader.number(trimmed(cell.substr(0, dots)));
+    why = low.why;
+    if (low.kind == Kind::Unclear) return false;
+    if (dots == std::string_view::npos) {
+      if (low.kind == Kind::Text) return readWord(cell, input);
+      m_inputs[input] = fis::Input::number(low.value);
       return true;
     }
-    if (const std::size_t dots = cell.find(".."); dots != std::string_view::npos) {
-      const auto low = parseDouble(trimmed(cell.substr(0, dots))),
-                 high = parseDouble(trimmed(cell.substr(dots + 2)));
-      if (!low || !high || !(*low <= *high)) return false;
-      m_inputs[input] = fis::Input::interval(*low, *high);
-      return true;
-    }
-    return readWord(cell, input);
+    const CsvNumber high = m_reader.number(trimmed(cell.substr(dots + 2)));
+    why = high.why;
+    if (low.kind != Kind::Number || high.kind != Kind::Number || !(low.value <= high.value)) return false;
+    m_inputs[input] = fis::Input::interval(low.value, high.value);
+    return true;
   }
 
   bool readWord(std::string_view cell, std::size_t input)
@@ -160,30 +160,35 @@ private:
 
   const fis::Evaluator& m_evaluator;
   fis::Workspace m_workspace;
-  std::string m_file;
+  CsvReader m_reader;
   std::vector<fis::Input> m_inputs;
   std::vector<std::vector<fis::Hedge>> m_hedges;
   std::vector<std::size_t> m_column; ///< per input
-  std::size_t m_width = 0;
-  std::string m_text;
+  std::vector<std::vector<std::string>> m_rows;
+  std::vector<double> m_results; ///< row by row, one per output
 };
+
+Result<std::string> evaluated(const fis::Evaluator& evaluator, const std::string& file)
+{
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return bytes.error();
+  Result<CsvReader> reader = CsvReader::open(*bytes, file);
+  if (!reader) return reader.error();
+  return Table(evaluator, std::move(*reader)).fill();
+}
 
 } // namespace
 
 Exit evaluateFuzzy(const FuzzyEvalOptions& options)
 {
   fis::Options mode;
-  if (options.resolution != "exact") {
-    mode.area = fis::Options::Area::Sampled;
-    mode.resolution = static_cast<int>(*parseInteger(options.resolution)); // checked by the parser
-  }
-  Result<fis::System> system = readFuzzySystem(options.file);
+  if (options.resolution != "exact") mode.area = fis::Options::Area::Sampled;
+  if (const auto samples = parseInteger(options.resolution)) mode.resolution = static_cast<int>(*samples);
+  Result<fis::System> system = readFuzzySystem(options.source);
   if (!system) return fail(system.error());
   const auto evaluator = fis::Evaluator::create(std::move(*system), mode);
   if (!evaluator) return fail(evaluator.error());
-  const Result<std::string> rows = readFile(options.input);
-  if (!rows) return fail(rows.error());
-  const Result<std::string> table = Table(*evaluator, options.input).fill(*rows);
+  const Result<std::string> table = evaluated(*evaluator, options.input);
   if (!table) return fail(table.error());
   if (options.output.empty()) {
     std::fwrite(table->data(), 1, table->size(), stdout);

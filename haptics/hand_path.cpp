@@ -2,13 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/hand_path.h"
 
+#include "core/base/ascii_case.h"
+#include "core/base/csv_reader.h"
 #include "core/base/file_io.h"
 #include "core/base/text_number.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,30 +17,22 @@ namespace esm {
 
 namespace {
 
-constexpr std::string_view kHeader = "t,x,y,z";
-
-std::string_view takeUntil(std::string_view& text, char end)
+bool isHeader(const CsvRow& row)
 {
-  const std::size_t length = std::min(text.find(end), text.size());
-  const std::string_view part = text.substr(0, length);
-  text.remove_prefix(std::min(length + 1, text.size()));
-  return part;
+  constexpr std::array<std::string_view, 4> kColumns = {"t", "x", "y", "z"};
+  return std::equal(row.cells.begin(), row.cells.end(), kColumns.begin(), kColumns.end(), equalIgnoringCase);
 }
 
-std::string_view withoutReturn(std::string_view line)
-{
-  return !line.empty() && line.back() == '\r' ? line.substr(0, line.size() - 1) : line;
-}
-
-std::optional<std::array<double, 4>> numbersOf(std::string_view line)
+Result<std::array<double, 4>> numbersOf(CsvReader& table, const CsvRow& row)
 {
   std::array<double, 4> numbers{};
   for (std::size_t i = 0; i < 4; ++i) {
-    const std::optional<double> number = parseDouble(takeUntil(line, ','));
-    if (!number || !std::isfinite(*number)) return std::nullopt;
-    numbers[i] = *number;
+    const CsvNumber number = table.number(row.cells[i]);
+    if (number.kind == CsvNumber::Kind::Unclear) return table.error(row, i, number.why);
+    if (number.kind == CsvNumber::Kind::Text || !std::isfinite(number.value))
+      return table.error(row, i, "four finite numbers are expected: time [s] and x, y, z [m]");
+    numbers[i] = number.value;
   }
-  if (!line.empty()) return std::nullopt;
   return numbers;
 }
 
@@ -60,21 +53,21 @@ Result<HandPath> readHandPath(const std::filesystem::path& file)
 {
   const Result<std::string> bytes = readFile(file);
   if (!bytes) return bytes.error();
-  const auto fault = [&](std::size_t line, const std::string& what) {
-    return Error{ErrorCode::BadFormat, file.string() + ": line " + std::to_string(line) + ": " + what};
-  };
-  std::string_view text = *bytes;
-  if (withoutReturn(takeUntil(text, '\n')) != kHeader)
-    return fault(1, "a hand path begins with the columns \"t,x,y,z\"");
+  Result<CsvReader> table = CsvReader::open(*bytes, file.string());
+  if (!table) return table.error();
+  if (!isHeader(table->header()))
+    return table->error(table->header(), "a hand path begins with the columns \"t,x,y,z\"");
   HandPath path;
   std::vector<std::array<double, 4>> rows;
-  for (std::size_t line = 2; !text.empty(); ++line) {
-    const std::string_view row = withoutReturn(takeUntil(text, '\n'));
-    if (row.empty()) continue;
-    const auto numbers = numbersOf(row);
-    if (!numbers) return fault(line, "four finite numbers are expected: time [s] and x, y, z [m]");
+  CsvRow row;
+  for (;;) {
+    const Result<bool> more = table->next(row);
+    if (!more) return more.error();
+    if (!*more) break;
+    const auto numbers = numbersOf(*table, row);
+    if (!numbers) return numbers.error();
     if (!rows.empty() && (*numbers)[0] <= rows.back()[0])
-      return fault(line, "the times must rise from line to line");
+      return table->error(row, 0, "the times must rise from line to line");
     rows.push_back(*numbers);
   }
   if (rows.empty()) return Error{ErrorCode::EmptyResult, file.string() + ": the path has no points"};
@@ -88,8 +81,7 @@ Result<HandPath> readHandPath(const std::filesystem::path& file)
 
 Status writeHandPath(const std::filesystem::path& file, const HandPath& path)
 {
-  std::string text(kHeader);
-  text += '\n';
+  std::string text = "t,x,y,z\n";
   for (std::size_t i = 0; i < path.time.size(); ++i) {
     appendDouble(text, path.time[i]);
     for (int axis = 0; axis < 3; ++axis) {

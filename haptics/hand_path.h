@@ -26,7 +26,8 @@ struct HandPath {
   Eigen::Vector3d at(double t) const noexcept;
 };
 
-/// CSV with the header "t,x,y,z", seconds and metres; numbers read back to the same bits.
+/// A table with the header "t,x,y,z", seconds and metres, as CsvReader takes it; written as CSV with decimal
+/// points, numbers read back to the same bits.
 /// Errors: FileUnreadable; BadFormat (which line) for other columns, times that do not rise or what is no
 /// finite number; EmptyResult without points.
 Result<HandPath> readHandPath(const std::filesystem::path& file);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/base/csv_reader.h"
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/tissue/explain_text.h"
@@ -123,20 +124,13 @@ public:
                                   &row.other, &row.unit,   &row.text};
     for (const std::string* cell : cells) {
       if (cell != cells[0]) m_text += ',';
-      m_text += quoted(*cell);
+      m_text += csvCell(*cell, ',');
     }
     m_text += "\r\n";
   }
   const std::string& text() const noexcept { return m_text; }
 
 private:
-  static std::string quoted(const std::string& cell)
-  {
-    if (cell.find_first_of(",\"\r\n") == std::string::npos) return cell;
-    std::string text = "\"";
-    for (const char c : cell) text.append(c == '"' ? 2 : 1, c);
-    return text + '"';
-  }
   std::string m_text = "part,region,name,value,other,unit,text\r\n";
 };
 

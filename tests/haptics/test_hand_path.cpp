@@ -47,15 +47,36 @@ TEST_F(HandPathTest, LeadsOnStraightLinesAndRestsAtItsEnds)
 
 TEST_F(HandPathTest, AFaultNamesItsLine)
 {
-  for (const auto& [text, line] : {std::pair{"x,y\n", "line 1"},
-                                   {"t,x,y,z\n0,0,0,0\n0,1,1,1\n", "line 3"},
-                                   {"t,x,y,z\n0,0,0\n", "line 2"},
-                                   {"t,x,y,z\n0,nan,0,0\n", "line 2"},
-                                   {"t,x,y,z\n0,0,0,0,0\n", "line 2"}}) {
+  for (const auto& [text, fault] :
+       {std::pair{"x,y\n", ":1: a hand path begins with the columns \"t,x,y,z\""},
+        {"t,x,y,z\n0,0,0,0\n0,1,1,1\n", ":3: column 1: the times must rise"},
+        {"t,x,y,z\n0,0,0\n", ":2: column 4: the row has 3 cells"},
+        {"t,x,y,z\n0,nan,0,0\n", ":2: column 2: four finite numbers"},
+        {"t,x,y,z\n0,0,0,0,0\n", ":2: column 5: the row has 5 cells"},
+        {"t,x,y,z\n0,0,0,009,0,084\n",
+         ":2: column 5: the row has 6 cells, the header 4; are there decimal commas?"},
+        {"t;x;y;z\n0;0;0,5;0.5\n", ":2: column 4: '0.5' has a decimal point, line 2 a decimal comma"}}) {
     ASSERT_TRUE(writeFileAtomically(file, text));
     const Result<HandPath> read = readHandPath(file);
     ASSERT_FALSE(read) << text;
-    EXPECT_NE(read.error().detail.find(line), std::string::npos) << read.error().detail;
+    EXPECT_NE(read.error().detail.find(fault), std::string::npos) << read.error().detail;
+  }
+}
+
+// The same two points, as programs of several regions write them.
+TEST_F(HandPathTest, IsReadInTheStylesOfSpreadsheets)
+{
+  for (const char* text : {"t,x,y,z\n0,0,0.009,0.084\n0.01,0,0.009,0.085\n",
+                           "t;x;y;z\n0,0;0,0;0,009;0,084\n0,01;0,0;0,009;0,085\n",
+                           "t, x, y, z\n0.0, 0.0, 0.009, 0.084\n 0.01, 0.0, 0.009, 0.085 \n",
+                           "\xEF\xBB\xBFT\tX\tY\tZ\r\n0\t0\t0,009\t0,084\r\n\r\n0,01\t0\t0,009\t0,085\r\n",
+                           "\"t\",\"x\",\"y\",\"z\",\n\"0\",\"0\",\"0.009\",\"0.084\",\n,,,,\n\"0.01\",\"0\","
+                           "\"0.009\",\"0.085\",\n"}) {
+    ASSERT_TRUE(writeFileAtomically(file, text));
+    const Result<HandPath> read = readHandPath(file);
+    ASSERT_TRUE(read) << text << read.error().detail;
+    EXPECT_EQ(read->time, (std::vector<double>{0.0, 0.01})) << text;
+    EXPECT_EQ(read->position.col(1), Eigen::Vector3d(0.0, 0.009, 0.085)) << text;
   }
 }
 

@@ -72,6 +72,7 @@ private:
     flat.aggregation = output.aggregation.value_or(SNorm::Maximum);
     flat.defuzzifier = output.defuzzifier;
     flat.weightedType = output.weightedType;
+    flat.joins = output.joinsEqualTerms;
     const bool exact = m_c.options.area == Options::Area::Exact;
     flat.resolution = exact ? 0 : m_c.options.resolution > 0 ? m_c.options.resolution : output.resolution;
     flat.terms = addTerms(output.terms, true, index);

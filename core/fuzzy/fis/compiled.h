@@ -79,7 +79,7 @@ struct FlatBlock {
 };
 
 struct FlatOutput {
-  bool enabled = true, lockRange = false, lockPrevious = false, aggregates = true;
+  bool enabled = true, lockRange = false, lockPrevious = false, aggregates = true, joins = false;
   double minimum = 0.0, maximum = 1.0, defaultValue = kNoValue;
   SNorm aggregation{};
   Defuzzifier defuzzifier{};

@@ -1,10 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/base/text_encoding.h"
+#include "core/fuzzy/fis/fcl_blocks.h"
+#include "core/fuzzy/fis/fcl_defaults.h"
+#include "core/fuzzy/fis/fcl_terms.h"
 #include "core/fuzzy/fis/files.h"
 #include "core/fuzzy/fis/format_names.h"
 
 #include <algorithm>
-#include <cmath>
+#include <map>
+#include <set>
 
 namespace esm::fis {
 
@@ -12,129 +17,17 @@ namespace {
 
 using namespace fcl;
 
-/// Words, numbers and signs of an FCL text; comments passed over.
-class FclScanner {
-public:
-  explicit FclScanner(std::string_view text) : m_text(text)
-  {
-    if (text.substr(0, 3) == "\xEF\xBB\xBF") m_next = 3;
-    advance();
-  }
-
-  std::string_view word() const { return m_word; }
-  bool atEnd() const { return m_word.empty(); }
-  bool is(std::string_view word) const { return equalIgnoringCase(m_word, word); }
-  bool accept(std::string_view word)
-  {
-    if (!is(word)) return false;
-    advance();
-    return true;
-  }
-  void expect(std::string_view word)
-  {
-    if (!accept(word))
-      throw Fault{m_word.data(), "here '" + std::string(word) + "' was expected" +
-                                   (atEnd() ? "" : ", not " + shown(m_word))};
-  }
-  std::string_view take()
-  {
-    const std::string_view word = m_word;
-    if (word.empty()) throw Fault{m_word.data(), "the text ends too early"};
-    advance();
-    return word;
-  }
-  double number()
-  {
-    const bool negative = accept("-");
-    if (!negative) accept("+");
-    const double value = readNumber(take());
-    return negative ? -value : value;
-  }
-  /// Everything up to the sign, trimmed; the sign is next.
-  std::string_view upTo(char sign)
-  {
-    const std::size_t from = static_cast<std::size_t>(m_word.data() - m_text.data());
-    while (!atEnd() && !(m_word.size() == 1 && m_word[0] == sign)) advance();
-    const std::size_t to = static_cast<std::size_t>(m_word.data() - m_text.data());
-    return trimmed(m_text.substr(from, to - from));
-  }
-  /// The rest of the line of the last word, or up to a semicolon.
-  std::string_view restOfStatement()
-  {
-    const std::size_t from = static_cast<std::size_t>(m_word.data() - m_text.data());
-    std::size_t end = from;
-    while (!atEnd() && !is(";") && !is("RULE") && !is("END_RULEBLOCK")) {
-      end = static_cast<std::size_t>(m_word.data() - m_text.data()) + m_word.size();
-      advance();
-    }
-    return m_text.substr(from, end - from);
-  }
-
-private:
-  static bool isWordByte(char c)
-  {
-    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' ||
-           static_cast<unsigned char>(c) >= 0x80;
-  }
-
-  void skip()
-  {
-    while (m_next < m_text.size()) {
-      const std::string_view rest = m_text.substr(m_next);
-      if (static_cast<unsigned char>(rest[0]) <= ' ')
-        ++m_next;
-      else if (rest[0] == '#' || rest[0] == '%' || rest.substr(0, 2) == "//")
-        m_next = std::min(m_text.find_first_of("\r\n", m_next), m_text.size());
-      else if (rest.substr(0, 2) == "(*" || rest.substr(0, 2) == "/*")
-        skipBlock(rest[0] == '(' ? "*)" : "*/");
-      else
-        break;
-    }
-  }
-  void skipBlock(std::string_view closing)
-  {
-    const std::size_t end = m_text.find(closing, m_next + 2);
-    if (end == std::string_view::npos) throw Fault{m_text.data() + m_next, "this comment never ends"};
-    m_next = end + 2;
-  }
-
-  void advance()
-  {
-    skip();
-    std::size_t end = m_next;
-    while (end < m_text.size() && (isWordByte(m_text[end]) || isInnerByte(end))) ++end;
-    if (end == m_next && end < m_text.size()) end += isPair(end) ? 2 : 1;
-    m_word = m_text.substr(m_next, end - m_next);
-    m_next = end;
-  }
-  bool isPair(std::size_t at) const
-  {
-    const std::string_view pair = m_text.substr(at, 2);
-    return pair == ":=" || pair == "..";
-  }
-  /// A point within a number or name ("1.5", but not "0..10"), the sign of an exponent ("1e-5").
-  bool isInnerByte(std::size_t at) const
-  {
-    if (m_text[at] == '.') return m_text.substr(at, 2) != ".." && (at == 0 || m_text[at - 1] != '.');
-    if ((m_text[at] != '-' && m_text[at] != '+') || at < m_next + 2 ||
-        (m_text[at - 1] != 'e' && m_text[at - 1] != 'E'))
-      return false;
-    const char first = m_text[m_next];
-    return (first >= '0' && first <= '9') || first == '.';
-  }
-
-  std::string_view m_text, m_word;
-  std::size_t m_next = 0;
-};
-
 class FclReader {
 public:
-  explicit FclReader(std::string_view text) : m_scan(text) {}
+  FclReader(const FunctionBlock& block, Notes& notes) : m_scan(block.text), m_notes(notes)
+  {
+    m_system.name = block.name;
+    if (!block.name.empty()) m_scan.take();
+  }
 
   System read()
   {
-    if (m_scan.accept("FUNCTION_BLOCK") && !startsPart()) m_system.name = std::string(m_scan.take());
-    while (!m_scan.atEnd() && !m_scan.accept("END_FUNCTION_BLOCK")) {
+    while (!m_scan.atEnd()) {
       if (m_scan.accept("VAR_INPUT"))
         readVariables(true);
       else if (m_scan.accept("VAR_OUTPUT"))
@@ -145,36 +38,65 @@ public:
         readDefuzzify();
       else if (m_scan.accept("RULEBLOCK"))
         readBlock();
-      else
+      else if (!passOver("VAR", "END_VAR") && !passOver("OPTION", "END_OPTION") &&
+               !passOver("OPTIONS", "END_OPTIONS"))
         throw Fault{m_scan.word().data(), shown(m_scan.word()) + " may not stand here"};
     }
-    for (const auto& [block, text] : m_rules)
-      m_system.blocks[block].rules.push_back(readRule(text, m_system, true));
-    inferRanges();
+    for (const auto& [block, text] : m_rules) addRule(m_system.blocks[block], text);
+    accumulate();
+    for (OutputVariable& output : m_system.outputs) {
+      if (!completeOutput(output, m_hasMethod.count(output.name) > 0))
+        m_notes.add(nullptr,
+                    "the terms of '" + output.name + "' are singletons: METHOD : COG is read as COGS");
+      output.joinsEqualTerms = isWeighted(output.defuzzifier) && output.aggregation;
+    }
     return std::move(m_system);
   }
 
 private:
-  bool startsPart() const { return m_scan.is("VAR_INPUT") || m_scan.is("VAR_OUTPUT"); }
+  /// A part that says nothing about inference.
+  bool passOver(std::string_view begin, std::string_view end)
+  {
+    if (!m_scan.is(begin)) return false;
+    m_notes.add(m_scan.word().data(), std::string(begin) + " ... " + std::string(end) + " is passed over");
+    while (!m_scan.accept(end)) m_scan.take();
+    return true;
+  }
 
   void readVariables(bool inputs)
   {
     while (!m_scan.accept("END_VAR")) {
-      const std::string name = usableName(m_scan.take());
-      if (inputs) {
-        m_system.inputs.emplace_back();
-        m_system.inputs.back().name = name;
-      } else {
-        m_system.outputs.emplace_back();
-        m_system.outputs.back().name = name;
-        m_system.outputs.back().aggregation.reset();
-        m_system.outputs.back().defuzzifier = Defuzzifier::None;
-      }
+      std::vector<std::string> names;
+      do names.push_back(usableName(m_scan.take()));
+      while (m_scan.accept(","));
       m_scan.expect(":");
-      m_scan.take();    // REAL
-      m_scan.upTo(';'); // an initial value, which an evaluation has no use for
+      readType(names.front());
       m_scan.expect(";");
+      for (const std::string& name : names)
+        if (inputs) {
+          m_system.inputs.emplace_back();
+          m_system.inputs.back().name = name;
+        } else {
+          m_system.outputs.emplace_back();
+          m_system.outputs.back().name = name;
+          m_system.outputs.back().aggregation.reset();
+          m_system.outputs.back().defuzzifier = Defuzzifier::None;
+        }
+      if (!m_scan.accept("RANGE")) continue; // as jFuzzyLogic has it
+      if (inputs)
+        readRange(m_system.inputs.back());
+      else
+        readRange(m_system.outputs.back());
     }
+  }
+
+  void readType(const std::string& name)
+  {
+    const std::string_view type = m_scan.take();
+    if (!equalIgnoringCase(type, "REAL") && !equalIgnoringCase(type, "LREAL"))
+      m_notes.add(type.data(), "'" + name + "' is read as REAL, not as " + shown(type));
+    if (const std::string_view initial = m_scan.upTo(';'); !initial.empty())
+      m_notes.add(initial.data(), "the initial value of '" + name + "' is passed over");
   }
 
   template <class Variable>
@@ -190,24 +112,32 @@ private:
   {
     InputVariable& input = find(m_system.inputs, "input");
     while (!m_scan.accept("END_FUZZIFY")) {
-      if (readCommon(input)) continue;
-      throw Fault{m_scan.word().data(), shown(m_scan.word()) + " may not stand in FUZZIFY"};
+      if (m_scan.accept("TERM"))
+        input.terms.push_back(readFclTerm(m_scan, m_system, false).terms.front());
+      else if (!readCommon(input))
+        throw Fault{m_scan.word().data(), shown(m_scan.word()) + " may not stand in FUZZIFY"};
+      m_scan.accept(";");
     }
+  }
+
+  template <class Variable>
+  void readRange(Variable& variable)
+  {
+    m_scan.expect(":=");
+    m_scan.expect("(");
+    variable.minimum = m_scan.number();
+    m_scan.expect("..");
+    variable.maximum = m_scan.number();
+    m_scan.expect(")");
+    m_scan.accept(";");
   }
 
   /// What both kinds of variables have.
   template <class Variable>
   bool readCommon(Variable& variable)
   {
-    if (m_scan.accept("TERM")) {
-      variable.terms.push_back(readTerm());
-    } else if (m_scan.accept("RANGE")) {
-      m_scan.expect(":=");
-      m_scan.expect("(");
-      variable.minimum = m_scan.number();
-      m_scan.expect("..");
-      variable.maximum = m_scan.number();
-      m_scan.expect(")");
+    if (m_scan.accept("RANGE")) {
+      readRange(variable);
     } else if (m_scan.accept("ENABLED")) {
       m_scan.expect(":");
       variable.enabled = m_scan.is("TRUE");
@@ -226,104 +156,37 @@ private:
     } else {
       return false;
     }
-    m_scan.accept(";");
     return true;
-  }
-
-  Term readTerm()
-  {
-    Term term;
-    const std::string_view name = m_scan.take();
-    term.name = usableName(name);
-    m_scan.expect(":=");
-    const std::string_view first = m_scan.word();
-    if (m_scan.is("(")) {
-      readPoints(term);
-    } else if (const auto shape = shapeOf(first)) {
-      m_scan.take();
-      readParameters(term, *shape);
-    } else {
-      term.shape = Shape::Constant;
-      term.parameters = {m_scan.number()};
-    }
-    if (term.shape == Shape::Function) return term;
-    if (const Status status = checkTerm(term); !status)
-      throw Fault{first.data(), "term " + shown(name) + ": " + status.error().detail};
-    return term;
-  }
-
-  /// The shapes by name, and as jFuzzyLogic calls them.
-  static std::optional<Shape> shapeOf(std::string_view word)
-  {
-    if (const auto shape = shapeNamed(word)) return shape;
-    constexpr std::array<std::pair<std::string_view, Shape>, 6> kOthers = {{{"trian", Shape::Triangle},
-                                                                            {"trape", Shape::Trapezoid},
-                                                                            {"gauss", Shape::Gaussian},
-                                                                            {"gbell", Shape::Bell},
-                                                                            {"sigm", Shape::Sigmoid},
-                                                                            {"singleton", Shape::Constant}}};
-    for (const auto& [name, shape] : kOthers)
-      if (equalIgnoringCase(name, word)) return shape;
-    return std::nullopt;
-  }
-
-  void readParameters(Term& term, Shape shape)
-  {
-    const std::string_view list = m_scan.upTo(';');
-    term.shape = shape;
-    if (shape == Shape::Function) {
-      term.formula = std::string(list);
-      return;
-    }
-    std::string_view rest = list;
-    while (!(rest = trimmed(rest)).empty()) {
-      if (rest[0] == ',' || rest[0] == '(' || rest[0] == ')') {
-        rest.remove_prefix(1);
-        continue;
-      }
-      const std::size_t end = std::min(rest.find_first_of(" \t\r\n,()"), rest.size());
-      term.parameters.push_back(readNumber(rest.substr(0, end)));
-      rest.remove_prefix(end);
-    }
-    const int needed = parameterCount(shape);
-    const bool surplus = shape == Shape::Discrete
-                           ? term.parameters.size() % 2 == 1
-                           : needed >= 0 && term.parameters.size() == static_cast<std::size_t>(needed) + 1;
-    if (!surplus || isNumber(shape)) return;
-    term.height = term.parameters.back();
-    term.parameters.pop_back();
-  }
-
-  /// (x, y) (x, y) ...
-  void readPoints(Term& term)
-  {
-    term.shape = Shape::Discrete;
-    while (m_scan.accept("(")) {
-      term.parameters.push_back(m_scan.number());
-      m_scan.expect(",");
-      term.parameters.push_back(m_scan.number());
-      m_scan.expect(")");
-    }
   }
 
   void readDefuzzify()
   {
     OutputVariable& output = find(m_system.outputs, "output");
     while (!m_scan.accept("END_DEFUZZIFY")) {
-      if (readCommon(output)) continue;
-      if (m_scan.accept("METHOD")) {
+      if (m_scan.accept("TERM")) {
+        addTerm(output);
+      } else if (m_scan.accept("METHOD")) {
         m_scan.expect(":");
         output.defuzzifier = readMethod();
+        m_hasMethod.insert(output.name);
       } else if (m_scan.accept("ACCU")) {
         m_scan.expect(":");
-        output.aggregation = readNorm<SNorm>(kSNorms, sNormNamed);
+        output.aggregation = readNorm<SNorm>(kSNorms, kForeignSNorms, sNormNamed);
       } else if (m_scan.accept("DEFAULT")) {
         readDefault(output);
-      } else {
+      } else if (!readCommon(output)) {
         throw Fault{m_scan.word().data(), shown(m_scan.word()) + " may not stand in DEFUZZIFY"};
       }
       m_scan.accept(";");
     }
+  }
+
+  void addTerm(OutputVariable& output)
+  {
+    FclTerm read = readFclTerm(m_scan, m_system, true);
+    const int variable = static_cast<int>(&output - m_system.outputs.data());
+    if (!read.heights.empty()) m_singletons[{variable, static_cast<int>(output.terms.size())}] = read.heights;
+    output.terms.insert(output.terms.end(), read.terms.begin(), read.terms.end());
   }
 
   void readDefault(OutputVariable& output)
@@ -346,18 +209,21 @@ private:
     if (index >= 0) return static_cast<Defuzzifier>(index);
     for (const auto& [name, method] :
          {std::pair<std::string_view, Defuzzifier>{"Centroid", Defuzzifier::Centroid},
-          {"Bisector", Defuzzifier::Bisector}})
+          {"Bisector", Defuzzifier::Bisector},
+          {"COGF", Defuzzifier::WeightedAverage}}) // over functions, with jFuzzyLogic
       if (equalIgnoringCase(word, name)) return method;
     throw Fault{word.data(), shown(word) + " is no known METHOD"};
   }
 
-  template <class Norm, std::size_t N>
-  std::optional<Norm> readNorm(const std::array<std::string_view, N>& names,
+  template <class Norm, std::size_t N, class Foreign>
+  std::optional<Norm> readNorm(const std::array<std::string_view, N>& names, const Foreign& foreign,
                                std::optional<Norm> (*named)(std::string_view) noexcept)
   {
     const std::string_view word = m_scan.take();
     if (equalIgnoringCase(word, "NONE")) return std::nullopt;
     if (const int index = indexIn(names, word); index >= 0) return static_cast<Norm>(index);
+    for (const auto& [name, norm] : foreign)
+      if (equalIgnoringCase(word, name)) return norm;
     if (const auto norm = named(word)) return norm;
     throw Fault{word.data(), shown(word) + " is no known norm"};
   }
@@ -369,39 +235,39 @@ private:
     block.conjunction.reset();
     block.disjunction.reset();
     block.implication.reset();
-    if (!m_scan.is("AND") && !m_scan.is("OR") && !m_scan.is("ACT") && !m_scan.is("RULE") &&
-        !m_scan.is("ENABLED") && !m_scan.is("ACCU") && !m_scan.is("END_RULEBLOCK"))
-      block.name = std::string(m_scan.take());
+    constexpr std::array<std::string_view, 7> kKeys = {"AND",     "OR",   "ACT",          "RULE",
+                                                       "ENABLED", "ACCU", "END_RULEBLOCK"};
+    if (indexIn(kKeys, m_scan.word()) < 0) block.name = std::string(m_scan.take());
+    NormWords words;
     while (!m_scan.accept("END_RULEBLOCK")) {
       if (m_scan.accept("RULE")) {
         m_scan.upTo(':'); // its number or name
         m_scan.expect(":");
         m_rules.emplace_back(m_system.blocks.size() - 1, m_scan.restOfStatement());
       } else {
-        readBlockKey(block);
+        readBlockKey(block, words);
       }
       m_scan.accept(";");
     }
-    // IEC 61131-7 lets one of AND and OR follow from the other.
-    if (!block.conjunction && !block.disjunction)
-      block.conjunction = TNorm::Minimum, block.disjunction = SNorm::Maximum;
-    if (!block.implication) block.implication = TNorm::Minimum;
+    completeNorms(block, words);
   }
 
-  void readBlockKey(RuleBlock& block)
+  void readBlockKey(RuleBlock& block, NormWords& words)
   {
     const std::string_view key = m_scan.take();
     m_scan.expect(":");
     if (equalIgnoringCase(key, "AND")) {
-      block.conjunction = readNorm<TNorm>(kTNorms, tNormNamed);
+      words.conjunction = m_scan.word();
+      block.conjunction = readNorm<TNorm>(kTNorms, kForeignTNorms, tNormNamed);
     } else if (equalIgnoringCase(key, "OR")) {
-      block.disjunction = readNorm<SNorm>(kSNorms, sNormNamed);
+      words.disjunction = m_scan.word();
+      block.disjunction = readNorm<SNorm>(kSNorms, kForeignSNorms, sNormNamed);
     } else if (equalIgnoringCase(key, "ACT")) {
-      block.implication = readNorm<TNorm>(kTNorms, tNormNamed);
-    } else if (equalIgnoringCase(key, "ACCU")) { // as the standard's first edition has it
-      const auto norm = readNorm<SNorm>(kSNorms, sNormNamed);
-      for (OutputVariable& output : m_system.outputs)
-        if (!output.aggregation) output.aggregation = norm;
+      block.implication = readNorm<TNorm>(kTNorms, kForeignTNorms, tNormNamed);
+    } else if (equalIgnoringCase(key, "ACCU")) {
+      const std::string_view word = m_scan.word();
+      const auto norm = readNorm<SNorm>(kSNorms, kForeignSNorms, sNormNamed);
+      if (norm) m_accumulations.push_back({m_system.blocks.size() - 1, *norm, word});
     } else if (equalIgnoringCase(key, "ENABLED")) {
       block.enabled = m_scan.is("TRUE");
       if (!m_scan.accept("TRUE")) m_scan.expect("FALSE");
@@ -410,33 +276,86 @@ private:
     }
   }
 
-  /// Without RANGE the terms span it; without ACCU it is MAX.
-  void inferRanges()
+  /// A conclusion on SINGLETONS is one on each of them, with a weight where it is not full.
+  void addRule(RuleBlock& block, std::string_view text)
   {
-    for (OutputVariable& output : m_system.outputs) {
-      if (!isArea(output.defuzzifier)) continue;
-      if (!output.aggregation) output.aggregation = SNorm::Maximum;
-      if (std::isfinite(output.minimum) || std::isfinite(output.maximum)) continue;
-      double low = HUGE_VAL, high = -HUGE_VAL;
-      for (const Term& term : output.terms)
-        forEachCorner(
-          Curve{term.shape, term.parameters, term.height, nullptr, {}},
-          [&](const Corner& corner) { low = std::min(low, corner.x), high = std::max(high, corner.x); });
-      if (low < high) output.minimum = low, output.maximum = high;
+    const Rule rule = readRule(text, m_system, true);
+    Rule whole = rule;
+    whole.consequents.clear();
+    std::vector<Rule> parts;
+    for (const Proposition& conclusion : rule.consequents) {
+      const auto several = m_singletons.find({conclusion.variable, conclusion.term});
+      const std::vector<double> heights =
+        several == m_singletons.end() ? std::vector<double>{1.0} : several->second;
+      for (std::size_t i = 0; i < heights.size(); ++i) {
+        Proposition one = conclusion;
+        one.term += static_cast<int>(i);
+        if (heights[i] == 1.0) {
+          whole.consequents.push_back(std::move(one));
+          continue;
+        }
+        if (block.implication != TNorm::AlgebraicProduct)
+          throw Fault{text.data(), "singletons of a height other than 1 are read with ACT : PROD only"};
+        Rule part = rule;
+        part.consequents = {std::move(one)};
+        part.weight *= heights[i];
+        parts.push_back(std::move(part));
+      }
     }
+    if (!whole.consequents.empty()) block.rules.push_back(std::move(whole));
+    block.rules.insert(block.rules.end(), parts.begin(), parts.end());
   }
 
+  /// Gives the ACCU of blocks to the outputs that their rules conclude on, where they have none of their own.
+  void accumulate()
+  {
+    const auto given = m_system.outputs;
+    for (const Accumulation& accumulation : m_accumulations)
+      for (std::size_t o = 0; o < given.size(); ++o) {
+        OutputVariable& output = m_system.outputs[o];
+        if (!concludesOn(m_system.blocks[accumulation.block], o)) continue;
+        if (output.aggregation && output.aggregation != accumulation.norm)
+          m_notes.add(accumulation.word.data(), "ACCU : " + std::string(accumulation.word) +
+                                                  " is passed over for '" + output.name +
+                                                  "', which has another one already");
+        if (!output.aggregation) output.aggregation = accumulation.norm;
+      }
+  }
+
+  static bool concludesOn(const RuleBlock& block, std::size_t output)
+  {
+    return std::any_of(block.rules.begin(), block.rules.end(), [&](const Rule& rule) {
+      return std::any_of(rule.consequents.begin(), rule.consequents.end(),
+                         [&](const Proposition& p) { return p.variable == static_cast<int>(output); });
+    });
+  }
+
+  struct Accumulation {
+    std::size_t block;
+    SNorm norm;
+    std::string_view word;
+  };
   FclScanner m_scan;
+  Notes& m_notes;
   System m_system;
   std::vector<std::pair<std::size_t, std::string_view>> m_rules;
+  std::vector<Accumulation> m_accumulations;
+  std::set<std::string> m_hasMethod;                               ///< outputs that say theirs
+  std::map<std::pair<int, int>, std::vector<double>> m_singletons; ///< heights, by output and first term
 };
 
 } // namespace
 
-Result<System> readFcl(std::string_view text, std::string_view fileName)
+Result<System> readFcl(std::string_view text, std::string_view fileName, const ReadOptions& options)
 {
-  const SourceText source(text, fileName);
-  return runReader(source, [&] { return FclReader(text).read(); });
+  std::string plain = toUtf8(text);
+  const SourceText source(plain, fileName);
+  Notes notes(source, options.notes);
+  return runReader(source, [&] {
+    blankComments(plain);
+    const auto blocks = functionBlocksOf(plain);
+    return FclReader(chooseBlock(blocks, options.block, notes), notes).read();
+  });
 }
 
 } // namespace esm::fis

@@ -82,7 +82,9 @@ private:
     m_text += "DEFUZZIFY " + output.name + '\n';
     writeCommon(output, place);
     line("METHOD : " + std::string(kMethods[static_cast<std::size_t>(output.defuzzifier)]) + ';');
-    line("ACCU : " + std::string(nameIn(kSNorms, output.aggregation, "NONE")) + ';');
+    // Over numbers it joins equal conclusions, which only some systems want.
+    const bool gathers = isArea(output.defuzzifier) || output.joinsEqualTerms;
+    line("ACCU : " + std::string(gathers ? nameIn(kSNorms, output.aggregation, "NONE") : "NONE") + ';');
     line("DEFAULT := " + formatDouble(output.defaultValue) + (output.lockPrevious ? " | NC;" : ";"));
     lose(isArea(output.defuzzifier) && output.resolution != 100,
          place + "the resolution " + std::to_string(output.resolution));

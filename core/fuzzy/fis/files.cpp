@@ -20,17 +20,20 @@ std::string_view nameOf(Format format) noexcept
   return format == Format::Fll ? "FLL" : format == Format::Fcl ? "FCL" : "FIS";
 }
 
-Result<System> readSystem(Format format, std::string_view text, std::string_view fileName)
+Result<System> readSystem(Format format, std::string_view text, std::string_view fileName,
+                          const ReadOptions& options)
 {
+  if (format != Format::Fcl && !options.block.empty())
+    return Error{ErrorCode::InvalidValue, std::string(fileName) + ": only FCL has function blocks to choose"};
   switch (format) {
   case Format::Fll:
     return readFll(text, fileName);
   case Format::Fcl:
-    return readFcl(text, fileName);
+    return readFcl(text, fileName, options);
   case Format::Fis:
     break;
   }
-  return readFis(text, fileName);
+  return readFis(text, fileName, options);
 }
 
 Written writeSystem(Format format, const System& system)

@@ -23,13 +23,20 @@ enum class Format : std::uint8_t { Fll, Fcl, Fis };
 std::optional<Format> formatOf(const std::filesystem::path& path); ///< by the name's ending
 std::string_view nameOf(Format format) noexcept;
 
-/// Reads a whole text. What real files carry is taken: CR LF, comments, byte order marks, surplus parameters
-/// and expressions in FIS, names in quotes (blanks are left out of names), keys of older versions.
-/// Errors: one, "file:line:column: what". Any bytes give a checked System or an error.
+struct ReadOptions {
+  /// One sentence each about what was passed over or taken otherwise than written: "file:line:column: what".
+  std::vector<std::string>* notes = nullptr;
+  std::string_view block = {}; ///< of FCL, the function block to read: a name or number; empty: the first one
+};
+
+/// Reads a whole text. What real files carry is taken: CR LF, comments, byte order marks, UTF-8, UTF-16 and
+/// Latin-1, surplus parameters and expressions in FIS, names in quotes (blanks are left out of names), keys
+/// of older versions. Errors: one, "file:line:column: what". Any bytes give a checked System or an error.
 Result<System> readFll(std::string_view text, std::string_view fileName);
-Result<System> readFcl(std::string_view text, std::string_view fileName);
-Result<System> readFis(std::string_view text, std::string_view fileName);
-Result<System> readSystem(Format format, std::string_view text, std::string_view fileName);
+Result<System> readFcl(std::string_view text, std::string_view fileName, const ReadOptions& options = {});
+Result<System> readFis(std::string_view text, std::string_view fileName, const ReadOptions& options = {});
+Result<System> readSystem(Format format, std::string_view text, std::string_view fileName,
+                          const ReadOptions& options = {});
 
 /// A text and what it could not hold, one sentence each; empty: nothing is lost.
 struct Written {

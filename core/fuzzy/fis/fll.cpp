@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "core/fuzzy/fis/files.h"
 #include "core/fuzzy/fis/source_text.h"
@@ -112,6 +113,8 @@ private:
   /// What fuzzylite does not know.
   void readOwn(std::string_view text)
   {
+    if (m_part == Part::Output && text == "equal-terms: joined")
+      m_system.outputs.back().joinsEqualTerms = true;
     if (m_part == Part::Block && text == "conclusion-hedges: set")
       m_system.blocks.back().conclusionHedges = ConclusionHedges::OnSet;
   }
@@ -119,6 +122,8 @@ private:
   bool startPart(std::string_view key, std::string_view value)
   {
     if (key == "Engine") {
+      if (m_hasEngine) throw Fault{key.data(), "a second engine begins here; a file holds one"};
+      m_hasEngine = true;
       m_system.name = value;
     } else if (key == "InputVariable") {
       m_part = Part::Input;
@@ -251,6 +256,7 @@ private:
   SourceText& m_source;
   System m_system;
   Part m_part = Part::System;
+  bool m_hasEngine = false;
   std::vector<PendingRule> m_rules;
 };
 
@@ -338,6 +344,11 @@ private:
     line("defuzzifier: " + defuzzifier);
     line("default: " + formatDouble(output.defaultValue));
     line("lock-previous: " + truth(output.lockPrevious));
+    if (output.joinsEqualTerms) {
+      line("#! equal-terms: joined");
+      m_written.losses.push_back("output '" + output.name +
+                                 "': fuzzylite will count each rule by itself that concludes the same term");
+    }
     for (const Term& term : output.terms) writeTerm(term);
   }
 
@@ -411,7 +422,8 @@ private:
 
 Result<System> readFll(std::string_view text, std::string_view fileName)
 {
-  SourceText source(text, fileName);
+  const std::string utf8 = toUtf8(text);
+  SourceText source(utf8, fileName);
   return runReader(source, [&] { return FllReader(source).read(); });
 }
 

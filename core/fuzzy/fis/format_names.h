@@ -39,6 +39,18 @@ inline constexpr std::array<std::string_view, kSNormCount> kSNorms = {
 inline constexpr std::array<std::string_view, 8> kMethods = {"NONE", "COA", "COG",  "RM",
                                                              "MM",   "LM",  "COGS", "COGSS"};
 
+/// What jFuzzyLogic calls otherwise.
+inline constexpr std::array<std::pair<std::string_view, TNorm>, 3> kForeignTNorms = {
+  {{"DMIN", TNorm::DrasticProduct},
+   {"NIPMIN", TNorm::NilpotentMinimum},
+   {"HAMACHER", TNorm::HamacherProduct}}};
+inline constexpr std::array<std::pair<std::string_view, SNorm>, 5> kForeignSNorms = {
+  {{"DMAX", SNorm::DrasticSum},
+   {"NIPMAX", SNorm::NilpotentMaximum},
+   {"EINSTEIN", SNorm::EinsteinSum},
+   {"PROBOR", SNorm::AlgebraicSum},
+   {"SUM", SNorm::UnboundedSum}}};
+
 } // namespace fcl
 
 namespace matlab {

@@ -1,10 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/base/text_encoding.h"
 #include "core/fuzzy/fis/files.h"
 #include "core/fuzzy/fis/format_names.h"
+#include "core/fuzzy/fis/matlab_rules.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <tuple>
 
 namespace esm::fis {
 
@@ -38,7 +42,7 @@ std::string_view withoutComment(std::string_view line)
 
 class FisReader {
 public:
-  explicit FisReader(SourceText& source) : m_source(source) {}
+  FisReader(SourceText& source, Notes& notes) : m_source(source), m_notes(notes) {}
 
   System read()
   {
@@ -66,17 +70,39 @@ private:
       m_section = Section::System;
     } else if (line.substr(0, 6) == "[Input") {
       m_section = Section::Input;
-      m_system.inputs.emplace_back();
-      m_system.inputs.back().name = "input" + std::to_string(m_system.inputs.size());
+      m_place = placeOf(line.substr(6), m_system.inputs.size());
+      startVariable(m_system.inputs, line, "input");
     } else if (line.substr(0, 7) == "[Output") {
       m_section = Section::Output;
-      m_system.outputs.emplace_back();
-      m_system.outputs.back().name = "output" + std::to_string(m_system.outputs.size());
+      m_place = placeOf(line.substr(7), m_system.outputs.size());
+      startVariable(m_system.outputs, line, "output");
     } else if (line.substr(0, 6) == "[Rules") {
       m_section = Section::Rules;
     } else {
       throw Fault{line.data(), shown(line) + " is no known section"};
     }
+  }
+
+  /// The number that a text begins with, from 0; without one the next place.
+  static std::size_t placeOf(std::string_view text, std::size_t next)
+  {
+    std::size_t end = 0;
+    while (end < text.size() && text[end] >= '0' && text[end] <= '9') ++end;
+    if (end == 0) return next;
+    const int number = readCount(text.substr(0, end));
+    if (number < 1 || number > kMostParts)
+      throw Fault{text.data(), shown(text.substr(0, end)) + " is no number from 1 to 1000"};
+    return static_cast<std::size_t>(number - 1);
+  }
+
+  /// Rules go by number, so the number of a section counts, not its turn.
+  template <class Variable>
+  void startVariable(std::vector<Variable>& variables, std::string_view line, const std::string& role)
+  {
+    if (m_place < variables.size() && !variables[m_place].name.empty())
+      throw Fault{line.data(), "this section occurs twice"};
+    if (m_place >= variables.size()) variables.resize(m_place + 1);
+    variables[m_place].name = role + std::to_string(m_place + 1);
   }
 
   void readKey(std::string_view line)
@@ -86,10 +112,10 @@ private:
     const std::string_view key = trimmed(line.substr(0, sign)), value = trimmed(line.substr(sign + 1));
     bool known = false;
     if (m_section == Section::System) known = readSystemKey(key, value);
-    if (m_section == Section::Input) known = readVariableKey(m_system.inputs.back(), key, value);
+    if (m_section == Section::Input) known = readVariableKey(m_system.inputs[m_place], key, value);
     if (m_section == Section::Output)
-      known = readVariableKey(m_system.outputs.back(), key, value) ||
-              readOutputKey(m_system.outputs.back(), key, value);
+      known = readVariableKey(m_system.outputs[m_place], key, value) ||
+              readOutputKey(m_system.outputs[m_place], key, value);
     if (!known) throw Fault{key.data(), shown(key) + " is no key that may stand here"};
   }
 
@@ -98,6 +124,14 @@ private:
     const std::string_view word = unquoted(value);
     if (key == "Name") {
       m_system.name = plainLine(word);
+    } else if (key == "Type") {
+      if (asciiLower(word).find("type2") != std::string::npos) throw Fault{word.data(), kTypeTwo};
+    } else if (key == "NumInputs") {
+      m_announced[0] = readCount(value);
+    } else if (key == "NumOutputs") {
+      m_announced[1] = readCount(value);
+    } else if (key == "NumRules") {
+      m_announced[2] = readCount(value);
     } else if (key == "AndMethod") {
       m_block.conjunction = readNorm(kTNorms, word, tNormNamed);
     } else if (key == "OrMethod") {
@@ -111,8 +145,7 @@ private:
       if (method < 0 && !word.empty()) throw Fault{word.data(), shown(word) + " is no known defuzzification"};
       m_defuzzifier = static_cast<Defuzzifier>(std::max(method, 0));
     } else {
-      for (const std::string_view redundant :
-           {"Type", "Version", "NumInputs", "NumOutputs", "NumRules", "NumMFs", "TypeReductionMethod"})
+      for (const std::string_view redundant : {"Version", "NumMFs", "TypeReductionMethod"})
         if (key == redundant) return true;
       return false;
     }
@@ -150,9 +183,16 @@ private:
     } else if (key == "Enabled") {
       variable.enabled = readExpression(unquoted(value)) == 1.0;
     } else if (key.substr(0, 2) == "MF") {
-      variable.terms.push_back(readTerm(value));
+      if (key.back() == 'U' || key.back() == 'L') throw Fault{key.data(), kTypeTwo};
+      const std::size_t place = placeOf(key.substr(2), variable.terms.size());
+      if (place < variable.terms.size() && !variable.terms[place].name.empty())
+        throw Fault{key.data(), shown(key) + " occurs twice"};
+      if (place >= variable.terms.size()) variable.terms.resize(place + 1);
+      variable.terms[place] = readTerm(value);
+    } else if (key == "NumMFs") {
+      m_announcedTerms.emplace_back(key.data(), readCount(value), m_section == Section::Output, m_place);
     } else {
-      return key == "NumMFs";
+      return false;
     }
     return true;
   }
@@ -189,7 +229,7 @@ private:
   }
 
   /// 'name':'trimf',[a b c]
-  static Term readTerm(std::string_view text)
+  Term readTerm(std::string_view text)
   {
     std::size_t colon = text.front() == '\'' ? text.find('\'', 1) : 0;
     colon = text.find(':', std::min(colon, text.size()));
@@ -220,7 +260,7 @@ private:
   }
 
   /// In our order. Numbers beyond those that the shape needs are passed over, as MATLAB does.
-  static void takeParameters(Term& term, const FisShape& known, const std::vector<double>& numbers)
+  void takeParameters(Term& term, const FisShape& known, const std::vector<double>& numbers)
   {
     const int needed = parameterCount(known.shape);
     if (needed < 0 || numbers.size() < static_cast<std::size_t>(needed)) {
@@ -229,91 +269,93 @@ private:
     }
     for (std::size_t i = 0; i < static_cast<std::size_t>(needed); ++i)
       term.parameters.push_back(numbers[known.order[i]]);
+    if (numbers.size() > static_cast<std::size_t>(needed)) ++m_surplus;
   }
 
   void finish()
   {
+    completeNames();
     for (OutputVariable& output : m_system.outputs) {
-      output.aggregation = m_aggregation;
       output.defuzzifier = m_defuzzifier;
+      output.aggregation = m_aggregation;
     }
     m_system.blocks.push_back(m_block);
     for (const std::string_view line : m_rules) {
-      Rule rule = readRuleRow(line);
+      Rule rule = readRuleRow(line, m_system);
       // A row of zeros, which exporters leave of conditions that FIS cannot hold, never fires.
-      if (!rule.antecedent.nodes.empty()) m_system.blocks.back().rules.push_back(std::move(rule));
+      if (!rule.antecedent.nodes.empty())
+        m_system.blocks.back().rules.push_back(std::move(rule));
+      else
+        m_notes.add(line.data(), "a rule without a condition is left out");
     }
+    compareCounts();
   }
 
-  /// "1 -2, 1 (0.5) : 1"
-  Rule readRuleRow(std::string_view line)
+  void completeNames()
   {
-    const std::size_t comma = line.find(','), open = line.find('('), close = line.find(')'),
-                      colon = line.rfind(':');
-    if (comma == std::string_view::npos || open == std::string_view::npos ||
-        close == std::string_view::npos || colon == std::string_view::npos || comma > open || open > close ||
-        close > colon)
-      throw Fault{line.data(), "here a rule 'inputs, outputs (weight) : 1 or 2' was expected"};
-    Rule rule;
-    const auto conditions = readRow(line.substr(0, comma), m_system.inputs, false);
-    rule.consequents = readRow(line.substr(comma + 1, open - comma - 1), m_system.outputs, true);
-    rule.weight = readExpression(trimmed(line.substr(open + 1, close - open - 1)));
-    const std::string_view connection = trimmed(line.substr(colon + 1));
-    const double joins = readExpression(connection);
-    if (joins != 1.0 && joins != 2.0) throw Fault{connection.data(), "the connection is 1 (and) or 2 (or)"};
-    if (rule.consequents.empty()) throw Fault{line.data(), "the rule has no conclusion"};
-    if (conditions.size() > 1) {
-      Antecedent::Node chain;
-      chain.kind = joins == 1.0 ? Antecedent::Kind::And : Antecedent::Kind::Or;
-      for (std::size_t i = 0; i < conditions.size(); ++i) chain.children.push_back(static_cast<int>(i) + 1);
-      rule.antecedent.nodes.push_back(std::move(chain));
-    }
-    for (const Proposition& condition : conditions)
-      rule.antecedent.nodes.push_back({Antecedent::Kind::Proposition, condition, {}});
-    return rule;
+    std::set<std::string> taken;
+    complete(m_system.inputs, "Input", taken);
+    complete(m_system.outputs, "Output", taken);
   }
 
+  /// Every number has its section and its curve; names that occur again get a number.
   template <class Variable>
-  std::vector<Proposition> readRow(std::string_view row, const std::vector<Variable>& variables,
-                                   bool onOutput)
+  void complete(std::vector<Variable>& variables, const std::string& section, std::set<std::string>& taken)
   {
-    std::vector<Proposition> propositions;
-    std::size_t place = 0;
-    std::string_view rest = trimmed(row);
-    for (; !rest.empty(); ++place) {
-      const std::string_view word = takeWord(rest);
-      if (place >= variables.size()) throw Fault{word.data(), "the rule names more variables than there are"};
-      const double code = readNumber(word);
-      if (code != 0.0)
-        propositions.push_back(
-          readCode(code, word, static_cast<int>(place), variables[place].terms.size(), onOutput));
+    for (std::size_t v = 0; v < variables.size(); ++v) {
+      Variable& variable = variables[v];
+      const std::string title = '[' + section + std::to_string(v + 1) + ']';
+      if (variable.name.empty()) throw Fault{endOfText(), "the section " + title + " is missing"};
+      makeUnique(variable.name, taken, title);
+      std::set<std::string> termNames;
+      for (std::size_t t = 0; t < variable.terms.size(); ++t) {
+        const std::string curve = title + ", MF" + std::to_string(t + 1);
+        if (variable.terms[t].name.empty()) throw Fault{endOfText(), curve + " is missing"};
+        makeUnique(variable.terms[t].name, termNames, curve);
+      }
     }
-    if (place < variables.size()) throw Fault{row.data(), "the rule names fewer variables than there are"};
-    return propositions;
   }
 
-  /// A term's number, negative for not; behind the point, with fuzzylite, a hedge.
-  static Proposition readCode(double code, std::string_view word, int variable, std::size_t terms,
-                              bool onOutput)
+  void makeUnique(std::string& name, std::set<std::string>& taken, const std::string& place)
   {
-    const double size = std::abs(code), whole = std::floor(size + 1e-6);
-    const int fraction = static_cast<int>(std::lround((size - whole) * 100.0));
-    if (!(whole <= static_cast<double>(terms)))
-      throw Fault{word.data(), shown(word) + " is no term: the variable has " + std::to_string(terms)};
-    Proposition proposition{onOutput, variable, static_cast<int>(whole) - 1, {}};
-    if (code < 0.0) proposition.hedges.push_back(Hedge::Not);
-    if (fraction == 40) proposition.hedges.insert(proposition.hedges.end(), {Hedge::Very, Hedge::Very});
-    bool known = fraction == 0 || fraction == 40;
-    for (const auto& [number, hedge] : kHedgeCodes)
-      if (fraction == number) proposition.hedges.push_back(hedge), known = true;
-    if (fraction == 99) proposition.term = -1;
-    if (!known || (proposition.term < 0 && fraction != 99))
-      throw Fault{word.data(), shown(word) + " is no known term or hedge"};
-    return proposition;
+    const std::string first = name;
+    for (int i = 2; !taken.insert(name).second; ++i) name = first + '_' + std::to_string(i);
+    if (name != first)
+      m_notes.add(nullptr, place + ": the name '" + first + "' occurs again and is read as '" + name + "'");
   }
+
+  void compareCounts()
+  {
+    const std::size_t counts[] = {m_system.inputs.size(), m_system.outputs.size(), m_rules.size()};
+    constexpr const char* kWhat[] = {"NumInputs", "NumOutputs", "NumRules"};
+    for (std::size_t i = 0; i < 3; ++i)
+      if (m_announced[i] >= 0 && static_cast<std::size_t>(m_announced[i]) != counts[i])
+        m_notes.add(nullptr, std::string(kWhat[i]) + " says " + std::to_string(m_announced[i]) +
+                               ", the file holds " + std::to_string(counts[i]));
+    for (const auto& [at, count, onOutput, place] : m_announcedTerms) {
+      const std::size_t held =
+        onOutput ? m_system.outputs[place].terms.size() : m_system.inputs[place].terms.size();
+      if (static_cast<std::size_t>(count) != held)
+        m_notes.add(at,
+                    "NumMFs says " + std::to_string(count) + ", the section holds " + std::to_string(held));
+    }
+    if (m_surplus > 0)
+      m_notes.add(nullptr, "curves with more numbers than their shape needs: " + std::to_string(m_surplus) +
+                             "; those beyond are passed over, as MATLAB does");
+  }
+
+  const char* endOfText() const { return m_source.text().data() + m_source.text().size(); }
+
+  static constexpr int kMostParts = 1000;
+  static constexpr const char* kTypeTwo = "type-2 systems are not read";
 
   SourceText& m_source;
+  Notes& m_notes;
   System m_system;
+  std::size_t m_place = 0; ///< of the section's variable
+  std::array<int, 3> m_announced = {-1, -1, -1};
+  std::vector<std::tuple<const char*, int, bool, std::size_t>> m_announcedTerms;
+  int m_surplus = 0; ///< curves with numbers that are passed over
   RuleBlock m_block;
   std::optional<SNorm> m_aggregation = SNorm::Maximum;
   Defuzzifier m_defuzzifier = Defuzzifier::Centroid;
@@ -323,10 +365,12 @@ private:
 
 } // namespace
 
-Result<System> readFis(std::string_view text, std::string_view fileName)
+Result<System> readFis(std::string_view text, std::string_view fileName, const ReadOptions& options)
 {
-  SourceText source(text, fileName);
-  return runReader(source, [&] { return FisReader(source).read(); });
+  const std::string utf8 = toUtf8(text);
+  SourceText source(utf8, fileName);
+  Notes notes(source, options.notes);
+  return runReader(source, [&] { return FisReader(source, notes).read(); });
 }
 
 } // namespace esm::fis

@@ -101,6 +101,7 @@ private:
     lose(output.defuzzifier != m_first.defuzzifier, place + "its defuzzifier (all outputs share one)");
     lose(isArea(output.defuzzifier) && output.resolution != 100,
          place + "the resolution " + std::to_string(output.resolution));
+    lose(output.joinsEqualTerms, place + "that rules which conclude the same term count once");
     lose(isWeighted(output.defuzzifier) && output.weightedType != WeightedType::Automatic,
          place + "the type of the weighted defuzzifier");
   }

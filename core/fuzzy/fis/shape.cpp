@@ -183,21 +183,29 @@ T unitCurve(Shape shape, const T* p, const T& x)
   return T(0.0);
 }
 
-/// The points around x of a Discrete: both equal beyond the ends and on a point.
+/// The points around x of a Discrete: both equal beyond the ends and on a point. Of points above one another
+/// the highest one.
 struct Bracket {
   std::size_t left = 0, right = 0; ///< places of x in the list
 };
+Bracket highestAbove(std::span<const double> xy, std::size_t point)
+{
+  std::size_t best = point;
+  for (std::size_t i = point; i < xy.size() && xy[i] == xy[point]; i += 2)
+    if (xy[i + 1] > xy[best + 1]) best = i;
+  return {best, best};
+}
 Bracket bracketOf(std::span<const double> xy, double x)
 {
   const std::size_t last = xy.size() - 2;
-  if (!(x > xy[0])) return {0, 0};
-  if (x >= xy[last]) return {last, last};
+  if (x > xy[last]) return {last, last};
+  if (!(x > xy[0])) return x == xy[0] ? highestAbove(xy, 0) : Bracket{0, 0};
   std::size_t low = 0, high = last / 2; // points, not places: x lies in (low, high]
   while (high - low > 1) {
     const std::size_t middle = (low + high) / 2;
     (xy[2 * middle] < x ? low : high) = middle;
   }
-  return xy[2 * high] == x ? Bracket{2 * high, 2 * high} : Bracket{2 * low, 2 * high};
+  return xy[2 * high] == x ? highestAbove(xy, 2 * high) : Bracket{2 * low, 2 * high};
 }
 
 template <class T>
@@ -387,7 +395,10 @@ T tsukamotoValue(const Curve& curve, const T* p, const T& h, const T& w, double 
     if (y <= 0.0) return T(rises ? minimum : maximum);
     if (valueOf(p[1]) == 0.0) return p[0];
   }
-  return asFuzzylite ? fuzzyliteInverse(curve.shape, p, h, w) : inverse(curve.shape, p, h, w);
+  if (asFuzzylite) return fuzzyliteInverse(curve.shape, p, h, w);
+  const T x = inverse(curve.shape, p, h, w);
+  const bool endless = curve.shape == Shape::Sigmoid || curve.shape == Shape::Concave;
+  return endless && valueOf(x) < minimum ? T(minimum) : endless && valueOf(x) > maximum ? T(maximum) : x;
 }
 
 } // namespace

@@ -23,20 +23,22 @@ namespace esm::fis {
 ///     Concave            inflection end              (end - i) / (2 end - i - x) up to end, then 1
 ///     Constant           value                       a number whatever x (Takagi-Sugeno, singleton)
 ///     Cosine             center width                one wave of (1 + cos) / 2
-///     Discrete           x1 y1 x2 y2 ...             straight between the points, level beyond them
+///     Discrete           x1 y1 x2 y2 ...             straight between the points, level beyond them; of
+///     points
+///                                                    above one another (an upright edge) the highest
 ///     Function           (a formula over x and the names of variables)
 ///     Gaussian           mean deviation
 ///     GaussianProduct    meanA deviationA meanB deviationB    left flank A, right flank B
 ///     Linear             c1 ... cn c0                c1 in1 + ... + cn inn + c0
 ///     PiShape            bottomLeft topLeft topRight bottomRight
 ///     Ramp               start end                   rises from start to end; falls if end < start
-///     Rectangle          start end
+///     Rectangle          start end                   -infinite start or infinite end: open on that side
 ///     SShape, ZShape     start end                   two parabolas
 ///     Sigmoid            inflection slope
 ///     SigmoidDifference  left rising falling right   |sigmoid(left, rising) - sigmoid(right, falling)|
 ///     SigmoidProduct     left rising falling right
 ///     Spike              center width                exp(-|10 (x - center) / width|)
-///     Trapezoid          a b c d                     infinite a or d: a shoulder
+///     Trapezoid          a b c d                     infinite a, a and b, d, c and d: a shoulder
 ///     Triangle           a b c                       infinite a or c: a shoulder
 enum class Shape : std::uint8_t {
   Bell,
@@ -114,8 +116,9 @@ CurveSlope membershipSlope(const Curve& curve, double x) noexcept;
 /// The x at which a monotone curve (Concave, Ramp, SShape, Sigmoid, ZShape) has the value w: Tsukamoto's
 /// inference. For other shapes the value at w, as fuzzylite does. `asFuzzylite` repeats the formulas of
 /// fuzzylite 6.0, which are no inverse for Concave, for the upper half of SShape, the lower of ZShape and for
-/// heights other than 1. The result is held within [minimum, maximum] where the inverse is infinite.
-/// In the slope, byX is the derivative by w.
+/// heights other than 1. Sigmoid and Concave reach their ends at infinity: the result is held within
+/// [minimum, maximum], with `asFuzzylite` only where it is infinite. In the slope, byX is the derivative by
+/// w.
 double tsukamoto(const Curve& curve, double w, double minimum, double maximum, bool asFuzzylite) noexcept;
 CurveSlope tsukamotoSlope(const Curve& curve, double w, double minimum, double maximum,
                           bool asFuzzylite) noexcept;

@@ -25,8 +25,8 @@ Status checkDiscrete(const Term& term)
     return invalidValue("has " + std::to_string(p.size() / 2) + " points, more than " +
                         std::to_string(kMaximumPoints));
   for (std::size_t i = 2; i < p.size(); i += 2)
-    if (!(p[i] > p[i - 2]))
-      return invalidValue("needs rising x, but " + formatDouble(p[i - 2]) + " stands before " +
+    if (!(p[i] >= p[i - 2]))
+      return invalidValue("needs x that do not fall, but " + formatDouble(p[i - 2]) + " stands before " +
                           formatDouble(p[i]));
   return {};
 }
@@ -41,11 +41,27 @@ Status checkOrder(const Term& term)
   return {};
 }
 
-bool mayBeInfinite(Shape shape, std::size_t index, std::size_t count, double value)
+/// Curves that are level up to, or from, infinity. Order is checked elsewhere.
+bool mayBeInfinite(const Term& term, std::size_t index)
 {
-  if (shape == Shape::Binary) return index == 1;
-  if (shape != Shape::Triangle && shape != Shape::Trapezoid) return false;
-  return (index == 0 && value < 0.0) || (index + 1 == count && value > 0.0);
+  const auto& p = term.parameters;
+  const bool left = p[index] < 0.0;
+  switch (term.shape) {
+  case Shape::Binary:
+    return index == 1;
+  case Shape::Triangle:
+    return index == (left ? 0U : 2U);
+  case Shape::Rectangle:
+    return index == (left ? 0U : 1U);
+  case Shape::GaussianProduct: // a mean at infinity: no flank on that side
+    return index == (left ? 0U : 2U);
+  case Shape::Trapezoid:
+    return left ? index <= 1 : index >= 2;
+  case Shape::PiShape: // a flank that begins at infinity and ends elsewhere has no middle
+    return left ? index <= 1 && p[0] == p[1] : index >= 2 && p[2] == p[3];
+  default:
+    return false;
+  }
 }
 
 Status checkWidths(const Term& term)
@@ -99,9 +115,7 @@ Status checkTerm(const Term& term)
   if (term.shape == Shape::Function && (term.formula.empty() || !p.empty()))
     return invalidValue("needs a formula and no parameters");
   for (std::size_t i = 0; i < p.size(); ++i) {
-    if (std::abs(p[i]) <= kLargestNumber ||
-        (std::isinf(p[i]) && mayBeInfinite(term.shape, i, p.size(), p[i])))
-      continue;
+    if (std::abs(p[i]) <= kLargestNumber || (std::isinf(p[i]) && mayBeInfinite(term, i))) continue;
     return invalidValue("parameter " + formatDouble(p[i]) + " is not a usable number");
   }
   if (!(std::abs(term.height) <= kLargestNumber) || (isNumber(term.shape) && term.height != 1.0))

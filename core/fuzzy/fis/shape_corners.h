@@ -41,8 +41,8 @@ void forEachCorner(const Curve& curve, const Visit& visit)
       visit(Corner{p[static_cast<std::size_t>(i)], {{i, -1}}, {{1.0, 0.0}}});
   };
   const auto middle = [&](int i, int j) {
-    visit(Corner{
-      0.5 * (p[static_cast<std::size_t>(i)] + p[static_cast<std::size_t>(j)]), {{i, j}}, {{0.5, 0.5}}});
+    const double x = 0.5 * (p[static_cast<std::size_t>(i)] + p[static_cast<std::size_t>(j)]);
+    if (std::isfinite(x)) visit(Corner{x, {{i, j}}, {{0.5, 0.5}}});
   };
   switch (curve.shape) {
   case Shape::Triangle:

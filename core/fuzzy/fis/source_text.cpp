@@ -15,11 +15,6 @@ constexpr std::string_view kBlanks = " \t\v\f\r\n";
 
 } // namespace
 
-SourceText::SourceText(std::string_view text, std::string_view fileName) : m_text(text), m_fileName(fileName)
-{
-  if (m_text.substr(0, 3) == "\xEF\xBB\xBF") m_next = 3;
-}
-
 bool SourceText::nextLine(std::string_view& line)
 {
   if (m_next >= m_text.size()) return false;
@@ -43,6 +38,12 @@ Error SourceText::error(const Fault& fault) const
   }
   return {ErrorCode::BadFormat, std::string(m_fileName) + ':' + std::to_string(line) + ':' +
                                   std::to_string(column) + ": " + fault.message};
+}
+
+void Notes::add(const char* at, const std::string& what)
+{
+  if (!m_list) return;
+  m_list->push_back(at ? m_source.error({at, what}).detail : std::string(m_source.fileName()) + ": " + what);
 }
 
 std::string_view trimmed(std::string_view text)
@@ -97,8 +98,8 @@ namespace {
 
 class RuleReader {
 public:
-  RuleReader(std::string_view text, const System& system, bool ignoreCase)
-    : m_text(text), m_system(system), m_ignoreCase(ignoreCase)
+  RuleReader(std::string_view text, const System& system, bool asFcl)
+    : m_text(text), m_system(system), m_asFcl(asFcl)
   {
     next();
   }
@@ -110,7 +111,7 @@ public:
     flatten(readAny(0), rule.antecedent);
     expect("then");
     do rule.consequents.push_back(readProposition(true));
-    while (accept("and"));
+    while (accept("and") || (m_asFcl && accept(",")));
     if (accept("with")) {
       rule.weight = readNumber(m_word);
       next();
@@ -134,18 +135,15 @@ private:
     const std::size_t from = std::min(m_text.find_first_not_of(kBlanks), m_text.size());
     m_text.remove_prefix(from);
     std::size_t size = 0;
-    if (!m_text.empty() && (m_text[0] == '(' || m_text[0] == ')'))
+    if (!m_text.empty() && (m_text[0] == '(' || m_text[0] == ')' || m_text[0] == ','))
       size = 1;
     else
-      size = std::min(m_text.find_first_of(" \t\v\f\r\n()"), m_text.size());
+      size = std::min(m_text.find_first_of(" \t\v\f\r\n(),"), m_text.size());
     m_word = m_text.substr(0, size);
     m_text.remove_prefix(size);
   }
 
-  bool is(std::string_view word) const
-  {
-    return m_ignoreCase ? equalIgnoringCase(m_word, word) : m_word == word;
-  }
+  bool is(std::string_view word) const { return m_asFcl ? equalIgnoringCase(m_word, word) : m_word == word; }
   bool accept(std::string_view word)
   {
     if (!is(word)) return false;
@@ -199,14 +197,14 @@ private:
   {
     for (std::size_t i = 0; i < things.size(); ++i)
       if (things[i].name == m_word) return static_cast<int>(i);
-    for (std::size_t i = 0; i < things.size() && m_ignoreCase; ++i)
+    for (std::size_t i = 0; i < things.size() && m_asFcl; ++i)
       if (equalIgnoringCase(things[i].name, m_word)) return static_cast<int>(i);
     return -1;
   }
 
   std::optional<Hedge> hedge() const
   {
-    if (!m_ignoreCase) return hedgeNamed(m_word);
+    if (!m_asFcl) return hedgeNamed(m_word);
     for (int i = 0; i < kHedgeCount; ++i)
       if (equalIgnoringCase(nameOf(static_cast<Hedge>(i)), m_word)) return static_cast<Hedge>(i);
     return std::nullopt;
@@ -236,6 +234,16 @@ private:
       if (proposition.hedges.size() > 16) throw Fault{m_word.data(), "there are more than 16 hedges here"};
     }
     proposition.term = find(terms);
+    if (proposition.term < 0 && !proposition.hedges.empty()) { // a term called "very" is read as "very_"
+      const std::string usable = usableName(nameOf(proposition.hedges.back()));
+      const auto same =
+        std::find_if(terms.begin(), terms.end(), [&](const Term& t) { return t.name == usable; });
+      if (same != terms.end()) {
+        proposition.hedges.pop_back();
+        proposition.term = static_cast<int>(same - terms.begin());
+        return proposition;
+      }
+    }
     if (proposition.term < 0)
       throw Fault{m_word.data(), m_word.empty()
                                    ? "here the name of a term is missing"
@@ -258,14 +266,14 @@ private:
   static constexpr int kDepth = Antecedent::kMaximumDepth / 2 - 2;
   std::string_view m_text, m_word;
   const System& m_system;
-  bool m_ignoreCase;
+  bool m_asFcl;
 };
 
 } // namespace
 
-Rule readRule(std::string_view text, const System& system, bool ignoreCase)
+Rule readRule(std::string_view text, const System& system, bool asFcl)
 {
-  return RuleReader(text, system, ignoreCase).read();
+  return RuleReader(text, system, asFcl).read();
 }
 
 } // namespace esm::fis

@@ -8,6 +8,7 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace esm::fis {
 
@@ -20,18 +21,30 @@ struct Fault {
 /// A source text of which all words are views, so that each knows its line and column.
 class SourceText {
 public:
-  SourceText(std::string_view text, std::string_view fileName);
+  SourceText(std::string_view text, std::string_view fileName) : m_text(text), m_fileName(fileName) {}
 
-  /// The next line without its end, or nothing. CR LF, CR and LF end a line; a byte order mark is passed
-  /// over.
+  /// The next line without its end, or nothing. CR LF, CR and LF end a line.
   bool nextLine(std::string_view& line);
   /// "file:line:column: message", the column in characters from 1.
   Error error(const Fault& fault) const;
   std::string_view text() const { return m_text; }
+  std::string_view fileName() const { return m_fileName; }
 
 private:
   std::string_view m_text, m_fileName;
   std::size_t m_next = 0;
+};
+
+/// Gathers what a reader passed over or took otherwise than written, each with its place.
+class Notes {
+public:
+  Notes(const SourceText& source, std::vector<std::string>* list) : m_source(source), m_list(list) {}
+  /// @param at a byte of the source; null for the whole file
+  void add(const char* at, const std::string& what);
+
+private:
+  const SourceText& m_source;
+  std::vector<std::string>* m_list;
 };
 
 std::string_view trimmed(std::string_view text);
@@ -66,7 +79,8 @@ Result<System> runReader(const SourceText& source, const Read& read)
 ///     one         := not one | '(' any ')' | proposition
 ///     proposition := variable is hedge* term
 ///
-/// "not" before a variable is the hedge before its term. @param ignoreCase of keywords and hedges (FCL).
-Rule readRule(std::string_view text, const System& system, bool ignoreCase);
+/// "not" before a variable is the hedge before its term. @param asFcl keywords and hedges in any case, commas
+/// between conclusions.
+Rule readRule(std::string_view text, const System& system, bool asFcl);
 
 } // namespace esm::fis

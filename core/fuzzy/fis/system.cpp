@@ -50,7 +50,7 @@ bool operator==(const OutputVariable& a, const OutputVariable& b)
          same(a.minimum, b.minimum) && same(a.maximum, b.maximum) && a.lockRange == b.lockRange &&
          a.lockPrevious == b.lockPrevious && same(a.defaultValue, b.defaultValue) &&
          a.aggregation == b.aggregation && a.defuzzifier == b.defuzzifier && a.resolution == b.resolution &&
-         a.weightedType == b.weightedType && a.terms == b.terms;
+         a.weightedType == b.weightedType && a.joinsEqualTerms == b.joinsEqualTerms && a.terms == b.terms;
 }
 
 bool operator==(const RuleBlock& a, const RuleBlock& b)
@@ -91,9 +91,12 @@ bool isArea(Defuzzifier defuzzifier) noexcept
 std::vector<std::string> formulaNames(const System& system, std::size_t output)
 {
   std::vector<std::string> names = {"x"};
-  for (const InputVariable& input : system.inputs) names.push_back(input.name);
+  const auto add = [&](const std::string& name, const char* role) {
+    names.push_back(name == "x" ? std::string(role) + name : name);
+  };
+  for (const InputVariable& input : system.inputs) add(input.name, "input.");
   for (std::size_t i = 0; i < std::min(output, system.outputs.size()); ++i)
-    names.push_back(system.outputs[i].name);
+    add(system.outputs[i].name, "output.");
   return names;
 }
 
@@ -206,6 +209,9 @@ public:
       if (output.resolution < 1 || output.resolution > 1000000)
         return invalidValue("output '" + output.name + "': the resolution " +
                             std::to_string(output.resolution) + " is outside 1 to 1000000");
+      if (output.joinsEqualTerms && !output.aggregation)
+        return invalidValue("output '" + output.name +
+                            "': equal terms are joined, but it has no aggregation");
       for (const Term& term : output.terms)
         if (Status status = checkFormula(term, i, where(term, "output", output.name)); !status) return status;
     }

@@ -62,6 +62,9 @@ struct OutputVariable {
   Defuzzifier defuzzifier = Defuzzifier::Centroid;
   int resolution = 100; ///< of area defuzzifiers, where Options ask for it
   WeightedType weightedType = WeightedType::Automatic;
+  /// Of weighted defuzzifiers: rules that conclude the same term count once, with their degrees gathered by
+  /// the aggregation (IEC 61131-7). Else each counts by itself, as with fuzzylite 6 and MATLAB.
+  bool joinsEqualTerms = false;
   std::vector<Term> terms;
 };
 
@@ -165,7 +168,8 @@ enum class SystemKind : std::uint8_t {
 SystemKind kindOf(const System& system) noexcept;
 std::string_view nameOf(SystemKind kind) noexcept;
 
-/// The names that a formula of output `output` may use: x, the inputs, the outputs before.
+/// The names that a formula of output `output` may use: x (the place on the axis, or the rule's degree), the
+/// inputs, the outputs before; an input called x is "input.x", an output "output.x".
 std::vector<std::string> formulaNames(const System& system, std::size_t output);
 
 /// "IF a is b and ..." in the words of FLL, for messages and files.

@@ -16,8 +16,10 @@ public:
     m_inverts = output.weightedType == WeightedType::Tsukamoto ||
                 (output.weightedType == WeightedType::Automatic && !isNumber(first));
     for (int k = 0; k < m_count; ++k) {
-      m_sum += activated(k).degree * z(activated(k));
-      m_weights += activated(k).degree;
+      if (!leads(k)) continue;
+      const double degree = joinedDegree(k);
+      m_sum += degree * z(k, degree);
+      m_weights += degree;
     }
   }
 
@@ -28,10 +30,11 @@ public:
     const double scale = averages() ? factor / m_weights : factor;
     const double centre = averages() ? value() : 0.0;
     for (int k = 0; k < m_count; ++k) {
+      if (!leads(k)) continue;
       const Activated& fired = activated(k);
       const Curve curve = m_c.curve(fired.term, m_s.variables);
-      const double w = fired.degree;
-      double number = z(fired), byDegree = 0.0;
+      const double w = joinedDegree(k);
+      double number = z(k, w), byDegree = 0.0;
       if (m_inverts && isMonotone(curve.shape)) {
         const CurveSlope slope = tsukamotoSlope(curve, w, m_output.minimum, m_output.maximum, asFuzzylite());
         byDegree = slope.byX;
@@ -42,7 +45,10 @@ public:
       } else {
         byDegree = addCurveSlopes(m_c, fired.term, curve, w, scale * w, slopes);
       }
-      m_s.activatedAdjoint[at(m_output.activated.first + k)] += scale * (number - centre + w * byDegree);
+      const double byJoined = scale * (number - centre + w * byDegree);
+      for (int j = k; j < m_count; ++j)
+        if (j == k || (m_output.joins && activated(j).term == fired.term))
+          m_s.activatedAdjoint[at(m_output.activated.first + j)] += byJoined * slopeOfJoined(k, j);
     }
   }
 
@@ -51,11 +57,42 @@ private:
   bool averages() const { return m_output.defuzzifier == Defuzzifier::WeightedAverage; }
   bool asFuzzylite() const { return m_c.options.area == Options::Area::Sampled; }
 
-  double z(const Activated& fired) const
+  /// Whether conclusion k counts: by itself, or for all that conclude its term.
+  bool leads(int k) const
   {
-    const Curve curve = m_c.curve(fired.term, m_s.variables);
-    return m_inverts ? tsukamoto(curve, fired.degree, m_output.minimum, m_output.maximum, asFuzzylite())
-                     : membership(curve, fired.degree);
+    for (int j = 0; j < k && m_output.joins; ++j)
+      if (activated(j).term == activated(k).term) return false;
+    return true;
+  }
+
+  /// The degrees of all conclusions of the term of `leader`, gathered; T is double or Dual.
+  template <class T, class DegreeOf>
+  T gathered(int leader, const DegreeOf& degreeOf) const
+  {
+    T degree = degreeOf(leader);
+    for (int j = leader + 1; j < m_count && m_output.joins; ++j)
+      if (activated(j).term == activated(leader).term)
+        degree = apply(m_output.aggregation, degree, degreeOf(j), m_c.width);
+    return degree;
+  }
+  double joinedDegree(int leader) const
+  {
+    return gathered<double>(leader, [&](int k) { return activated(k).degree; });
+  }
+  /// d(joinedDegree)/d(degree of conclusion `by`).
+  double slopeOfJoined(int leader, int by) const
+  {
+    using D = Dual<1>;
+    const D joined = gathered<D>(
+      leader, [&](int k) { return k == by ? D::variable(activated(k).degree, 0) : D(activated(k).degree); });
+    return joined.d[0];
+  }
+
+  double z(int k, double degree) const
+  {
+    const Curve curve = m_c.curve(activated(k).term, m_s.variables);
+    return m_inverts ? tsukamoto(curve, degree, m_output.minimum, m_output.maximum, asFuzzylite())
+                     : membership(curve, degree);
   }
 
   const Compiled& m_c;

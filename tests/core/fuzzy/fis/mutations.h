@@ -45,6 +45,24 @@ inline std::string damaged(Dice& dice, std::string text)
   return text;
 }
 
+/// What no writer here writes: jFuzzyLogic's words, several blocks, upright edges, numbers given several
+/// times.
+inline constexpr const char* kForeignFcl = R"(FUNCTION_BLOCK one
+VAR_INPUT x : REAL; RANGE := (0 .. 10); w, v : REAL := 1; END_VAR
+VAR_OUTPUT y : REAL; z : REAL; END_VAR
+VAR k : REAL; END_VAR
+FUZZIFY x TERM a := (0, 1) (4, 1) (4, 0); TERM b := DSIGM 1 2 5 9; TERM c := GBELL 2 4 5; END_FUZZIFY
+FUZZIFY w TERM a := SINGLETONS (1, 0.5) (3, 1); TERM very := COSINE 2 8; END_FUZZIFY
+DEFUZZIFY y TERM low := FUNCTION -x * LN(w + 2) ^ 2 % 3; TERM high := SINGLETONS (1, 1) (3, 0.5); METHOD : COGF; END_DEFUZZIFY
+DEFUZZIFY z TERM s := GAUSS2 2 1 8 1; TERM t := SIGM -4 3; ACCU : PROBOR; DEFAULT := NC; END_DEFUZZIFY
+RULEBLOCK r (* all *) AND : HAMACHER; ACT : PROD; ACCU : MAX;
+RULE 1 : IF x IS a AND NOT (w IS very OR x IS c) THEN y IS low, z IS s WITH 0.5;
+RULE 2 : IF x IS b THEN y IS high AND z IS NOT t;
+END_RULEBLOCK
+END_FUNCTION_BLOCK
+FUNCTION_BLOCK END_FUNCTION_BLOCK
+)";
+
 /// A damaged text gives a system whose answers are numbers where they say so, or one error with its place.
 inline void feed(Format format, const std::string& text, Dice& dice)
 {
@@ -88,6 +106,7 @@ inline int feedDamagedTexts(int count, std::chrono::seconds limit)
       const std::string text = writeSystem(format, system).text;
       for (int i = 0; i < 40; ++i, ++fed) feed(format, damaged(dice, text), dice);
     }
+    for (int i = 0; i < 40; ++i, ++fed) feed(Format::Fcl, damaged(dice, kForeignFcl), dice);
     if (testing::Test::HasFailure()) break;
   }
   return fed;

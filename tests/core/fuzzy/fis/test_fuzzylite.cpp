@@ -180,6 +180,44 @@ TEST(AgainstFuzzylite, SampledModeGivesItsValues)
   for (const auto& [name, ties] : tally.tiesOf) std::printf("  %d ties: %s\n", ties, name.c_str());
 }
 
+// Terms whose corners lie at infinity, against fuzzylite at places on all sides of the finite ones.
+TEST(AgainstFuzzylite, CornersAtInfinityGiveItsMemberships)
+{
+  for (const char* term :
+       {"Trapezoid -inf -inf 3 6", "Trapezoid 3 6 inf inf", "Trapezoid -inf 2 3 6",
+        "Trapezoid -inf -inf inf inf", "Triangle -inf 3 6", "Triangle 3 6 inf", "Rectangle -inf 3",
+        "Rectangle 3 inf", "Binary 3 inf", "Binary 3 -inf", "PiShape -inf -inf 2 6", "PiShape 2 6 inf inf",
+        "GaussianProduct -inf 1 5 2", "GaussianProduct 5 2 inf 1"}) {
+    const std::string fll =
+      std::string("Engine: e\nInputVariable: x\n  range: 0 10\n  term: t ") + term + "\n";
+    const auto system = readFll(fll, "t.fll");
+    ASSERT_TRUE(system) << system.error().detail;
+    const std::unique_ptr<fl::Engine> engine(fl::FllImporter().fromString(fll));
+    const Term& ours = system->inputs[0].terms[0];
+    for (const double x : {-1e6, -1.0, 0.0, 2.5, 3.5, 4.5, 5.5, 7.0, 1e6})
+      EXPECT_NEAR(membership(Curve{ours.shape, ours.parameters, ours.height}, x),
+                  engine->getInputVariable(0)->getTerm(0)->membership(x), 1e-14)
+        << term << " at " << x;
+  }
+}
+
+// Points above one another, read from FCL by both; at the edge itself we take the highest point.
+TEST(AgainstFuzzylite, UprightEdgesGiveItsMembershipsBesideThem)
+{
+  const std::string fcl =
+    "FUNCTION_BLOCK t\nVAR_INPUT\nx : REAL;\nEND_VAR\nVAR_OUTPUT\ny : REAL;\nEND_VAR\nFUZZIFY "
+    "x\nRANGE := (0 .. 10);\nTERM a := (2, 0) (2, 1) (4, 1) (4, 0.25) (8, 0.25) (8, 0);\n"
+    "END_FUZZIFY\nEND_FUNCTION_BLOCK\n";
+  const auto system = readFcl(fcl, "t.fcl");
+  ASSERT_TRUE(system) << system.error().detail;
+  const std::unique_ptr<fl::Engine> engine(fl::FclImporter().fromString(fcl));
+  const Term& ours = system->inputs[0].terms[0];
+  for (const double x : {0.0, 1.9, 2.1, 3.0, 3.9, 4.1, 7.9, 8.1})
+    EXPECT_NEAR(membership(Curve{ours.shape, ours.parameters, ours.height}, x),
+                engine->getInputVariable(0)->getTerm(0)->membership(x), 1e-14)
+      << x;
+}
+
 } // namespace esm::fis
 
 /// The library of fuzzylite brings a main() of its own, which would win over that of gtest.

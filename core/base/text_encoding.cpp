@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/base/text_encoding.h"
+
+#include <array>
+#include <cstdint>
+
+namespace esm {
+
+namespace {
+
+constexpr std::uint32_t kReplacement = 0xFFFD;
+
+/// 0x80 to 0x9F of Windows-1252; 0: the control character of Latin-1.
+constexpr std::array<std::uint16_t, 32> kWindows = {
+  0x20AC, 0,      0x201A, 0x0192, 0x201E, 0x2026, 0x2020, 0x2021, 0x02C6, 0x2030, 0x0160,
+  0x2039, 0x0152, 0,      0x017D, 0,      0,      0x2018, 0x2019, 0x201C, 0x201D, 0x2022,
+  0x2013, 0x2014, 0x02DC, 0x2122, 0x0161, 0x203A, 0x0153, 0,      0x017E, 0x0178};
+
+std::uint32_t byteAt(std::string_view bytes, std::size_t i)
+{
+  return static_cast<unsigned char>(bytes[i]);
+}
+
+void append(std::string& text, std::uint32_t code)
+{
+  const auto put = [&](std::uint32_t byte) { text += static_cast<char>(byte); };
+  if (code < 0x80) {
+    put(code);
+  } else if (code < 0x800) {
+    put(0xC0U | code >> 6U);
+    put(0x80U | (code & 0x3FU));
+  } else if (code < 0x10000) {
+    put(0xE0U | code >> 12U);
+    put(0x80U | (code >> 6U & 0x3FU));
+    put(0x80U | (code & 0x3FU));
+  } else {
+    put(0xF0U | code >> 18U);
+    put(0x80U | (code >> 12U & 0x3FU));
+    put(0x80U | (code >> 6U & 0x3FU));
+    put(0x80U | (code & 0x3FU));
+  }
+}
+
+std::string fromUtf16(std::string_view bytes, bool bigEnd)
+{
+  const auto unit = [&](std::size_t i) {
+    return bigEnd ? byteAt(bytes, i) << 8U | byteAt(bytes, i + 1)
+                  : byteAt(bytes, i + 1) << 8U | byteAt(bytes, i);
+  };
+  std::string text;
+  for (std::size_t i = 0; i + 1 < bytes.size(); i += 2) {
+    std::uint32_t code = unit(i);
+    if (code >= 0xD800 && code < 0xE000) {
+      const bool pair = code < 0xDC00 && i + 3 < bytes.size() && (unit(i + 2) & 0xFC00U) == 0xDC00U;
+      code = pair ? 0x10000 + ((code & 0x3FFU) << 10U) + (unit(i + 2) & 0x3FFU) : kReplacement;
+      if (pair) i += 2;
+    }
+    append(text, code);
+  }
+  return text;
+}
+
+} // namespace
+
+bool isUtf8(std::string_view bytes) noexcept
+{
+  for (std::size_t i = 0; i < bytes.size();) {
+    const std::uint32_t first = byteAt(bytes, i++);
+    if (first < 0x80) continue;
+    const int more = first >= 0xC2 && first < 0xE0   ? 1
+                     : (first & 0xF0U) == 0xE0U      ? 2
+                     : first >= 0xF0 && first < 0xF5 ? 3
+                                                     : 0;
+    if (more == 0) return false;
+    std::uint32_t code = first & (0x3FU >> static_cast<unsigned>(more));
+    for (int k = 0; k < more; ++k, ++i) {
+      if (i >= bytes.size() || (byteAt(bytes, i) & 0xC0U) != 0x80U) return false;
+      code = code << 6U | (byteAt(bytes, i) & 0x3FU);
+    }
+    if ((more == 2 && code < 0x800) || (code >= 0xD800 && code < 0xE000)) return false;
+    if (more == 3 && (code < 0x10000 || code > 0x10FFFF)) return false;
+  }
+  return true;
+}
+
+std::string toUtf8(std::string_view bytes)
+{
+  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  if (bytes.starts_with("\xFF\xFE")) return fromUtf16(bytes.substr(2), false);
+  if (bytes.starts_with("\xFE\xFF")) return fromUtf16(bytes.substr(2), true);
+  if (isUtf8(bytes)) return std::string(bytes);
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); ++i) {
+    const std::uint32_t byte = byteAt(bytes, i);
+    const bool special = byte >= 0x80 && byte < 0xA0 && kWindows[byte - 0x80] != 0;
+    append(text, special ? kWindows[byte - 0x80] : byte);
+  }
+  return text;
+}
+
+} // namespace esm
