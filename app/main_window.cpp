@@ -142,17 +142,22 @@ void MainWindow::applyDefaultLayout()
     addDockWidget(area, dock);
     dock->show();
   }
-  splitDockWidget(m_dockRegions, m_dockTissue, Qt::Vertical);
-  splitDockWidget(m_dockInputs, m_dockMf, Qt::Vertical);
-  splitDockWidget(m_dockMf, m_dockWhy, Qt::Vertical);
-  tabifyDockWidget(m_dockMf, m_dockSurface);
+  constexpr int kLow = 850;     // [pixel]: below, the panels above each other are higher than the window
   constexpr int kNarrow = 1450; // [pixel]: below, rules and haptics do not fit beside each other
+  splitDockWidget(m_dockInputs, m_dockMf, Qt::Vertical);
+  if (height() < kLow) {
+    tabifyDockWidget(m_dockRegions, m_dockTissue);
+    tabifyDockWidget(m_dockMf, m_dockWhy);
+  } else {
+    splitDockWidget(m_dockRegions, m_dockTissue, Qt::Vertical);
+    splitDockWidget(m_dockMf, m_dockWhy, Qt::Vertical);
+  }
+  tabifyDockWidget(m_dockMf, m_dockSurface);
   if (width() < kNarrow)
     tabifyDockWidget(m_dockRules, m_dockHaptics);
   else
     splitDockWidget(m_dockRules, m_dockHaptics, Qt::Horizontal);
-  m_dockRules->raise();
-  m_dockMf->raise();
+  for (QDockWidget* inFront : {m_dockRules, m_dockMf, m_dockRegions}) inFront->raise();
   const int w = width(), h = height();
   resizeDocks({m_dockRegions, m_dockInputs}, {w * 17 / 100, w * 25 / 100}, Qt::Horizontal);
   resizeDocks({m_dockRules, m_dockHaptics}, {w * 42 / 100, w * 33 / 100}, Qt::Horizontal);

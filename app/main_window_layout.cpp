@@ -74,6 +74,7 @@ void MainWindow::restoreLayout()
   restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
   putOnScreen(this); // the layout below is for the size that comes of it
   restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion);
+  if (minimumSizeHint().height() > height()) applyDefaultLayout(); // it was stored on a higher screen
 }
 
 /// Window managers draw their frame after the window is shown: only then is its size known.
