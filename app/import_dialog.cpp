@@ -107,34 +107,38 @@ ImportDialog::~ImportDialog()
 
 // === Widgets
 
+/// The choices scroll; what becomes of the present model can always be seen.
 QWidget* ImportDialog::buildLeft(bool modelIsEmpty)
 {
-  auto* inner = new QWidget(this);
-  auto* layout = new QVBoxLayout(inner);
-  m_form = named(new RecipeForm(inner), "importForm");
-  layout->addWidget(m_form);
-  m_replace = named(new QRadioButton(inner), "importReplace");
-  m_add = named(new QRadioButton(inner), "importAdd");
+  m_form = named(new RecipeForm(this), "importForm");
+  m_left = named(new QScrollArea(this), "importScroll");
+  m_left->setWidget(m_form);
+  m_left->setWidgetResizable(true);
+  m_left->setFrameShape(QFrame::NoFrame);
+  m_left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* left = new QWidget(this);
+  m_replace = named(new QRadioButton(left), "importReplace");
+  m_add = named(new QRadioButton(left), "importAdd");
   m_replace->setChecked(true);
-  m_add->setEnabled(!modelIsEmpty);
-  m_keepsText = named(new QLabel(inner), "importKeepsText");
-  m_keeps = named(new QComboBox(inner), "importKeeps");
+  m_keepsText = named(new QLabel(left), "importKeepsText");
+  m_keeps = named(new QComboBox(left), "importKeeps");
   for (int row = 0; row < 3; ++row) m_keeps->addItem(QString());
   for (QWidget* widget : {static_cast<QWidget*>(m_keepsText), static_cast<QWidget*>(m_keeps)}) {
     widget->setVisible(!modelIsEmpty);
     connect(m_replace, &QRadioButton::toggled, widget, &QWidget::setEnabled);
   }
+  m_add->setEnabled(!modelIsEmpty);
+  auto* kept = new QHBoxLayout;
+  kept->setContentsMargins(22, 0, 0, 0); // below the button's text
+  kept->addWidget(m_keepsText);
+  kept->addWidget(m_keeps, 1);
+  auto* layout = new QVBoxLayout(left);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_left, 1);
   layout->addWidget(m_replace);
-  layout->addWidget(m_keepsText);
-  layout->addWidget(m_keeps);
+  layout->addLayout(kept);
   layout->addWidget(m_add);
-  layout->addStretch();
-  m_left = named(new QScrollArea(this), "importScroll");
-  m_left->setWidget(inner);
-  m_left->setWidgetResizable(true);
-  m_left->setFrameShape(QFrame::NoFrame);
-  m_left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  return m_left;
+  return left;
 }
 
 QWidget* ImportDialog::buildRight()

@@ -194,8 +194,8 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
 }
 
 Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const SegmentMatrix& ends,
-                 const TriangleMatrix& triangles, const std::function<bool(Index)>& shown,
-                 const Eigen::Vector2d& pixel, double radius)
+                 const TriangleMatrix& triangles, const Eigen::Vector2d& pixel, double radius,
+                 const std::function<bool(Index)>& shown)
 {
   Eigen::Matrix3Xd middle(3, ends.cols());
   for (Eigen::Index s = 0; s < ends.cols(); ++s)

@@ -387,9 +387,8 @@ Index SceneModel::springAt(const Eigen::Vector2d& pixel) const
 {
   if (!m_net) return kNoIndex;
   static const TriangleMatrix kNone(3, 0);
-  const Index spring = pickSpring(
-    camera, m_position, m_net->ends, m_surface ? m_net->triangles : kNone,
-    [this](Index s) { return isShown(s); }, pixel, kPickRadius);
+  const Index spring = pickSpring(camera, m_position, m_net->ends, m_surface ? m_net->triangles : kNone,
+                                  pixel, kPickRadius, [this](Index s) { return isShown(s); });
   const Index node = nodeAt(pixel);
   if (spring == kNoIndex || node == kNoIndex) return spring;
   const auto distance = [&](const Eigen::Vector3d& point) {
