@@ -11,7 +11,12 @@ namespace esm {
 /// What happened, in the window's language: one sentence for the kind of fault.
 QString errorLead(ErrorCode code);
 
-/// The lead sentence and below it the detail, which names file, place and way out (English).
+/// File, place, what is wrong there and the way out, in the window's language as far as it is known
+/// (error_sentences.h); the rest stays in the core's English.
+QString errorDetail(const Error& error);
+QString errorDetail(const QString& detail);
+
+/// The lead sentence and below it the detail.
 QString errorText(const Error& error);
 
 } // namespace esm

@@ -9,6 +9,7 @@
 #include "app/theme.h"
 #include "app/viewport/scene_view.h"
 
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QEvent>
 #include <QFileInfo>
@@ -46,6 +47,12 @@ QLabel* wrappedLabel(QWidget* parent, const char* name)
   return label;
 }
 
+bool sameTissue(const TissueModel& a, const TissueModel& b)
+{
+  return a.rules == b.rules && a.inputs == b.inputs && a.regions == b.regions &&
+         settingsOf(a) == settingsOf(b);
+}
+
 } // namespace
 
 LengthUnit guessedUnit(double largestExtent)
@@ -71,10 +78,14 @@ ImportDialog::ImportDialog(const QStringList& paths, JobRunner* jobs, bool model
   });
   connect(m_form, &RecipeForm::readingChanged, this, &ImportDialog::readFiles);
   connect(m_form, &RecipeForm::changed, this, [this] {
-    setBusy(true);
     showSize();
-    m_settle.start();
+    askForNet();
   });
+  const auto otherTissue = [this] {
+    if (!sameTissue(wantedTissue(), m_askedTissue)) askForNet();
+  };
+  connect(m_replace, &QRadioButton::toggled, this, otherTissue);
+  connect(m_keeps, &QComboBox::currentIndexChanged, this, otherTissue);
   connect(m_defects, &DefectList::chosen, this, [this](const Eigen::Matrix3Xd& places) {
     m_view->setMarks(places);
     if (places.cols() == 0 || !m_preview) return;
@@ -96,25 +107,38 @@ ImportDialog::~ImportDialog()
 
 // === Widgets
 
+/// The choices scroll; what becomes of the present model can always be seen.
 QWidget* ImportDialog::buildLeft(bool modelIsEmpty)
 {
-  auto* inner = new QWidget(this);
-  auto* layout = new QVBoxLayout(inner);
-  m_form = named(new RecipeForm(inner), "importForm");
-  layout->addWidget(m_form);
-  m_replace = named(new QRadioButton(inner), "importReplace");
-  m_add = named(new QRadioButton(inner), "importAdd");
-  m_replace->setChecked(true);
-  m_add->setEnabled(!modelIsEmpty);
-  layout->addWidget(m_replace);
-  layout->addWidget(m_add);
-  layout->addStretch();
+  m_form = named(new RecipeForm(this), "importForm");
   m_left = named(new QScrollArea(this), "importScroll");
-  m_left->setWidget(inner);
+  m_left->setWidget(m_form);
   m_left->setWidgetResizable(true);
   m_left->setFrameShape(QFrame::NoFrame);
   m_left->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
-  return m_left;
+  auto* left = new QWidget(this);
+  m_replace = named(new QRadioButton(left), "importReplace");
+  m_add = named(new QRadioButton(left), "importAdd");
+  m_replace->setChecked(true);
+  m_keepsText = named(new QLabel(left), "importKeepsText");
+  m_keeps = named(new QComboBox(left), "importKeeps");
+  for (int row = 0; row < 3; ++row) m_keeps->addItem(QString());
+  for (QWidget* widget : {static_cast<QWidget*>(m_keepsText), static_cast<QWidget*>(m_keeps)}) {
+    widget->setVisible(!modelIsEmpty);
+    connect(m_replace, &QRadioButton::toggled, widget, &QWidget::setEnabled);
+  }
+  m_add->setEnabled(!modelIsEmpty);
+  auto* kept = new QHBoxLayout;
+  kept->setContentsMargins(22, 0, 0, 0); // below the button's text
+  kept->addWidget(m_keepsText);
+  kept->addWidget(m_keeps, 1);
+  auto* layout = new QVBoxLayout(left);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(m_left, 1);
+  layout->addWidget(m_replace);
+  layout->addLayout(kept);
+  layout->addWidget(m_add);
+  return left;
 }
 
 QWidget* ImportDialog::buildRight()
@@ -221,11 +245,30 @@ void ImportDialog::takeSource(MeshSource source)
   makeNet();
 }
 
+/// Of other choices: soon, since more of them may follow.
+void ImportDialog::askForNet()
+{
+  setBusy(true);
+  m_settle.start();
+}
+
+/// A model that is added to gets its tissue as it is; so does a new one, which has nothing before it.
+TissueModel ImportDialog::wantedTissue() const
+{
+  TissueModel tissue = m_tissue;
+  if (!m_replace->isChecked() || m_keeps->isHidden()) return tissue;
+  const auto keeps = static_cast<Keeps>(m_keeps->currentIndex());
+  if (keeps == Keeps::Nothing) return defaultTissue();
+  if (keeps == Keeps::BaseTissue) tissue.regions.clear();
+  return tissue;
+}
+
 void ImportDialog::makeNet()
 {
   if (!m_source) return; // it comes when the files are read
   setBusy(true);
-  m_jobs->start([source = m_source, recipe = recipe(), tissue = m_tissue](
+  m_askedTissue = wantedTissue();
+  m_jobs->start([source = m_source, recipe = recipe(), tissue = m_askedTissue](
                   WorkControl* control) { return makePreview(*source, recipe, tissue, control); },
                 [this](Result<ImportPreview> preview) {
                   if (!preview) return showFailure(preview.error());
@@ -402,7 +445,7 @@ IncomingModel ImportDialog::takeModel()
   model.name = QFileInfo(m_paths.front()).completeBaseName();
   model.source = std::move(m_preview->made.recipe);
   model.net = std::move(m_preview->made.net);
-  if (model.source.material != MaterialOptions{}) model.tissue = std::move(m_preview->tissue);
+  if (replaces() || model.source.material != MaterialOptions{}) model.tissue = std::move(m_preview->tissue);
   m_preview.reset();
   return model;
 }
@@ -429,7 +472,13 @@ void ImportDialog::retranslate()
   m_message->setAccessibleName(tr("Message"));
   m_progress->setAccessibleName(tr("Progress"));
   m_replace->setText(tr("Replace the model"));
-  m_replace->setToolTip(tr("Rules, inputs and regions stay; loads on single nodes go with the old model"));
+  m_replace->setToolTip(tr("Gravity stays; loads on single nodes go with the former model"));
+  m_keepsText->setText(tr("What stays of its tissue"));
+  m_keeps->setItemText(0, tr("rules and base tissue"));
+  m_keeps->setItemText(1, tr("rules, base tissue and regions"));
+  m_keeps->setItemText(2, tr("nothing: the default tissue"));
+  m_keeps->setToolTip(tr("Regions lie where the former organ was"));
+  m_keeps->setAccessibleName(m_keepsText->text());
   m_add->setText(tr("Add to the model"));
   m_ok->setText(tr("Import"));
   m_cancel->setText(tr("Cancel"));

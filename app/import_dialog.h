@@ -12,6 +12,7 @@
 #include <memory>
 #include <optional>
 
+class QComboBox;
 class QLabel;
 class QListWidget;
 class QProgressBar;
@@ -33,10 +34,13 @@ class ImportDialog : public QDialog {
   Q_OBJECT
 public:
   /// @param paths one or more, joined to one model. @param jobs outlives the dialog.
-  /// @param modelIsEmpty then there is nothing to add to. @param tissue that the net will get.
+  /// @param modelIsEmpty then there is nothing to add to. @param tissue of the document.
   ImportDialog(const QStringList& paths, JobRunner* jobs, bool modelIsEmpty, TissueModel tissue,
                QWidget* parent = nullptr);
   ~ImportDialog() override;
+
+  /// What of the former organ's tissue the new one gets: its regions lie where that one was.
+  enum class Keeps { BaseTissue, BaseTissueAndRegions, Nothing };
 
   bool replaces() const;
   IncomingModel takeModel(); ///< after accept(), once
@@ -62,6 +66,8 @@ private:
   void showSize();
   void addRow(const QString& what, const QString& before, const QString& after, bool bad);
   void setBusy(bool busy);
+  TissueModel wantedTissue() const;
+  void askForNet();
   void resetRemembered();
   void retranslate();
   ImportRecipe recipe() const;
@@ -69,7 +75,7 @@ private:
 
   QStringList m_paths;
   JobRunner* m_jobs;
-  TissueModel m_tissue;
+  TissueModel m_tissue, m_askedTissue;        ///< the document's; that the net is made with
   std::shared_ptr<const MeshSource> m_source; ///< null: not read yet
   std::optional<ImportPreview> m_preview;     ///< of the present choices, or empty
   std::uint64_t m_generation = 0;             ///< of nets in the view
@@ -85,6 +91,8 @@ private:
   QListWidget* m_notes = nullptr;
   QLabel *m_size = nullptr, *m_prediction = nullptr, *m_message = nullptr, *m_rememberedNote = nullptr;
   QRadioButton *m_replace = nullptr, *m_add = nullptr;
+  QLabel* m_keepsText = nullptr;
+  QComboBox* m_keeps = nullptr; ///< rows as Keeps
   QProgressBar* m_progress = nullptr;
   QPushButton *m_ok = nullptr, *m_cancel = nullptr, *m_reset = nullptr;
 };

@@ -72,7 +72,8 @@ int main(int argc, char** argv)
   QSocketNotifier asked(esm::ExitGuard::descriptor(), QSocketNotifier::Read);
   QObject::connect(&asked, &QSocketNotifier::activated, &application,
                    [] { QApplication::exit(128 + esm::ExitGuard::signal()); });
-  std::setlocale(LC_NUMERIC, "C"); // Qt took the system's: libraries must go on reading 1.5 as 1.5
+  std::setlocale(LC_NUMERIC, "C");  // Qt took the system's: libraries must go on reading 1.5 as 1.5
+  std::setlocale(LC_MESSAGES, "C"); // reasons are translated by the window, in its own language
   QApplication::setOrganizationName(QStringLiteral("esm"));
   QApplication::setApplicationName(QStringLiteral("esm-modeler"));
   QApplication::setApplicationVersion(QStringLiteral(ESM_VERSION));
@@ -90,6 +91,7 @@ int main(int argc, char** argv)
     window.applyDefaultLayout();
   }
   window.show();
+  if (!scripted) window.keepOnScreen();
 
   // Once the event loop runs: dialogs of opening need it.
   QTimer::singleShot(0, &window, [&] {

@@ -11,6 +11,7 @@
 #include "app/panels/why_selection.h"
 #include "app/real_time_dialog.h"
 #include "app/reason_text.h"
+#include "app/screen_room.h"
 #include "app/status_strip.h"
 #include "app/viewport/scene_model.h"
 #include "app/window_actions.h"
@@ -73,7 +74,7 @@ MainWindow::MainWindow(LanguageSwitch* language, std::shared_ptr<DeviceSource> d
   m_controller->setQuality(savedQualityPlan());
   retranslateUi();
   showProject();
-  resize(QSize(1600, 1000).boundedTo(screen()->availableSize()));
+  resize(QSize(1600, 1000).boundedTo(sizeWithoutFrame(screen()->availableSize())));
   applyDefaultLayout();
   m_desk->open("simulated", [this](DeviceDesk::Opened device) {
     const Status attached = m_controller->attachDevice(std::move(device).value(), "simulated",
@@ -141,17 +142,22 @@ void MainWindow::applyDefaultLayout()
     addDockWidget(area, dock);
     dock->show();
   }
-  splitDockWidget(m_dockRegions, m_dockTissue, Qt::Vertical);
-  splitDockWidget(m_dockInputs, m_dockMf, Qt::Vertical);
-  splitDockWidget(m_dockMf, m_dockWhy, Qt::Vertical);
-  tabifyDockWidget(m_dockMf, m_dockSurface);
+  constexpr int kLow = 850;     // [pixel]: below, the panels above each other are higher than the window
   constexpr int kNarrow = 1450; // [pixel]: below, rules and haptics do not fit beside each other
+  splitDockWidget(m_dockInputs, m_dockMf, Qt::Vertical);
+  if (height() < kLow) {
+    tabifyDockWidget(m_dockRegions, m_dockTissue);
+    tabifyDockWidget(m_dockMf, m_dockWhy);
+  } else {
+    splitDockWidget(m_dockRegions, m_dockTissue, Qt::Vertical);
+    splitDockWidget(m_dockMf, m_dockWhy, Qt::Vertical);
+  }
+  tabifyDockWidget(m_dockMf, m_dockSurface);
   if (width() < kNarrow)
     tabifyDockWidget(m_dockRules, m_dockHaptics);
   else
     splitDockWidget(m_dockRules, m_dockHaptics, Qt::Horizontal);
-  m_dockRules->raise();
-  m_dockMf->raise();
+  for (QDockWidget* inFront : {m_dockRules, m_dockMf, m_dockRegions}) inFront->raise();
   const int w = width(), h = height();
   resizeDocks({m_dockRegions, m_dockInputs}, {w * 17 / 100, w * 25 / 100}, Qt::Horizontal);
   resizeDocks({m_dockRules, m_dockHaptics}, {w * 42 / 100, w * 33 / 100}, Qt::Horizontal);
@@ -179,8 +185,7 @@ void MainWindow::connectDocument()
   connect(m_document, &Document::parametersChanged, this,
           [this] { m_status->setDerived(m_document->lastApply(), m_document->lastApplyTime()); });
   connect(m_document, &Document::problem, this, [this](const Error& error) {
-    statusBar()->showMessage(errorLead(error.code) + QLatin1Char(' ') + QString::fromStdString(error.detail),
-                             12000);
+    statusBar()->showMessage(errorLead(error.code) + QLatin1Char(' ') + errorDetail(error), 12000);
   });
   QUndoStack* undo = m_document->undoStack();
   connect(undo, &QUndoStack::indexChanged, this, &MainWindow::retranslateUndo);
@@ -197,6 +202,7 @@ void MainWindow::showProject()
   m_view->setViewSettings(project.view);
   m_actions->showSurface->setChecked(project.view.showSurface);
   m_actions->showSprings->setChecked(project.view.showSprings);
+  m_actions->showStruts->setChecked(project.view.showStruts);
   for (QAction* action : m_actions->colouring->actions()) {
     const auto colouring = static_cast<Colouring>(action->data().toInt());
     if (colouringName(colouring).toStdString() != project.view.colouring) continue;
@@ -253,9 +259,10 @@ void MainWindow::connectActions()
 {
   const auto on = [this](QAction* action, auto slot) { connect(action, &QAction::triggered, this, slot); };
   on(m_actions->fit, [this] { m_view->fit(); });
-  for (QAction* shown : {m_actions->showSurface, m_actions->showSprings})
+  for (QAction* shown : {m_actions->showSurface, m_actions->showSprings, m_actions->showStruts})
     connect(shown, &QAction::toggled, this, [this] {
-      m_view->setShown(m_actions->showSurface->isChecked(), m_actions->showSprings->isChecked());
+      m_view->setShown(m_actions->showSurface->isChecked(), m_actions->showSprings->isChecked(),
+                       m_actions->showStruts->isChecked());
     });
   connect(m_actions->colouring, &QActionGroup::triggered, this,
           [this](QAction* action) { m_view->setColouring(static_cast<Colouring>(action->data().toInt())); });
@@ -278,6 +285,14 @@ void MainWindow::connectActions()
   on(m_actions->step, [this] { m_controller->stepOnce(); });
   on(m_actions->reset, [this] { m_controller->reset(); });
   connect(m_controller, &SimulationController::playingChanged, m_actions, &WindowActions::setPlaying);
+  connect(m_controller, &SimulationController::playingChanged, this, [this](bool playing) {
+    if (playing) statusBar()->clearMessage(); // what it says of a pause is over
+  });
+  connect(m_view, &SceneView::pullStarted, this, [this] {
+    if (!m_controller->isPlaying())
+      statusBar()->showMessage(tr("The simulation is paused: nothing moves until it plays (space key)."),
+                               15000);
+  });
   connect(m_actions->tools, &QActionGroup::triggered, this, [this](QAction* action) {
     m_controller->endPull();
     m_view->setTool(static_cast<Tool>(action->data().toInt()));

@@ -58,6 +58,7 @@ public:
   Index selectedSpring() const; ///< kNoIndex: none
   void applyDefaultLayout();
   void restoreLayout(); ///< of the last time, if there is one
+  void keepOnScreen();  ///< the whole of it, once it is shown
 
 protected:
   void closeEvent(QCloseEvent* event) override;
@@ -91,18 +92,24 @@ private:
   // main_window_files.cpp
   void connectFileActions();
   void watchFiles();
+  bool writeProject(const QString& path);
+  enum class OtherVersion { Overwrite, SaveElsewhere, Keep };
+  OtherVersion askAboutOtherVersion();
   bool mayDropChanges(); ///< saved, or the user lets them go
   void newProject();
   bool playSample(const QString& path);
+  void sayOpened(const QString& name);
   void chooseAndOpen();
   void chooseAndImport();
   void exportShape();
   void savePicture();
   void renameProject();
+  void showError(const QString& title, const Error& error);
+
+  // main_window_layout.cpp
   void rememberFile(const QString& path);
   void fillRecentMenu();
   void fillSampleMenu();
-  void showError(const QString& title, const Error& error);
   void saveLayout();
 
   Document* m_document;

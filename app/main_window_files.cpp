@@ -20,6 +20,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -29,9 +30,6 @@
 namespace esm {
 
 namespace {
-
-constexpr int kLayoutVersion = 1; // of the docks: a saved layout of another version is ignored
-constexpr int kRecentFiles = 8;
 
 /// One entry for all that can be imported, one for each kind of it.
 QString meshFilter()
@@ -88,7 +86,7 @@ void MainWindow::showError(const QString& title, const Error& error)
 {
   QMessageBox box(QMessageBox::Warning, title, errorLead(error.code), QMessageBox::Ok, this);
   box.setObjectName(QStringLiteral("dlgError"));
-  box.setInformativeText(QString::fromStdString(error.detail));
+  box.setInformativeText(errorDetail(error));
   box.exec();
 }
 
@@ -115,7 +113,17 @@ bool MainWindow::openPath(const QString& path)
     return false;
   }
   rememberFile(path);
+  sayOpened(QFileInfo(path).fileName());
   return true;
+}
+
+/// Whoever opens a project to pull at it learns why nothing moves.
+void MainWindow::sayOpened(const QString& name)
+{
+  statusBar()->showMessage(m_controller->isPlaying()
+                             ? tr("Opened %1").arg(name)
+                             : tr("Opened %1. The simulation is paused: the space key plays it.").arg(name),
+                           15000);
 }
 
 bool MainWindow::openSample()
@@ -132,6 +140,7 @@ bool MainWindow::playSample(const QString& path)
     showError(tr("Open sample"), sample.error());
     return false;
   }
+  sample->name = sampleTitle(path).toStdString();
   m_document->start(std::move(sample).value(), QString()); // saving asks for a place of its own
   m_controller->setPlaying(true);
   return true;
@@ -165,6 +174,8 @@ void MainWindow::importPaths(const QStringList& paths)
   const bool replace = dialog.replaces();
   if (auto imported = m_document->importModel(dialog.takeModel(), replace); !imported)
     showError(tr("Import meshes"), imported.error());
+  else
+    sayOpened(QFileInfo(paths.front()).fileName());
 }
 
 // === Dropping files
@@ -226,14 +237,16 @@ void MainWindow::dropEvent(QDropEvent* event)
 bool MainWindow::saveProject()
 {
   if (m_document->path().isEmpty()) return saveProjectAs();
-  m_document->setView(m_view->viewSettings());
-  if (auto saved = m_document->saveAs(m_document->path()); !saved) {
-    showError(tr("Save project"), saved.error());
-    return false;
+  if (!m_document->fileChangedOnDisk()) return writeProject(m_document->path());
+  switch (askAboutOtherVersion()) {
+  case OtherVersion::Overwrite:
+    return writeProject(m_document->path());
+  case OtherVersion::SaveElsewhere:
+    return saveProjectAs();
+  case OtherVersion::Keep:
+    break;
   }
-  statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(m_document->path()).fileName()), 4000);
-  rememberFile(m_document->path());
-  return true;
+  return false;
 }
 
 bool MainWindow::saveProjectAs()
@@ -245,6 +258,11 @@ bool MainWindow::saveProjectAs()
                                                 tr("Compact projects (*.esmb)"));
   if (path.isEmpty()) return false;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".esm");
+  return writeProject(path);
+}
+
+bool MainWindow::writeProject(const QString& path)
+{
   m_document->setView(m_view->viewSettings());
   if (auto saved = m_document->saveAs(path); !saved) {
     showError(tr("Save project"), saved.error());
@@ -253,6 +271,26 @@ bool MainWindow::saveProjectAs()
   statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
   rememberFile(path);
   return true;
+}
+
+/// What becomes of a version of the project's file that somebody else has written.
+MainWindow::OtherVersion MainWindow::askAboutOtherVersion()
+{
+  const QString name = QFileInfo(m_document->path()).fileName();
+  QMessageBox box(QMessageBox::Warning, tr("Save project"),
+                  tr("“%1” was changed by someone else since it was opened here.").arg(name),
+                  QMessageBox::Cancel, this);
+  box.setObjectName(QStringLiteral("dlgOtherVersion"));
+  box.setInformativeText(
+    tr("Overwriting replaces that version by yours; it stays beside it as a backup (.bak)."));
+  QPushButton* overwrite = box.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
+  QPushButton* elsewhere = box.addButton(tr("Save &as…"), QMessageBox::AcceptRole);
+  overwrite->setObjectName(QStringLiteral("otherVersionOverwrite"));
+  elsewhere->setObjectName(QStringLiteral("otherVersionSaveAs"));
+  box.setDefaultButton(elsewhere);
+  box.exec();
+  if (box.clickedButton() == overwrite) return OtherVersion::Overwrite;
+  return box.clickedButton() == elsewhere ? OtherVersion::SaveElsewhere : OtherVersion::Keep;
 }
 
 bool MainWindow::mayDropChanges()
@@ -264,6 +302,7 @@ bool MainWindow::mayDropChanges()
   box.setObjectName(QStringLiteral("dlgUnsaved"));
   box.setInformativeText(tr("Save them?"));
   box.setDefaultButton(QMessageBox::Save);
+  box.button(QMessageBox::Save)->setObjectName(QStringLiteral("unsavedSave"));
   const int answer = box.exec();
   if (answer == QMessageBox::Save) return saveProject();
   return answer == QMessageBox::Discard;
@@ -332,61 +371,6 @@ void MainWindow::renameProject()
   const QString name = QInputDialog::getText(this, tr("Rename project"), tr("Name"), QLineEdit::Normal,
                                              m_document->displayName(), &accepted);
   if (accepted && !name.trimmed().isEmpty()) m_document->rename(name.trimmed());
-}
-
-// === Recent files and layout
-
-void MainWindow::rememberFile(const QString& path)
-{
-  QSettings settings;
-  QStringList files = settings.value(QStringLiteral("recentFiles")).toStringList();
-  const QString absolute = QFileInfo(path).absoluteFilePath();
-  files.removeAll(absolute);
-  files.prepend(absolute);
-  settings.setValue(QStringLiteral("recentFiles"), QStringList(files.mid(0, kRecentFiles)));
-  fillRecentMenu();
-}
-
-void MainWindow::fillRecentMenu()
-{
-  QMenu* menu = m_actions->recentMenu;
-  menu->clear();
-  for (const QString& file : QSettings().value(QStringLiteral("recentFiles")).toStringList()) {
-    QAction* action = menu->addAction(QFileInfo(file).fileName(), this, [this, file] { openPath(file); });
-    action->setStatusTip(file);
-    action->setEnabled(QFileInfo::exists(file));
-  }
-  menu->addSeparator();
-  menu->addAction(tr("Clear list"), this, [this] {
-    QSettings().remove(QStringLiteral("recentFiles"));
-    fillRecentMenu();
-  });
-  menu->setEnabled(menu->actions().size() > 2);
-}
-
-void MainWindow::fillSampleMenu()
-{
-  QMenu* menu = m_actions->sampleMenu;
-  menu->clear();
-  for (const QString& file : sampleFiles()) {
-    QAction* action = menu->addAction(QFileInfo(file).completeBaseName());
-    connect(action, &QAction::triggered, this, [this, file] { playSample(file); });
-  }
-  menu->setEnabled(!menu->isEmpty());
-}
-
-void MainWindow::saveLayout()
-{
-  QSettings settings;
-  settings.setValue(QStringLiteral("geometry"), saveGeometry());
-  settings.setValue(QStringLiteral("layout"), saveState(kLayoutVersion));
-}
-
-void MainWindow::restoreLayout()
-{
-  const QSettings settings;
-  restoreGeometry(settings.value(QStringLiteral("geometry")).toByteArray());
-  restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion);
 }
 
 } // namespace esm

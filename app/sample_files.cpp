@@ -30,7 +30,21 @@ QString samplesFolder()
   return {};
 }
 
+constexpr std::pair<const char*, const char*> kTitles[] = {
+  {"fallopian_tube", QT_TRANSLATE_NOOP("esm::Sample", "Fallopian tube")},
+  {"gallbladder", QT_TRANSLATE_NOOP("esm::Sample", "Gallbladder")},
+  {"uterus", QT_TRANSLATE_NOOP("esm::Sample", "Uterus")},
+};
+
 } // namespace
+
+QString sampleTitle(const QString& file)
+{
+  QString name = QFileInfo(file).completeBaseName();
+  for (const auto& [known, title] : kTitles)
+    if (name == QLatin1String(known)) return QCoreApplication::translate("esm::Sample", title);
+  return name.replace(QLatin1Char('_'), QLatin1Char(' '));
+}
 
 QStringList sampleFiles()
 {

@@ -13,6 +13,7 @@ namespace esm {
 /// Looked for in $ESM_RESOURCES, beside the installed program (../share/esm) and above a build folder
 /// (resources/).
 QStringList sampleFiles();
+QString sampleTitle(const QString& file); ///< in the window's language
 
 /// Any file without questions: a project as it is, a mesh in mm, z up, with the default tissue.
 Result<Project> projectFromFile(const QString& path);

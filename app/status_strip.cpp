@@ -10,6 +10,8 @@
 #include <QLocale>
 #include <QStatusBar>
 
+#include <cmath>
+
 namespace esm {
 
 namespace {
@@ -17,6 +19,13 @@ namespace {
 QString percent(double tolerance)
 {
   return QLocale().toString(100.0 * tolerance, 'g', 3);
+}
+
+/// Against a tolerance that is not kept.
+QString roughCure()
+{
+  return StatusStrip::tr("Fewer nodes, softer tissue or heavier nodes help; what gives way is chosen in "
+                         "Simulation, Real time.");
 }
 
 /// What led to the rung in force.
@@ -68,12 +77,10 @@ QString StabilityLight::causeAndCure() const
     return tr("The tolerance is kept, by implicit steps. Softer tissue or heavier nodes would allow cheaper "
               "explicit ones.");
   case Stability::Rough: {
-    const QString cure = tr("Fewer nodes, softer tissue or heavier nodes help; what gives way is chosen in "
-                            "Simulation, Real time.");
-    if (!(m_quality.tolerance > m_quality.wantedTolerance)) return cure;
+    if (!(m_quality.tolerance > m_quality.wantedTolerance)) return roughCure();
     return tr("To keep real time, the error may be %1 % instead of %2 %.")
              .arg(percent(m_quality.tolerance), percent(m_quality.wantedTolerance)) +
-           QLatin1Char(' ') + cure;
+           QLatin1Char(' ') + roughCure();
   }
   case Stability::Slow:
     return tr("The model is too large or too stiff for this computer in real time: use fewer nodes, softer "
@@ -128,8 +135,52 @@ void StabilityLight::changeEvent(QEvent* event)
   QLabel::changeEvent(event);
 }
 
+ToleranceNote::ToleranceNote(QWidget* parent) : QLabel(parent)
+{
+  setObjectName(QStringLiteral("lblTolerance"));
+  setContentsMargins(6, 0, 6, 0);
+  refresh();
+}
+
+void ToleranceNote::show(const SimSnapshot& snapshot)
+{
+  const bool now = snapshot.report.rough;
+  const auto shown = [](double until) { return std::lround(100.0 * until); }; // two digits
+  if (now == m_now && shown(snapshot.roughUntil) == shown(m_until) &&
+      snapshot.quality.tolerance == m_tolerance)
+    return;
+  m_now = now;
+  m_until = snapshot.roughUntil;
+  m_tolerance = snapshot.quality.tolerance;
+  refresh();
+}
+
+void ToleranceNote::refresh()
+{
+  setVisible(m_now || m_until >= 0.0);
+  const QString until = QLocale().toString(m_until, 'f', 2);
+  const QString words = m_now ? tr("tolerance of %1 % given up").arg(percent(m_tolerance))
+                              : tr("tolerance given up until t = %1 s").arg(until);
+  setTextFormat(Qt::RichText);
+  setText(
+    QStringLiteral("<span style='color:%1'>⚠</span> %2").arg(signalColours(palette()).warning.name(), words));
+  setAccessibleName(words);
+  const QString why = tr("To keep it would have cost too much work: the motion is bounded, but rough.");
+  setToolTip(why + QLatin1Char('\n') +
+             (m_now ? roughCure() : tr("What moves now comes from there. Reset begins anew.")));
+}
+
+void ToleranceNote::changeEvent(QEvent* event)
+{
+  if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ApplicationPaletteChange) refresh();
+  QLabel::changeEvent(event);
+}
+
 StatusStrip::StatusStrip(QStatusBar* bar)
-  : QObject(bar), m_tool(new QLabel(bar)), m_light(new StabilityLight(bar))
+  : QObject(bar),
+    m_tool(new QLabel(bar)),
+    m_tolerance(new ToleranceNote(bar)),
+    m_light(new StabilityLight(bar))
 {
   bar->setSizeGripEnabled(false);
   m_tool->setObjectName(QStringLiteral("lblTool"));
@@ -139,6 +190,7 @@ StatusStrip::StatusStrip(QStatusBar* bar)
   m_springs = add("lblSprings");
   m_realTime = add("lblRealTime");
   m_solver = add("lblSolver");
+  bar->addPermanentWidget(m_tolerance);
   bar->addPermanentWidget(m_light);
   m_device = add("lblDevice");
   m_language = add("lblLanguage");
@@ -158,6 +210,7 @@ void StatusStrip::setNet(Index nodes, Index springs)
 {
   m_nodeCount = nodes;
   m_springCount = springs;
+  m_tolerance->show(SimSnapshot()); // another motion
   retranslate();
 }
 
@@ -205,6 +258,7 @@ void StatusStrip::setRun(const SimSnapshot& snapshot)
   m_solver->setText(tr("solver %1").arg(QString::fromStdString(snapshot.solver)));
   m_solver->setToolTip(reasonText(snapshot.message));
   showWork(snapshot);
+  m_tolerance->show(snapshot);
   m_light->show(snapshot);
 }
 

@@ -38,9 +38,28 @@ private:
   std::string m_message; ///< the engine's, English
 };
 
+/// Says that the tolerance was given up, for as long as it is so and while the motion comes from there; else
+/// it is hidden. What helps is in the tool tip.
+class ToleranceNote : public QLabel {
+  Q_OBJECT
+public:
+  explicit ToleranceNote(QWidget* parent = nullptr);
+  void show(const SimSnapshot& snapshot);
+  using QLabel::show;
+
+protected:
+  void changeEvent(QEvent* event) override;
+
+private:
+  void refresh();
+  bool m_now = false;
+  double m_until = -1.0;     ///< [s], as SimSnapshot::roughUntil
+  double m_tolerance = 0.01; ///< that the last frame was to keep
+};
+
 /// The fields of the status bar: tool, what the last edit derived, nodes (and how many are awake), springs
-/// (and the work on them), real time with the accuracy in force, solver and why it was chosen, stability,
-/// device, language.
+/// (and the work on them), real time with the accuracy in force, solver and why it was chosen, a tolerance
+/// that was given up, stability, device, language.
 class StatusStrip : public QObject {
   Q_OBJECT
 public:
@@ -59,6 +78,7 @@ private:
   QLabel* add(const char* name);
   void showWork(const SimSnapshot& snapshot);
   QLabel *m_tool, *m_derived, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
+  ToleranceNote* m_tolerance;
   StabilityLight* m_light;
   Index m_nodeCount = 0, m_springCount = 0;
   std::optional<std::pair<Index, double>> m_lastApply; ///< springs, time [s]

@@ -111,7 +111,11 @@ void WindowActions::createActions()
   fit = with("Fit", Symbol::Fit);
   showSurface = add("ShowSurface");
   showSprings = add("ShowSprings");
-  for (QAction* shown : {showSurface, showSprings}) shown->setCheckable(true), shown->setChecked(true);
+  showStruts = add("ShowStruts");
+  for (QAction* shown : {showSurface, showSprings, showStruts}) {
+    shown->setCheckable(true);
+    shown->setChecked(shown != showStruts);
+  }
   defaultLayout = add("DefaultLayout");
   fullScreen = add("FullScreen");
   fullScreen->setShortcut(Qt::Key_F11);
@@ -202,7 +206,7 @@ void WindowActions::createMenus(QMainWindow* window)
   fileMenu->addAction(quit);
 
   editMenu = menu("menuEdit", {undo, redo, nullptr, rename});
-  viewMenu = menu("menuView", {fit, showSurface, showSprings});
+  viewMenu = menu("menuView", {fit, showSurface, showSprings, showStruts});
   colouringMenu = subMenu(viewMenu, "menuColouring", colouring->actions());
   viewMenu->addSeparator();
   docksMenu = subMenu(viewMenu, "menuDocks", {});
@@ -306,6 +310,7 @@ void WindowActions::retranslateViewAndTissue()
   say(fit, tr("&Fit model"), tr("Show the whole model (F)"));
   say(showSurface, tr("&Surface"));
   say(showSprings, tr("S&prings"));
+  say(showStruts, tr("S&truts"), tr("Struts: the springs inside that hold the organ up"));
   say(defaultLayout, tr("&Default layout"));
   say(fullScreen, tr("F&ull screen"));
   const QString colourings[] = {tr("Plain"), tr("Stiffness"), tr("Strain"), tr("Force"),

@@ -25,7 +25,7 @@ public:
   // === Actions, by menu
   QAction *newProject, *open, *save, *saveAs, *import, *exportShape, *picture, *quit;
   QAction *undo, *redo, *rename;
-  QAction *fit, *showSurface, *showSprings, *defaultLayout, *fullScreen;
+  QAction *fit, *showSurface, *showSprings, *showStruts, *defaultLayout, *fullScreen;
   QActionGroup *colouring, *theme, *language; ///< data: Colouring as int, theme name, language code
   QAction *addRegion, *holdNode;
   QAction *play, *step, *reset, *solverAuto, *realTime;

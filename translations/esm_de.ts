@@ -364,6 +364,945 @@
     </message>
 </context>
 <context>
+    <name>esm::ErrorDetail</name>
+    <message>
+        <source>No such file or directory</source>
+        <translation>Datei oder Verzeichnis gibt es nicht</translation>
+    </message>
+    <message>
+        <source>Permission denied</source>
+        <translation>keine Berechtigung</translation>
+    </message>
+    <message>
+        <source>Operation not permitted</source>
+        <translation>nicht erlaubt</translation>
+    </message>
+    <message>
+        <source>No space left on device</source>
+        <translation>kein Platz mehr auf dem Datenträger</translation>
+    </message>
+    <message>
+        <source>Disk quota exceeded</source>
+        <translation>Speicherkontingent erschöpft</translation>
+    </message>
+    <message>
+        <source>Read-only file system</source>
+        <translation>Dateisystem nur lesbar</translation>
+    </message>
+    <message>
+        <source>Is a directory</source>
+        <translation>ist ein Verzeichnis</translation>
+    </message>
+    <message>
+        <source>Not a directory</source>
+        <translation>kein Verzeichnis</translation>
+    </message>
+    <message>
+        <source>File too large</source>
+        <translation>Datei zu groß</translation>
+    </message>
+    <message>
+        <source>File name too long</source>
+        <translation>Dateiname zu lang</translation>
+    </message>
+    <message>
+        <source>Too many open files</source>
+        <translation>zu viele offene Dateien</translation>
+    </message>
+    <message>
+        <source>Too many levels of symbolic links</source>
+        <translation>zu viele Verweise hintereinander</translation>
+    </message>
+    <message>
+        <source>Input/output error</source>
+        <translation>Ein-/Ausgabefehler</translation>
+    </message>
+    <message>
+        <source>Cannot allocate memory</source>
+        <translation>kein Speicher mehr</translation>
+    </message>
+    <message>
+        <source>is a folder, not a file</source>
+        <translation>ist ein Ordner, keine Datei</translation>
+    </message>
+    <message>
+        <source>is %1, not a file</source>
+        <translation>ist %1, keine Datei</translation>
+    </message>
+    <message>
+        <source>it is a device, not a file</source>
+        <translation>das ist ein Gerät, keine Datei</translation>
+    </message>
+    <message>
+        <source>a device</source>
+        <translation>ein Gerät</translation>
+    </message>
+    <message>
+        <source>a pipe</source>
+        <translation>eine Pipe</translation>
+    </message>
+    <message>
+        <source>a socket</source>
+        <translation>ein Socket</translation>
+    </message>
+    <message>
+        <source>cannot be read</source>
+        <translation>nicht lesbar</translation>
+    </message>
+    <message>
+        <source>cannot be read (%1)</source>
+        <translation>nicht lesbar (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be written (%1)</source>
+        <translation>nicht schreibbar (%1)</translation>
+    </message>
+    <message>
+        <source>cannot be written, it is a folder</source>
+        <translation>nicht schreibbar: das ist ein Ordner</translation>
+    </message>
+    <message>
+        <source>cannot be written, it is %1</source>
+        <translation>nicht schreibbar: das ist %1</translation>
+    </message>
+    <message>
+        <source>name a file</source>
+        <translation>eine Datei angeben</translation>
+    </message>
+    <message>
+        <source>is in the way, a folder of this name is needed</source>
+        <translation>steht im Weg: ein Ordner dieses Namens wird gebraucht</translation>
+    </message>
+    <message>
+        <source>would be replaced, but holds %1</source>
+        <translation>würde ersetzt, enthält aber %1</translation>
+    </message>
+    <message>
+        <source>move it away</source>
+        <translation>es beiseitelegen</translation>
+    </message>
+    <message>
+        <source>cannot be written in this format</source>
+        <translation>in diesem Format nicht schreibbar</translation>
+    </message>
+    <message>
+        <source>the ending must be one of %1</source>
+        <translation>die Endung muss eine von diesen sein: %1</translation>
+    </message>
+    <message>
+        <source>not written, the net has no triangles and STL holds nothing else</source>
+        <translation>nicht geschrieben: das Netz hat keine Dreiecke, und STL fasst nichts anderes</translation>
+    </message>
+    <message>
+        <source>use obj or ply</source>
+        <translation>OBJ oder PLY nehmen</translation>
+    </message>
+    <message>
+        <source>not written, %1 is not finite</source>
+        <translation>nicht geschrieben: %1 ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>not written, %1</source>
+        <translation>nicht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>the motion of node %1</source>
+        <translation>die Bewegung von Knoten %1</translation>
+    </message>
+    <message>
+        <source>a spring&apos;s force</source>
+        <translation>die Kraft einer Feder</translation>
+    </message>
+    <message>
+        <source>the net is empty</source>
+        <translation>das Netz ist leer</translation>
+    </message>
+    <message>
+        <source>line %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>the document</source>
+        <translation>das Dokument</translation>
+    </message>
+    <message>
+        <source>parse error at line %1, column %2</source>
+        <translation>unverständlich in Zeile %1, Spalte %2</translation>
+    </message>
+    <message>
+        <source>syntax error while parsing %1</source>
+        <translation>Schreibfehler (%1)</translation>
+    </message>
+    <message>
+        <source>an object has more than 1000 keys</source>
+        <translation>ein Objekt hat mehr als 1000 Schlüssel</translation>
+    </message>
+    <message>
+        <source>nested deeper than 32 levels</source>
+        <translation>tiefer als 32 Ebenen verschachtelt</translation>
+    </message>
+    <message>
+        <source>is empty, it holds no project</source>
+        <translation>ist leer und enthält kein Projekt</translation>
+    </message>
+    <message>
+        <source>is neither a project (.esm, .esmb) nor a net in the esm-net-1 or Xsp format</source>
+        <translation>ist weder ein Projekt (.esm, .esmb) noch ein Netz im Format esm-net-1 oder Xsp</translation>
+    </message>
+    <message>
+        <source>%1 was written by a newer version of this program (schema version %2, this program knows %3)</source>
+        <translation>%1 stammt von einer neueren Version dieses Programms (Schema %2, dieses Programm kennt %3)</translation>
+    </message>
+    <message>
+        <source>open it with that version</source>
+        <translation>mit jener Version öffnen</translation>
+    </message>
+    <message>
+        <source>%1 does not hold together</source>
+        <translation>%1 passt nicht zusammen</translation>
+    </message>
+    <message>
+        <source>%1 is missing, it must be %2</source>
+        <translation>%1 fehlt; es muss %2 sein</translation>
+    </message>
+    <message>
+        <source>%1 is %2, it must be %3</source>
+        <translation>%1 ist %2, muss aber %3 sein</translation>
+    </message>
+    <message>
+        <source>%1 has the unknown key %2</source>
+        <translation>%1 hat den unbekannten Schlüssel %2</translation>
+    </message>
+    <message>
+        <source>%1 lacks %2, an input of the rule base</source>
+        <translation>%1 fehlt %2, eine Eingabe der Regelbasis</translation>
+    </message>
+    <message>
+        <source>%1 lacks %2</source>
+        <translation>in %1 fehlt %2</translation>
+    </message>
+    <message>
+        <source>%1 is no input of the rule base</source>
+        <translation>%1 ist keine Eingabe der Regelbasis</translation>
+    </message>
+    <message>
+        <source>%1 is not valid UTF-8 text</source>
+        <translation>%1 ist kein gültiger UTF-8-Text</translation>
+    </message>
+    <message>
+        <source>an object</source>
+        <translation>ein Objekt</translation>
+    </message>
+    <message>
+        <source>a list</source>
+        <translation>eine Liste</translation>
+    </message>
+    <message>
+        <source>an empty list</source>
+        <translation>eine leere Liste</translation>
+    </message>
+    <message>
+        <source>a number</source>
+        <translation>eine Zahl</translation>
+    </message>
+    <message>
+        <source>a text</source>
+        <translation>ein Text</translation>
+    </message>
+    <message>
+        <source>true or false</source>
+        <translation>true oder false</translation>
+    </message>
+    <message>
+        <source>one of %1</source>
+        <translation>eines von %1</translation>
+    </message>
+    <message>
+        <source>an integer from %1 to %2</source>
+        <translation>eine ganze Zahl von %1 bis %2</translation>
+    </message>
+    <message>
+        <source>a number or a list of %1</source>
+        <translation>eine Zahl oder eine Liste von %1</translation>
+    </message>
+    <message>
+        <source>a word or a list of %1</source>
+        <translation>ein Wort oder eine Liste von %1</translation>
+    </message>
+    <message>
+        <source>absent, there is nothing to refer to</source>
+        <translation>weggelassen, denn es gibt nichts, worauf es sich bezöge</translation>
+    </message>
+    <message>
+        <source>a list of x, y, z triples, flat, so its length a multiple of 3</source>
+        <translation>eine flache Liste von Tripeln x, y, z, ihre Länge also ein Vielfaches von 3</translation>
+    </message>
+    <message>
+        <source>a flat list of %1 x, y, z triples</source>
+        <translation>eine flache Liste von %1 Tripeln x, y, z</translation>
+    </message>
+    <message>
+        <source>a list of three numbers</source>
+        <translation>eine Liste von drei Zahlen</translation>
+    </message>
+    <message>
+        <source>a list of three nodes</source>
+        <translation>eine Liste von drei Knoten</translation>
+    </message>
+    <message>
+        <source>a list of %1 numbers</source>
+        <translation>eine Liste von %1 Zahlen</translation>
+    </message>
+    <message>
+        <source>a flat list with a multiple of %1 node numbers</source>
+        <translation>eine flache Liste von Knotennummern, ihre Länge ein Vielfaches von %1</translation>
+    </message>
+    <message>
+        <source>another node than the spring&apos;s i</source>
+        <translation>ein anderer Knoten als das i der Feder</translation>
+    </message>
+    <message>
+        <source>%1 acts on a node that the net does not have</source>
+        <translation>%1 wirkt auf einen Knoten, den das Netz nicht hat</translation>
+    </message>
+    <message>
+        <source>%1 has not one value for each of its times, at least one</source>
+        <translation>%1 hat nicht zu jeder Zeit einen Wert, mindestens einen</translation>
+    </message>
+    <message>
+        <source>%1 has times that go back</source>
+        <translation>%1 hat Zeiten, die zurückgehen</translation>
+    </message>
+    <message>
+        <source>the solver %1 is unknown</source>
+        <translation>der Löser %1 ist unbekannt</translation>
+    </message>
+    <message>
+        <source>the tissue or a region has not one input for each of the rule base</source>
+        <translation>dem Gewebe oder einer Region fehlt eine Eingabe der Regelbasis</translation>
+    </message>
+    <message>
+        <source>%1 is not a finite number</source>
+        <translation>%1 ist keine endliche Zahl</translation>
+    </message>
+    <message>
+        <source>the net of this project did not come from mesh files</source>
+        <translation>das Netz dieses Projekts kam nicht aus Netzdateien</translation>
+    </message>
+    <message>
+        <source>there is no spring in it</source>
+        <translation>es ist keine Feder darin</translation>
+    </message>
+    <message>
+        <source>does not begin with %1</source>
+        <translation>beginnt nicht mit %1</translation>
+    </message>
+    <message>
+        <source>spring %1 (id %2)</source>
+        <translation>Feder %1 (Kennung %2)</translation>
+    </message>
+    <message>
+        <source>node %1 (id %2)</source>
+        <translation>Knoten %1 (Kennung %2)</translation>
+    </message>
+    <message>
+        <source>its ends are nodes %1 and %2, they must be below %3</source>
+        <translation>ihre Enden sind die Knoten %1 und %2, sie müssen unter %3 liegen</translation>
+    </message>
+    <message>
+        <source>both ends are node %1</source>
+        <translation>beide Enden sind der Knoten %1</translation>
+    </message>
+    <message>
+        <source>stiffness</source>
+        <translation>die Steifigkeit</translation>
+    </message>
+    <message>
+        <source>rest length</source>
+        <translation>die Ruhelänge</translation>
+    </message>
+    <message>
+        <source>mass</source>
+        <translation>die Masse</translation>
+    </message>
+    <message>
+        <source>viscosity</source>
+        <translation>die Viskosität</translation>
+    </message>
+    <message>
+        <source>position</source>
+        <translation>der Ort</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>it uses node %1, the net has %2 nodes</source>
+        <translation>es benutzt den Knoten %1, das Netz hat %2 Knoten</translation>
+    </message>
+    <message>
+        <source>%1 has %2 inputs, the rule base asks for %3</source>
+        <translation>%1 hat %2 Eingaben, die Regelbasis verlangt %3</translation>
+    </message>
+    <message>
+        <source>the base tissue</source>
+        <translation>das Grundgewebe</translation>
+    </message>
+    <message>
+        <source>every semi-axis must be above 0 m</source>
+        <translation>jede Halbachse muss über 0 m liegen</translation>
+    </message>
+    <message>
+        <source>the centre is not finite</source>
+        <translation>die Mitte ist nicht endlich</translation>
+    </message>
+    <message>
+        <source>the rotation is not a unit quaternion</source>
+        <translation>die Drehung ist kein Einheitsquaternion</translation>
+    </message>
+    <message>
+        <source>the falloff must lie in 0 to 1</source>
+        <translation>der Abfall muss in 0 bis 1 liegen</translation>
+    </message>
+    <message>
+        <source>the rule base has no output %1</source>
+        <translation>die Regelbasis hat keine Ausgabe %1</translation>
+    </message>
+    <message>
+        <source>the range of output %1 must not go below 0</source>
+        <translation>der Bereich der Ausgabe %1 darf nicht unter 0 gehen</translation>
+    </message>
+    <message>
+        <source>the range of output &apos;density&apos; must lie above 0 kg/m^3</source>
+        <translation>der Bereich der Ausgabe „density“ muss über 0 kg/m³ liegen</translation>
+    </message>
+    <message>
+        <source>the wall&apos;s thickness must be above 0 m</source>
+        <translation>die Wandstärke muss über 0 m liegen</translation>
+    </message>
+    <message>
+        <source>the density must be above 0 kg/m^3</source>
+        <translation>die Dichte muss über 0 kg/m³ liegen</translation>
+    </message>
+    <message>
+        <source>region %1 &apos;%2&apos; is locked</source>
+        <translation>Region %1 „%2“ ist gesperrt</translation>
+    </message>
+    <message>
+        <source>unlock it first</source>
+        <translation>sie zuerst entsperren</translation>
+    </message>
+    <message>
+        <source>the surface has triangles but no area, so that its tissue has no mass</source>
+        <translation>die Oberfläche hat Dreiecke, aber keine Fläche, ihr Gewebe also keine Masse</translation>
+    </message>
+    <message>
+        <source>import the mesh with a smaller weld tolerance or the right unit</source>
+        <translation>das Netz mit kleinerer Verschmelz-Toleranz oder der richtigen Einheit importieren</translation>
+    </message>
+    <message>
+        <source>the mesh has no edge or line of positive length, so no spring</source>
+        <translation>das Netz hat keine Kante oder Linie positiver Länge, also keine Feder</translation>
+    </message>
+    <message>
+        <source>no ellipsoid can be fitted</source>
+        <translation>kein Ellipsoid lässt sich anpassen</translation>
+    </message>
+    <message>
+        <source>nothing is selected</source>
+        <translation>nichts ist ausgewählt</translation>
+    </message>
+    <message>
+        <source>the file is empty (0 bytes)</source>
+        <translation>die Datei ist leer (0 Byte)</translation>
+    </message>
+    <message>
+        <source>the file holds nothing but blanks (%1 bytes)</source>
+        <translation>die Datei enthält nur Leerzeichen (%1 Byte)</translation>
+    </message>
+    <message>
+        <source>this is %1, not a mesh that can be read</source>
+        <translation>das ist %1, kein lesbares Netz</translation>
+    </message>
+    <message>
+        <source>choose an OBJ, STL, PLY, OFF, DXF, VTK, Gmsh, glTF or other mesh file</source>
+        <translation>eine Netzdatei wählen: OBJ, STL, PLY, OFF, DXF, VTK, Gmsh, glTF oder eine andere</translation>
+    </message>
+    <message>
+        <source>binary data of an unknown kind</source>
+        <translation>eine Binärdatei unbekannter Art</translation>
+    </message>
+    <message>
+        <source>text of an unknown kind</source>
+        <translation>ein Text unbekannter Art</translation>
+    </message>
+    <message>
+        <source>JSON text</source>
+        <translation>JSON-Text</translation>
+    </message>
+    <message>
+        <source>XML text</source>
+        <translation>XML-Text</translation>
+    </message>
+    <message>
+        <source>no face or line in it has two corners apart from each other, so no spring comes out</source>
+        <translation>keine Fläche oder Linie darin hat zwei getrennte Ecken, also entsteht keine Feder</translation>
+    </message>
+    <message>
+        <source>there is not enough memory to read it</source>
+        <translation>der Speicher reicht nicht, um sie zu lesen</translation>
+    </message>
+    <message>
+        <source>with %1 bytes it is larger than the memory of this machine</source>
+        <translation>mit %1 Byte ist sie größer als der Speicher dieses Rechners</translation>
+    </message>
+    <message>
+        <source>simplify the mesh first</source>
+        <translation>das Netz zuerst vereinfachen</translation>
+    </message>
+    <message>
+        <source>simplify it first</source>
+        <translation>es zuerst vereinfachen</translation>
+    </message>
+    <message>
+        <source>the mesh has more vertices and corners than this program can count (%1)</source>
+        <translation>das Netz hat mehr Ecken, als dieses Programm zählen kann (%1)</translation>
+    </message>
+    <message>
+        <source>vertex %1 has a coordinate that is not a finite number (NaN or infinite), and a face or line uses it</source>
+        <translation>Ecke %1 hat eine Koordinate, die keine endliche Zahl ist (NaN oder unendlich), und eine Fläche oder Linie benutzt sie</translation>
+    </message>
+    <message>
+        <source>facet %1 has a coordinate that is not a finite number (NaN or infinite)</source>
+        <translation>Facette %1 hat eine Koordinate, die keine endliche Zahl ist (NaN oder unendlich)</translation>
+    </message>
+    <message>
+        <source>mend the file in the program that wrote it</source>
+        <translation>die Datei in dem Programm richten, das sie schrieb</translation>
+    </message>
+    <message>
+        <source>it is cut short</source>
+        <translation>sie ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it is cut short, fetch it again</source>
+        <translation>sie ist abgeschnitten, neu holen</translation>
+    </message>
+    <message>
+        <source>is it cut short?</source>
+        <translation>ist sie abgeschnitten?</translation>
+    </message>
+    <message>
+        <source>is the file cut short?</source>
+        <translation>ist die Datei abgeschnitten?</translation>
+    </message>
+    <message>
+        <source>is the file damaged?</source>
+        <translation>ist die Datei beschädigt?</translation>
+    </message>
+    <message>
+        <source>the file is damaged</source>
+        <translation>die Datei ist beschädigt</translation>
+    </message>
+    <message>
+        <source>the file is cut short</source>
+        <translation>die Datei ist abgeschnitten</translation>
+    </message>
+    <message>
+        <source>is the file cut short or damaged?</source>
+        <translation>ist die Datei abgeschnitten oder beschädigt?</translation>
+    </message>
+    <message>
+        <source>convert it</source>
+        <translation>umwandeln</translation>
+    </message>
+    <message>
+        <source>save it as OBJ or PLY</source>
+        <translation>als OBJ oder PLY sichern</translation>
+    </message>
+    <message>
+        <source>there is no vertex %1, the file has %2 of them up to here</source>
+        <translation>es gibt keine Ecke %1, bis hierher hat die Datei %2 davon</translation>
+    </message>
+    <message>
+        <source>there is no vertex %1, the file has vertices 0 to %2</source>
+        <translation>es gibt keine Ecke %1, die Datei hat die Ecken 0 bis %2</translation>
+    </message>
+    <message>
+        <source>there is no point %1, the file has points 0 to %2</source>
+        <translation>es gibt keinen Punkt %1, die Datei hat die Punkte 0 bis %2</translation>
+    </message>
+    <message>
+        <source>it promises %1, but the file is too small for them</source>
+        <translation>sie verspricht %1, aber dafür ist die Datei zu klein</translation>
+    </message>
+    <message>
+        <source>it holds %1 vertices but no face (f) and no line (l)</source>
+        <translation>sie enthält %1 Ecken, aber keine Fläche (f) und keine Linie (l)</translation>
+    </message>
+    <message>
+        <source>is it cut short, or no OBJ mesh at all?</source>
+        <translation>ist sie abgeschnitten oder gar kein OBJ-Netz?</translation>
+    </message>
+    <message>
+        <source>a vertex needs three coordinates</source>
+        <translation>eine Ecke braucht drei Koordinaten</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no coordinate (numbers are written with a point)</source>
+        <translation>„%1“ ist keine Koordinate (Zahlen stehen mit Punkt)</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no corner (as 7, 7/1, 7//3 or 7/1/3)</source>
+        <translation>„%1“ ist keine Ecke (wie 7, 7/1, 7//3 oder 7/1/3)</translation>
+    </message>
+    <message>
+        <source>the file ends in the middle of a statement</source>
+        <translation>die Datei endet mitten in einer Anweisung</translation>
+    </message>
+    <message>
+        <source>it has %1 bytes, less than the 84 of a binary STL header</source>
+        <translation>sie hat %1 Byte, weniger als die 84 am Anfang eines binären STL</translation>
+    </message>
+    <message>
+        <source>its header promises %1 facets in %2 bytes, but it has %3</source>
+        <translation>ihr Anfang verspricht %1 Facetten in %2 Byte, sie hat aber %3</translation>
+    </message>
+    <message>
+        <source>it is cut short or no STL, fetch it again</source>
+        <translation>sie ist abgeschnitten oder kein STL, neu holen</translation>
+    </message>
+    <message>
+        <source>the file ends without &apos;endsolid&apos;</source>
+        <translation>die Datei endet ohne „endsolid“</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no word of an ASCII STL</source>
+        <translation>„%1“ ist kein Wort eines ASCII-STL</translation>
+    </message>
+    <message>
+        <source>a vertex needs three coordinates, written with a point</source>
+        <translation>eine Ecke braucht drei Koordinaten, mit Punkt geschrieben</translation>
+    </message>
+    <message>
+        <source>a vertex needs three coordinates, written with a point, not &apos;%1&apos;</source>
+        <translation>eine Ecke braucht drei Koordinaten, mit Punkt geschrieben, nicht „%1“</translation>
+    </message>
+    <message>
+        <source>a facet has %1 vertices, it needs three</source>
+        <translation>eine Facette hat %1 Ecken, sie braucht drei</translation>
+    </message>
+    <message>
+        <source>it is an STL without a single facet</source>
+        <translation>das ist ein STL ohne eine einzige Facette</translation>
+    </message>
+    <message>
+        <source>the header has no &apos;end_header&apos;</source>
+        <translation>dem Anfang fehlt „end_header“</translation>
+    </message>
+    <message>
+        <source>a PLY header line begins with &apos;%1&apos;</source>
+        <translation>eine Zeile des PLY-Anfangs beginnt mit „%1“</translation>
+    </message>
+    <message>
+        <source>the PLY format must be ascii, binary_little_endian or binary_big_endian</source>
+        <translation>das PLY-Format muss ascii, binary_little_endian oder binary_big_endian sein</translation>
+    </message>
+    <message>
+        <source>the PLY header has no &apos;format&apos; line</source>
+        <translation>dem PLY-Anfang fehlt die Zeile „format“</translation>
+    </message>
+    <message>
+        <source>its header promises %1 of &apos;%2&apos;, but the file is too small for them (%3 bytes)</source>
+        <translation>ihr Anfang verspricht %1 mal „%2“, aber dafür ist die Datei zu klein (%3 Byte)</translation>
+    </message>
+    <message>
+        <source>it holds %1 vertices but no face and no edge</source>
+        <translation>sie enthält %1 Ecken, aber keine Fläche und keine Kante</translation>
+    </message>
+    <message>
+        <source>a point cloud makes no net</source>
+        <translation>aus einer Punktwolke wird kein Netz</translation>
+    </message>
+    <message>
+        <source>its vertices have no x, y and z</source>
+        <translation>ihre Ecken haben kein x, y und z</translation>
+    </message>
+    <message>
+        <source>its faces have no list vertex_indices</source>
+        <translation>ihren Flächen fehlt die Liste vertex_indices</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>Ecke %1</translation>
+    </message>
+    <message>
+        <source>face %1</source>
+        <translation>Fläche %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>it holds %1 vertices but no face</source>
+        <translation>sie enthält %1 Ecken, aber keine Fläche</translation>
+    </message>
+    <message>
+        <source>binary OFF is not read</source>
+        <translation>binäres OFF wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>save it as text or as PLY</source>
+        <translation>als Text oder PLY sichern</translation>
+    </message>
+    <message>
+        <source>an OFF file begins with the counts of vertices and faces</source>
+        <translation>eine OFF-Datei beginnt mit den Anzahlen von Ecken und Flächen</translation>
+    </message>
+    <message>
+        <source>the counts promise more than the file has room for</source>
+        <translation>die Anzahlen versprechen mehr, als die Datei fasst</translation>
+    </message>
+    <message>
+        <source>a face begins with the number of its corners</source>
+        <translation>eine Fläche beginnt mit der Anzahl ihrer Ecken</translation>
+    </message>
+    <message>
+        <source>a face has fewer corners than it says</source>
+        <translation>eine Fläche hat weniger Ecken, als sie sagt</translation>
+    </message>
+    <message>
+        <source>it holds no line, polyline or face</source>
+        <translation>sie enthält keine Linie, Polylinie oder Fläche</translation>
+    </message>
+    <message>
+        <source>it holds no line, polyline or face, only %1 entities of other kinds</source>
+        <translation>sie enthält keine Linie, Polylinie oder Fläche, nur %1 Elemente anderer Art</translation>
+    </message>
+    <message>
+        <source>here a DXF group should begin with its number</source>
+        <translation>hier sollte eine DXF-Gruppe mit ihrer Nummer beginnen</translation>
+    </message>
+    <message>
+        <source>it ends without EOF</source>
+        <translation>sie endet ohne EOF</translation>
+    </message>
+    <message>
+        <source>binary DXF is not read</source>
+        <translation>binäres DXF wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>save it as DXF in text (ASCII)</source>
+        <translation>als DXF in Text (ASCII) sichern</translation>
+    </message>
+    <message>
+        <source>a VTK data set &apos;%1&apos; is no mesh of cells</source>
+        <translation>ein VTK-Datensatz „%1“ ist kein Netz aus Zellen</translation>
+    </message>
+    <message>
+        <source>extract its surface and save that as POLYDATA</source>
+        <translation>die Oberfläche herausziehen und als POLYDATA sichern</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no part of a VTK mesh</source>
+        <translation>„%1“ ist kein Teil eines VTK-Netzes</translation>
+    </message>
+    <message>
+        <source>cells of the VTK type %1 are not read</source>
+        <translation>Zellen des VTK-Typs %1 werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>triangulate them first</source>
+        <translation>sie zuerst in Dreiecke zerlegen</translation>
+    </message>
+    <message>
+        <source>it has no &lt;/VTKFile&gt; at its end</source>
+        <translation>ihr fehlt &lt;/VTKFile&gt; am Ende</translation>
+    </message>
+    <message>
+        <source>it holds %1 points but no line, face or tetrahedron</source>
+        <translation>sie enthält %1 Punkte, aber keine Linie, Fläche und kein Tetraeder</translation>
+    </message>
+    <message>
+        <source>this version of the Gmsh format is not read</source>
+        <translation>diese Version des Gmsh-Formats wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>save it in format 4.1 or 2.2</source>
+        <translation>im Format 4.1 oder 2.2 sichern</translation>
+    </message>
+    <message>
+        <source>elements of type %1 are not read</source>
+        <translation>Elemente vom Typ %1 werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>save the mesh with simpler ones</source>
+        <translation>das Netz mit einfacheren sichern</translation>
+    </message>
+    <message>
+        <source>there is no node %1, but an element uses it</source>
+        <translation>es gibt keinen Knoten %1, aber ein Element benutzt ihn</translation>
+    </message>
+    <message>
+        <source>this build was made without the Coin library, which reads Inventor and VRML</source>
+        <translation>dieses Programm wurde ohne die Coin-Bibliothek gebaut, die Inventor und VRML liest</translation>
+    </message>
+    <message>
+        <source>it is larger than 1 GB, which only OBJ, STL, PLY and OFF may be</source>
+        <translation>sie ist größer als 1 GB, was nur OBJ, STL, PLY und OFF sein dürfen</translation>
+    </message>
+    <message>
+        <source>it was read, but it holds neither a face nor a line</source>
+        <translation>sie wurde gelesen, enthält aber weder Fläche noch Linie</translation>
+    </message>
+    <message>
+        <source>the assimp library cannot read it (%1)</source>
+        <translation>die Bibliothek assimp kann sie nicht lesen (%1)</translation>
+    </message>
+    <message>
+        <source>is it cut short? Otherwise save it as OBJ, PLY or STL</source>
+        <translation>ist sie abgeschnitten? Sonst als OBJ, PLY oder STL sichern</translation>
+    </message>
+    <message>
+        <source>the reader for this format took too long for a file of this size</source>
+        <translation>der Leser dieses Formats brauchte zu lang für eine Datei dieser Größe</translation>
+    </message>
+    <message>
+        <source>the reader for this format crashed (%1)</source>
+        <translation>der Leser dieses Formats ist abgestürzt (%1)</translation>
+    </message>
+    <message>
+        <source>the reader for this format did not end within %1 s</source>
+        <translation>der Leser dieses Formats kam in %1 s nicht zum Ende</translation>
+    </message>
+    <message>
+        <source>the file may be damaged</source>
+        <translation>die Datei ist vielleicht beschädigt</translation>
+    </message>
+    <message>
+        <source>convert it to OBJ, PLY or STL</source>
+        <translation>in OBJ, PLY oder STL umwandeln</translation>
+    </message>
+    <message>
+        <source>the program that reads this format, %1, cannot be started (%2)</source>
+        <translation>das Programm, das dieses Format liest, %1, lässt sich nicht starten (%2)</translation>
+    </message>
+    <message>
+        <source>install it again</source>
+        <translation>es neu installieren</translation>
+    </message>
+    <message>
+        <source>the repair leaves nothing of the mesh</source>
+        <translation>die Reparatur lässt vom Netz nichts übrig</translation>
+    </message>
+    <message>
+        <source>ask for less of it</source>
+        <translation>weniger davon verlangen</translation>
+    </message>
+    <message>
+        <source>edges of %1 would make more than 20 million triangles</source>
+        <translation>Kanten von %1 ergäben mehr als 20 Millionen Dreiecke</translation>
+    </message>
+    <message>
+        <source>ask for longer ones</source>
+        <translation>längere verlangen</translation>
+    </message>
+    <message>
+        <source>the net has no surface, only lines, so there is nothing that could be supported from inside or anchored</source>
+        <translation>das Netz hat keine Oberfläche, nur Linien, also nichts, was von innen gestützt oder verankert werden könnte</translation>
+    </message>
+    <message>
+        <source>the net is solid already, by the tetrahedra of its file</source>
+        <translation>das Netz ist schon gefüllt, durch die Tetraeder seiner Datei</translation>
+    </message>
+    <message>
+        <source>it needs no interior</source>
+        <translation>es braucht kein Inneres</translation>
+    </message>
+    <message>
+        <source>no strut found its way</source>
+        <translation>keine Strebe fand ihren Weg</translation>
+    </message>
+    <message>
+        <source>the surface is flat or lies open, so no wall is opposite another</source>
+        <translation>die Oberfläche ist flach oder liegt offen, keine Wand liegt einer anderen gegenüber</translation>
+    </message>
+    <message>
+        <source>no node of the surface lies in the part that is to be anchored</source>
+        <translation>kein Knoten der Oberfläche liegt in dem Teil, der verankert werden soll</translation>
+    </message>
+    <message>
+        <source>move or enlarge it</source>
+        <translation>ihn verschieben oder vergrößern</translation>
+    </message>
+    <message>
+        <source>no part of the surface is closed, so there is no volume that pressure could keep</source>
+        <translation>kein Teil der Oberfläche ist geschlossen, also gibt es kein Volumen, das Druck halten könnte</translation>
+    </message>
+    <message>
+        <source>fill its holes, or leave the pressure out</source>
+        <translation>die Löcher füllen oder den Druck weglassen</translation>
+    </message>
+    <message>
+        <source>the program %1 is not there</source>
+        <translation>das Programm %1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>install it, or choose struts</source>
+        <translation>es installieren oder Streben wählen</translation>
+    </message>
+    <message>
+        <source>the program %1 failed (%2)</source>
+        <translation>das Programm %1 ist gescheitert (%2)</translation>
+    </message>
+    <message>
+        <source>a lattice needs a closed surface to lie in</source>
+        <translation>ein Gitter braucht eine geschlossene Oberfläche um sich</translation>
+    </message>
+    <message>
+        <source>fill its holes, or choose struts</source>
+        <translation>die Löcher füllen oder Streben wählen</translation>
+    </message>
+    <message>
+        <source>tetrahedra need a closed surface without edges of three triangles</source>
+        <translation>Tetraeder brauchen eine geschlossene Oberfläche ohne Kanten dreier Dreiecke</translation>
+    </message>
+    <message>
+        <source>repair it, or choose struts</source>
+        <translation>sie reparieren oder Streben wählen</translation>
+    </message>
+    <message>
+        <source>repair the surface, or choose struts</source>
+        <translation>die Oberfläche reparieren oder Streben wählen</translation>
+    </message>
+    <message>
+        <source>no node of the lattice fits into the body</source>
+        <translation>kein Gitterknoten passt in den Körper</translation>
+    </message>
+    <message>
+        <source>choose a smaller cell, or struts</source>
+        <translation>eine kleinere Zelle oder Streben wählen</translation>
+    </message>
+    <message>
+        <source>the surface is not closed, so it has no volume that could be filled with tissue</source>
+        <translation>die Oberfläche ist nicht geschlossen, hat also kein Volumen, das Gewebe füllen könnte</translation>
+    </message>
+    <message>
+        <source>fill its holes, or choose the wall</source>
+        <translation>die Löcher füllen oder die Wand wählen</translation>
+    </message>
+    <message>
+        <source>no single input of the rules makes the %1 %2</source>
+        <translation>keine einzelne Eingabe der Regeln ergibt %1 = %2</translation>
+    </message>
+    <message>
+        <source>the nearest that one reaches is %1</source>
+        <translation>am nächsten kommt %1</translation>
+    </message>
+</context>
+<context>
     <name>esm::ErrorText</name>
     <message>
         <source>The file cannot be read.</source>
@@ -1063,10 +2002,6 @@
         <translation>Modell ersetzen</translation>
     </message>
     <message>
-        <source>Rules, inputs and regions stay; loads on single nodes go with the old model</source>
-        <translation>Regeln, Eingaben und Regionen bleiben; Lasten an einzelnen Knoten gehen mit dem alten Modell</translation>
-    </message>
-    <message>
         <source>Add to the model</source>
         <translation>Zum Modell hinzufügen</translation>
     </message>
@@ -1235,6 +2170,30 @@
     <message>
         <source>The net is too large to be judged before it runs.</source>
         <translation>Das Netz ist zu groß, um es vor dem Lauf zu beurteilen.</translation>
+    </message>
+    <message>
+        <source>Gravity stays; loads on single nodes go with the former model</source>
+        <translation>Die Schwerkraft bleibt; Lasten an einzelnen Knoten gehen mit dem früheren Modell</translation>
+    </message>
+    <message>
+        <source>What stays of its tissue</source>
+        <translation>Was von seinem Gewebe bleibt</translation>
+    </message>
+    <message>
+        <source>rules and base tissue</source>
+        <translation>Regeln und Grundgewebe</translation>
+    </message>
+    <message>
+        <source>rules, base tissue and regions</source>
+        <translation>Regeln, Grundgewebe und Regionen</translation>
+    </message>
+    <message>
+        <source>nothing: the default tissue</source>
+        <translation>nichts: das Standardgewebe</translation>
+    </message>
+    <message>
+        <source>Regions lie where the former organ was</source>
+        <translation>Regionen liegen dort, wo das frühere Organ war</translation>
     </message>
 </context>
 <context>
@@ -1518,6 +2477,34 @@
     <message>
         <source>Update the model</source>
         <translation>Modell aktualisieren</translation>
+    </message>
+    <message>
+        <source>“%1” was changed by someone else since it was opened here.</source>
+        <translation>„%1“ wurde von anderer Seite geändert, seit es hier geöffnet wurde.</translation>
+    </message>
+    <message>
+        <source>Overwriting replaces that version by yours; it stays beside it as a backup (.bak).</source>
+        <translation>Überschreiben ersetzt jene Fassung durch die hiesige; jene bleibt daneben als Sicherung (.bak).</translation>
+    </message>
+    <message>
+        <source>&amp;Overwrite</source>
+        <translation>Ü&amp;berschreiben</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Sichern &amp;unter…</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Opened %1. The simulation is paused: the space key plays it.</source>
+        <translation>%1 geöffnet. Die Simulation ist angehalten: Die Leertaste spielt sie ab.</translation>
+    </message>
+    <message>
+        <source>The simulation is paused: nothing moves until it plays (space key).</source>
+        <translation>Die Simulation ist angehalten: Es bewegt sich nichts, bis sie abgespielt wird (Leertaste).</translation>
     </message>
 </context>
 <context>
@@ -2699,6 +3686,21 @@
     </message>
 </context>
 <context>
+    <name>esm::Sample</name>
+    <message>
+        <source>Fallopian tube</source>
+        <translation>Eileiter</translation>
+    </message>
+    <message>
+        <source>Gallbladder</source>
+        <translation>Gallenblase</translation>
+    </message>
+    <message>
+        <source>Uterus</source>
+        <translation>Gebärmutter</translation>
+    </message>
+</context>
+<context>
     <name>esm::SceneView</name>
     <message>
         <source>3D preview</source>
@@ -2803,10 +3805,6 @@
         <translation>Die Toleranz wird gehalten, mit impliziten Schritten. Weicheres Gewebe oder schwerere Knoten würden billigere explizite erlauben.</translation>
     </message>
     <message>
-        <source>Fewer nodes, softer tissue or heavier nodes help; what gives way is chosen in Simulation, Real time.</source>
-        <translation>Weniger Knoten, weicheres Gewebe oder schwerere Knoten helfen; was nachgibt, ist unter Simulation, Echtzeit wählbar.</translation>
-    </message>
-    <message>
         <source>To keep real time, the error may be %1 % instead of %2 %.</source>
         <translation>Um Echtzeit zu halten, darf der Fehler %1 % statt %2 % sein.</translation>
     </message>
@@ -2906,6 +3904,10 @@
     <message>
         <source>%1 of %2 springs derived, %3 ms</source>
         <translation>%1 von %2 Federn abgeleitet, %3 ms</translation>
+    </message>
+    <message>
+        <source>Fewer nodes, softer tissue or heavier nodes help; what gives way is chosen in Simulation, Real time.</source>
+        <translation>Weniger Knoten, weicheres Gewebe oder schwerere Knoten helfen; was nachgibt, ist unter Simulation, Echtzeit wählbar.</translation>
     </message>
 </context>
 <context>
@@ -3223,6 +4225,25 @@
     <message>
         <source>Off: the springs keep the parameters that the net came with</source>
         <translation>Aus: Die Federn behalten die Parameter, mit denen das Netz kam</translation>
+    </message>
+</context>
+<context>
+    <name>esm::ToleranceNote</name>
+    <message>
+        <source>tolerance of %1 % given up</source>
+        <translation>Toleranz von %1 % aufgegeben</translation>
+    </message>
+    <message>
+        <source>tolerance given up until t = %1 s</source>
+        <translation>Toleranz aufgegeben bis t = %1 s</translation>
+    </message>
+    <message>
+        <source>To keep it would have cost too much work: the motion is bounded, but rough.</source>
+        <translation>Sie zu halten hätte zu viel Arbeit gekostet: Die Bewegung ist beschränkt, aber grob.</translation>
+    </message>
+    <message>
+        <source>What moves now comes from there. Reset begins anew.</source>
+        <translation>Was sich jetzt bewegt, kommt von dort her. Zurücksetzen beginnt neu.</translation>
     </message>
 </context>
 <context>
@@ -3699,6 +4720,14 @@
     <message>
         <source>Force zero at once and let go; space does it too while force is on</source>
         <translation>Kraft sofort null und loslassen; die Leertaste tut es auch, solange die Kraft an ist</translation>
+    </message>
+    <message>
+        <source>S&amp;truts</source>
+        <translation>S&amp;treben</translation>
+    </message>
+    <message>
+        <source>Struts: the springs inside that hold the organ up</source>
+        <translation>Streben: die Federn im Inneren, die das Organ stützen</translation>
     </message>
 </context>
 </TS>

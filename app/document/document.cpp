@@ -52,6 +52,7 @@ void Document::start(Project project, const QString& path)
   m_project = std::move(project);
   netWritten(false); // until an edit has applied the tissue, the file's own numbers hold
   m_path = path;
+  m_file.reset();
   m_target = -1;
   m_undo.clear();
   m_savedRules = m_project.tissue.rules;
@@ -69,12 +70,14 @@ static std::filesystem::path folderOf(const QString& file)
 
 Status Document::open(const QString& path)
 {
+  const auto file = identityOf(path.toStdString()); // before: who writes while it is read is noticed
   auto loaded = loadProject(path.toStdString());
   if (!loaded) return loaded.error();
   const QString ending = QFileInfo(path).suffix().toLower();
   const bool isProject = ending == "esm" || ending == "esmb"; // a plain net is read, never written over
   loaded->source = withAbsoluteNames(std::move(loaded->source), folderOf(path));
   start(std::move(loaded).value(), isProject ? path : QString());
+  m_file = file;
   return {};
 }
 
@@ -87,11 +90,17 @@ Status Document::saveAs(const QString& path)
   m_project.source = source;
   if (!saved) return saved.error();
   m_path = path;
+  m_file = identityOf(path.toStdString());
   m_undo.setClean();
   m_savedRules = m_project.tissue.rules;
   emit ruleBaseSaved();
   emit titleChanged();
   return {};
+}
+
+bool Document::fileChangedOnDisk() const
+{
+  return !m_path.isEmpty() && isOtherFile(m_path.toStdString(), m_file);
 }
 
 void Document::setView(const ViewSettings& view)

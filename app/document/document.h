@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/base/file_identity.h"
 #include "core/base/result.h"
 #include "core/project/project.h"
 #include "core/tissue/tissue_derivation.h"
@@ -34,7 +35,7 @@ struct IncomingModel {
   QString name;
   ImportRecipe source;
   SpringNet net;
-  /// With the numbers of the recipe's material; empty: the document's stays.
+  /// What it brings, or leaves of the former model's; empty: the document's stays.
   std::optional<TissueModel> tissue;
 };
 
@@ -61,7 +62,9 @@ public:
   void start(Project project, const QString& path); ///< replaces everything; the undo stack is emptied
   Status open(const QString& path);                 ///< on error everything is as before
   Status saveAs(const QString& path);               ///< atomic; the former file stays as .bak
-  void setView(const ViewSettings& view);           ///< saved with the project, no edit
+  /// Whether somebody else has written the file since it was opened or saved: saving would lose that.
+  bool fileChangedOnDisk() const;
+  void setView(const ViewSettings& view); ///< saved with the project, no edit
 
   // === Fuzzy panels
   const fuzzy::RuleBase& ruleBase() const override { return m_project.tissue.rules; }
@@ -152,6 +155,7 @@ private:
   fuzzy::RuleBase m_savedRules;
   QUndoStack m_undo;
   QString m_path;
+  std::optional<FileIdentity> m_file; ///< at m_path, as it was opened or saved
   int m_target = -1;
   Language m_language = Language::English;
 };

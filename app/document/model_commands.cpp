@@ -4,14 +4,14 @@
 
 #include "app/document/command_ids.h"
 
+#include <utility>
+
 namespace esm {
 
 SetModelCommand::SetModelCommand(Document& document, ModelPart model, const QString& text)
   : DocumentCommand(document, text), m_new(std::move(model))
 {
   const Project& now = document.project();
-  m_bringsTissue =
-    m_new.tissue.inputs != now.tissue.inputs || settingsOf(m_new.tissue) != settingsOf(now.tissue);
   m_old = {now.name,      now.tissue, now.source, document.net(), now.loads, now.parametersFromTissue,
            netIsDerived()};
 }
@@ -19,18 +19,23 @@ SetModelCommand::SetModelCommand(Document& document, ModelPart model, const QStr
 void SetModelCommand::put(const ModelPart& part)
 {
   Project& target = project();
+  if (document().inputTarget() >= static_cast<int>(part.tissue.regions.size()))
+    setTarget(-1); // while everything is still as it was
+  const TissueModel former = std::exchange(target.tissue, part.tissue);
   target.name = part.name;
-  target.tissue = part.tissue;
   target.source = part.source;
   target.net = *part.net;
   target.loads = part.loads;
   target.parametersFromTissue = part.parametersFromTissue;
   netReplaced(part.derived);
-  if (m_bringsTissue) {
-    keepTargetInRange();
+  const bool otherRules = former.rules != part.tissue.rules,
+             otherRegions = former.regions != part.tissue.regions;
+  const bool otherNumbers = settingsOf(former) != settingsOf(part.tissue);
+  if (otherRules) emit document().ruleBaseChanged();
+  if (otherRegions) emit document().regionsChanged();
+  if (otherRules || otherRegions || otherNumbers || former.inputs != part.tissue.inputs)
     emit document().inputsChanged();
-    emit document().tissueSettingsChanged();
-  }
+  if (otherNumbers) emit document().tissueSettingsChanged();
   emit document().netChanged();
   emit document().modelReplaced();
   emit document().titleChanged();

@@ -27,7 +27,6 @@ public:
 private:
   void put(const ModelPart& part);
   ModelPart m_old, m_new;
-  bool m_bringsTissue; ///< inputs or settings are others with the new model
 };
 
 class RenameCommand : public DocumentCommand {

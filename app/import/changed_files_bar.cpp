@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/import/changed_files_bar.h"
 
+#include "core/base/file_io.h"
 #include "meshimport/net_import.h"
 
 #include <QDir>
@@ -24,11 +25,22 @@ bool isKnown(const ImportRecipe& recipe)
                                               [](const SourceFile& file) { return file.fingerprint != 0; });
 }
 
+/// The files that can change: to watch a device or a pipe, or the folder of devices, tells nothing and may
+/// never end.
+std::vector<SourceFile> regularFiles(const ImportRecipe& recipe)
+{
+  if (!isKnown(recipe)) return {};
+  std::vector<SourceFile> files = recipe.files;
+  std::erase_if(files, [](const SourceFile& file) { return !specialFileKind(file.name).empty(); });
+  return files;
+}
+
 } // namespace
 
 ChangedFilesBar::ChangedFilesBar(Document* document, QWidget* parent)
   : QFrame(parent),
     m_document(document),
+    m_watcher(this),
     m_checks(new JobRunner(this)),
     m_updates(new JobRunner(this)),
     m_text(new QLabel(this)),
@@ -71,14 +83,12 @@ void ChangedFilesBar::watch()
   m_updates->cancel();
   QStringList old = m_watcher.files() + m_watcher.directories();
   if (!old.isEmpty()) m_watcher.removePaths(old);
-  const ImportRecipe& recipe = m_document->project().source;
   QStringList paths;
-  if (isKnown(recipe))
-    for (const SourceFile& file : recipe.files) {
-      const QFileInfo info(QString::fromStdString(file.name));
-      if (info.exists()) paths << info.absoluteFilePath();
-      if (info.absoluteDir().exists()) paths << info.absolutePath();
-    }
+  for (const SourceFile& file : regularFiles(m_document->project().source)) {
+    const QFileInfo info(QString::fromStdString(file.name));
+    if (info.exists()) paths << info.absoluteFilePath();
+    if (info.absoluteDir().exists()) paths << info.absolutePath();
+  }
   paths.removeDuplicates();
   if (!paths.isEmpty()) m_watcher.addPaths(paths);
   show({});
@@ -88,8 +98,9 @@ void ChangedFilesBar::watch()
 void ChangedFilesBar::check()
 {
   if (m_updates->busy()) return;
-  const ImportRecipe recipe = m_document->project().source;
-  if (!isKnown(recipe)) return show({});
+  ImportRecipe recipe = m_document->project().source;
+  recipe.files = regularFiles(recipe);
+  if (recipe.files.empty()) return show({});
   for (const SourceFile& file : recipe.files) { // a file that was replaced is watched no more
     const QString path = QString::fromStdString(file.name);
     if (!m_watcher.files().contains(path) && QFileInfo::exists(path)) m_watcher.addPath(path);

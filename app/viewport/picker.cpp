@@ -194,7 +194,8 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
 }
 
 Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const SegmentMatrix& ends,
-                 const TriangleMatrix& triangles, const Eigen::Vector2d& pixel, double radius)
+                 const TriangleMatrix& triangles, const Eigen::Vector2d& pixel, double radius,
+                 const std::function<bool(Index)>& shown)
 {
   Eigen::Matrix3Xd middle(3, ends.cols());
   for (Eigen::Index s = 0; s < ends.cols(); ++s)
@@ -202,6 +203,7 @@ Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const S
   std::vector<Candidate> seen;
   const ScreenTiles tiles(camera, position, triangles, boxAround(pixel, radius));
   for (const Candidate& candidate : candidates(camera, middle, pixel, radius)) {
+    if (shown && !shown(candidate.node)) continue;
     const Index a = ends(0, candidate.node), b = ends(1, candidate.node);
     const auto owns = [&](const auto& triangle) { return holds(triangle, a) && holds(triangle, b); };
     if (!hidden(camera, position, triangles, tiles, middle.col(candidate.node), owns))

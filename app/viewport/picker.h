@@ -5,6 +5,7 @@
 #include "app/viewport/camera.h"
 #include "core/geometry/mesh.h"
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -25,9 +26,10 @@ Index pickNode(const Camera& camera, const Eigen::Matrix3Xd& position, const Tri
                const Eigen::Vector2d& pixel, double radius);
 
 /// The same for springs, by their middles. A triangle at whose edge a spring lies does not hide it.
-/// @param ends 2 x S, columns of `position`.
+/// @param ends 2 x S, columns of `position`. @param shown whether a spring counts; null: all do.
 Index pickSpring(const Camera& camera, const Eigen::Matrix3Xd& position, const SegmentMatrix& ends,
-                 const TriangleMatrix& triangles, const Eigen::Vector2d& pixel, double radius);
+                 const TriangleMatrix& triangles, const Eigen::Vector2d& pixel, double radius,
+                 const std::function<bool(Index)>& shown = {});
 
 /// The nodes whose pixels lie in a box and that no triangle hides, in rising order.
 /// @param position 3 x N [m]. @param triangles what can hide; 3 x 0 for nothing.

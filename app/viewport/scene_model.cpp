@@ -215,11 +215,12 @@ bool SceneModel::setInstrument(const Instrument& instrument)
   return !same;
 }
 
-bool SceneModel::setShown(bool surface, bool springs)
+bool SceneModel::setShown(bool surface, bool springs, bool struts)
 {
-  if (surface == m_surface && springs == m_springs) return false;
+  if (surface == m_surface && springs == m_springs && struts == m_struts) return false;
   m_surface = surface;
   m_springs = springs;
+  m_struts = struts;
   return true;
 }
 
@@ -255,6 +256,7 @@ ViewSettings SceneModel::viewSettings() const
   settings.colouring = colouringName(m_colouring).toStdString();
   settings.showSurface = m_surface;
   settings.showSprings = m_springs;
+  settings.showStruts = m_struts;
   return settings;
 }
 
@@ -264,7 +266,7 @@ void SceneModel::setViewSettings(const ViewSettings& settings)
   m_autoFit = !(settings.distance > 0.0);
   if (m_autoFit) fit();
   setColouring(colouringFromName(settings.colouring));
-  setShown(settings.showSurface, settings.showSprings);
+  setShown(settings.showSurface, settings.showSprings, settings.showStruts);
 }
 
 /// The one that follows the motion, if the present colouring does.
@@ -375,12 +377,18 @@ Index SceneModel::nodeAt(const Eigen::Vector2d& pixel) const
   return pickNode(camera, m_position, m_surface ? m_net->triangles : kNone, pixel, kPickRadius);
 }
 
+/// Edges belong to the surface too, and can be meant without being drawn.
+bool SceneModel::isShown(Index spring) const
+{
+  return m_struts || m_net->kind[static_cast<std::size_t>(spring)] != SpringKind::Strut;
+}
+
 Index SceneModel::springAt(const Eigen::Vector2d& pixel) const
 {
   if (!m_net) return kNoIndex;
   static const TriangleMatrix kNone(3, 0);
-  const Index spring =
-    pickSpring(camera, m_position, m_net->ends, m_surface ? m_net->triangles : kNone, pixel, kPickRadius);
+  const Index spring = pickSpring(camera, m_position, m_net->ends, m_surface ? m_net->triangles : kNone,
+                                  pixel, kPickRadius, [this](Index s) { return isShown(s); });
   const Index node = nodeAt(pixel);
   if (spring == kNoIndex || node == kNoIndex) return spring;
   const auto distance = [&](const Eigen::Vector3d& point) {

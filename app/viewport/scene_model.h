@@ -40,7 +40,7 @@ public:
   bool setParameters(std::shared_ptr<const SpringNet> net);
   bool setRegions(const std::vector<Region>& regions, int selected);
   bool setColouring(Colouring colouring);
-  bool setShown(bool surface, bool springs);
+  bool setShown(bool surface, bool springs, bool struts);
   bool setMarks(const Eigen::Matrix3Xd& places); ///< 3 x K [m]
   bool setInstrument(const Instrument& instrument);
 
@@ -53,7 +53,8 @@ public:
   const Region* gizmoRegion() const noexcept;
   Colouring colouring() const noexcept { return m_colouring; }
   bool surfaceShown() const noexcept { return m_surface; }
-  bool springsShown() const noexcept { return m_springs; }
+  bool springsShown() const noexcept { return m_springs; } ///< but for struts
+  bool strutsShown() const noexcept { return m_struts; }
   Index grabbedNode() const noexcept { return m_grabbed; }
   const Eigen::Matrix3Xd& marks() const noexcept { return m_marks; }
   const Instrument& instrument() const noexcept { return m_instrument; }
@@ -93,6 +94,7 @@ public:
 
 private:
   void weighSprings();
+  bool isShown(Index spring) const;
   void updateBounds();
   SteadyRange* movingRange() noexcept;
   Eigen::Matrix3Xd nodeNormals() const;
@@ -110,7 +112,7 @@ private:
   Eigen::Matrix3Xd m_marks{3, 0};
   Instrument m_instrument;
   Colouring m_colouring = Colouring::Stiffness;
-  bool m_surface = true, m_springs = true;
+  bool m_surface = true, m_springs = true, m_struts = false;
   bool m_autoFit = true;
 
   Eigen::Vector3d m_origin = Eigen::Vector3d::Zero();

@@ -111,16 +111,17 @@ void SceneRenderer::uploadTopology(const SceneModel& model)
 {
   std::vector<GLuint> triangles, springs, fixed;
   m_springOrder.clear();
-  m_edges = m_struts = 0;
+  m_edges = m_lines = m_struts = 0;
   if (const SpringNet* net = model.net()) {
     for (Eigen::Index i = 0; i < net->triangles.size(); ++i)
       triangles.push_back(static_cast<GLuint>(net->triangles.data()[i]));
-    const auto isEdge = [net](Index s) { return net->kind[static_cast<std::size_t>(s)] == SpringKind::Edge; };
-    for (const bool edges : {true, false}) // lines and the struts of the support layer look alike
+    const std::pair<SpringKind, int*> kinds[] = {
+      {SpringKind::Edge, &m_edges}, {SpringKind::Line, &m_lines}, {SpringKind::Strut, &m_struts}};
+    for (const auto& [kind, count] : kinds)
       for (Index s = 0; s < net->springCount(); ++s)
-        if (isEdge(s) == edges) {
+        if (net->kind[static_cast<std::size_t>(s)] == kind) {
           m_springOrder.push_back(s);
-          ++(edges ? m_edges : m_struts);
+          ++*count;
         }
     for (const Index s : m_springOrder)
       for (int end = 0; end < 2; ++end) springs.push_back(static_cast<GLuint>(net->ends(end, s)));
@@ -237,7 +238,7 @@ void SceneRenderer::draw(SceneModel& model, const Look& look)
   glEnable(GL_DEPTH_TEST);
   if (model.surfaceShown()) drawSurface(model, look);
   glEnable(GL_BLEND);
-  if (model.springsShown()) drawSprings(model, look);
+  drawSprings(model, look);
   drawNodes(model, look);
   drawRegions(model, look);
 
@@ -319,27 +320,31 @@ void SceneRenderer::drawLines(const LineStyle& style, float pixelRatio, Draw&& d
 
 void SceneRenderer::drawSprings(const SceneModel& model, const Look& look)
 {
-  if (m_edges + m_struts == 0) return;
+  const int edges = model.springsShown() ? m_edges : 0;
+  // Lines and struts look alike, and follow each other.
+  const int first = m_edges + (model.springsShown() ? 0 : m_lines);
+  const int inside = (model.springsShown() ? m_lines : 0) + (model.strutsShown() ? m_struts : 0);
+  if (edges + inside == 0) return;
   const bool onSurface = model.surfaceShown() && m_triangles > 0;
   const bool mapped = model.colouring() != Colouring::None;
   const auto ratio = static_cast<float>(look.pixelRatio);
   bindLines(model, look, mapped, onSurface ? 0.0f : 0.75f);
   glBindVertexArray(m_netArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_springIndices);
-  const auto lines = [&](int first, int count, const LineStyle& style) {
+  const auto lines = [&](int from, int count, const LineStyle& style) {
     if (count == 0) return;
-    m_line->setUniformValue("first", first);
-    const void* begin = offset(2 * sizeof(GLuint) * static_cast<std::size_t>(first));
+    m_line->setUniformValue("first", from);
+    const void* begin = offset(2 * sizeof(GLuint) * static_cast<std::size_t>(from));
     drawLines(style, ratio, [&] { glDrawElements(GL_LINES, 2 * count, GL_UNSIGNED_INT, begin); });
   };
   // On the surface the edges are a quiet net over its colours; bare, they carry the colours themselves.
   const LineStyle quiet{1.0f, 0.45f, mapped ? 0.45f : 1.0f};
   const LineStyle bold{1.6f, 1.0f, 1.0f, 0.0f, true};
-  lines(0, m_edges, onSurface ? quiet : bold);
-  lines(m_edges, m_struts, {2.0f, 1.0f, 1.0f, 0.0f, true});
+  lines(0, edges, onSurface ? quiet : bold);
+  lines(first, inside, {2.0f, 1.0f, 1.0f, 0.0f, true});
   if (!onSurface) return;
-  glDepthFunc(GL_GREATER); // struts inside the organ shine through
-  lines(m_edges, m_struts, {1.6f, 0.6f, 1.0f, 0.35f});
+  glDepthFunc(GL_GREATER); // what is inside the organ shines through
+  lines(first, inside, {1.6f, 0.6f, 1.0f, 0.35f});
   glDepthFunc(GL_LEQUAL);
 }
 

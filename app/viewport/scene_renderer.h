@@ -72,8 +72,8 @@ private:
   GLuint m_selectedIndices = 0;
   GLuint m_placeBuffer = 0, m_placeTexture = 0; ///< per spring, read by the line shader
   GLuint m_mapTexture = 0;
-  int m_triangles = 0, m_edges = 0, m_struts = 0, m_fixed = 0, m_selected = 0;
-  std::vector<Index> m_springOrder; ///< edges first, then lines: two draw calls
+  int m_triangles = 0, m_edges = 0, m_lines = 0, m_struts = 0, m_fixed = 0, m_selected = 0;
+  std::vector<Index> m_springOrder; ///< edges, lines, struts: a draw call each
   std::vector<RegionLines> m_regionLines;
 };
 

@@ -156,9 +156,9 @@ void SceneView::setColouring(Colouring colouring)
   makeRoomForLegend();
 }
 
-void SceneView::setShown(bool surface, bool springs)
+void SceneView::setShown(bool surface, bool springs, bool struts)
 {
-  m_impl->repaintIf(m_impl->model.setShown(surface, springs));
+  m_impl->repaintIf(m_impl->model.setShown(surface, springs, struts));
 }
 
 void SceneView::setToolForce(const Eigen::Vector3d& force)

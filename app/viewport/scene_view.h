@@ -51,7 +51,7 @@ public:
   void setParameters(std::shared_ptr<const SpringNet> net);          ///< same topology, new colours
   void setRegions(const std::vector<Region>& regions, int selected); ///< wireframes; -1 = none selected
   void setColouring(Colouring colouring);                            ///< legend with unit follows
-  void setShown(bool surface, bool springs);
+  void setShown(bool surface, bool springs, bool struts);
   void setToolForce(const Eigen::Vector3d& force); ///< arrow at the grabbed node [N]
   void setInstrument(const Instrument& instrument);
   const Instrument& instrument() const;

@@ -75,16 +75,24 @@ Result<std::string> readFile(const std::filesystem::path& path)
   std::error_code code;
   if (std::filesystem::is_directory(path, code))
     return Error{ErrorCode::FileUnreadable, path.string() + ": is a folder, not a file"};
-  if (const std::string kind = specialFileKind(path);
-      !kind.empty()) // opening a pipe would wait, reading may not end
+  const auto noFile = [&](const std::string& kind) {
     return Error{ErrorCode::FileUnreadable, path.string() + ": is " + kind + ", not a file"};
-  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  };
+  if (const std::string kind = specialFileKind(path); !kind.empty()) // opening a device may do something
+    return noFile(kind);
+  // What has come there since is not waited for, nor read without an end.
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC | O_NOCTTY | O_NONBLOCK);
   if (file < 0)
     return Error{ErrorCode::FileUnreadable,
                  path.string() + ": cannot be read (" + std::generic_category().message(errno) + ")"};
   std::string bytes;
   struct stat info = {};
-  if (::fstat(file, &info) == 0 && info.st_size > 0) bytes.reserve(static_cast<std::size_t>(info.st_size));
+  const bool isKnown = ::fstat(file, &info) == 0;
+  if (const std::string kind = isKnown ? specialKind(info.st_mode) : std::string(); !kind.empty()) {
+    ::close(file);
+    return noFile(kind);
+  }
+  if (isKnown && info.st_size > 0) bytes.reserve(static_cast<std::size_t>(info.st_size));
   char buffer[1 << 16];
   for (;;) {
     const ssize_t count = ::read(file, buffer, sizeof buffer);

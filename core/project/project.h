@@ -21,6 +21,7 @@ struct ViewSettings {
   double elevation = 0.4;                           ///< [rad] above the xy plane
   std::string colouring = "stiffness";              ///< none, stiffness, strain or force
   bool showSurface = true, showSprings = true;
+  bool showStruts = false; ///< of the support layer: thousands of them cover the organ
 };
 
 struct SimulationSettings {

@@ -45,9 +45,18 @@ Json simulationOf(const SimulationSettings& settings)
   return object;
 }
 
+Json viewOf(const ViewSettings& view)
+{
+  Json object = {
+    {"target", json::listOf(view.target)}, {"distance", view.distance},   {"azimuth", view.azimuth},
+    {"elevation", view.elevation},         {"colouring", view.colouring}, {"show_surface", view.showSurface},
+    {"show_springs", view.showSprings}};
+  if (view.showStruts) object["show_struts"] = true; // as above
+  return object;
+}
+
 Json treeOf(const Project& project)
 {
-  const ViewSettings& view = project.view;
   return {{"format", kFormat},
           {"schema_version", kSchemaVersion},
           {"name", json::validUtf8(project.name)},
@@ -59,14 +68,7 @@ Json treeOf(const Project& project)
           {"tissue", tissueOf(project)},
           {"loads", json::loadsOf(project.loads)},
           {"simulation", simulationOf(project.simulation)},
-          {"view",
-           {{"target", json::listOf(view.target)},
-            {"distance", view.distance},
-            {"azimuth", view.azimuth},
-            {"elevation", view.elevation},
-            {"colouring", view.colouring},
-            {"show_surface", view.showSurface},
-            {"show_springs", view.showSprings}}},
+          {"view", viewOf(project.view)},
           {"geometry", json::geometryOf(project.net)},
           {"net", json::netOf(project.net)}};
 }
@@ -110,14 +112,16 @@ SimulationSettings readSimulation(const View& object)
 ViewSettings readView(const View& object)
 {
   object.expectKeys(
-    {"target", "distance", "azimuth", "elevation", "colouring", "show_surface", "show_springs"});
+    {"target", "distance", "azimuth", "elevation", "colouring", "show_surface", "show_springs"},
+    {"show_struts"});
   return {object["target"].vector(),
           object["distance"].number(Range::NotNegative),
           object["azimuth"].number(),
           object["elevation"].number(),
           kColourings[object["colouring"].choice(kColourings)],
           object["show_surface"].boolean(),
-          object["show_springs"].boolean()};
+          object["show_springs"].boolean(),
+          object.has("show_struts") && object["show_struts"].boolean()};
 }
 
 void checkUnits(const View& object)

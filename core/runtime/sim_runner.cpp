@@ -78,6 +78,7 @@ void SimRunner::carryOut(command::Load&& load)
   m_slice = m_period;
   m_stepLimit = kFirstSteps;
   m_report = {};
+  m_roughUntil = -1.0;
   m_message.clear();
   keepPicture();
 }
@@ -130,6 +131,7 @@ void SimRunner::carryOut(command::Reset)
   m_simulation->reset();
   m_failed = m_stepPending = false;
   m_report = {};
+  m_roughUntil = -1.0;
   m_message.clear();
   keepPicture();
 }
@@ -307,6 +309,10 @@ StepReport SimRunner::advanceSliced(double interval, const std::function<bool()>
 void SimRunner::judge(const StepReport& report)
 {
   m_report = report;
+  if (report.rough)
+    m_roughUntil = m_simulation->state().time;
+  else if (report.nothingMoved())
+    m_roughUntil = -1.0;
   const bool stayedFinite = report.nothingMoved() || m_simulation->state().position.allFinite();
   if (!report.good() || !stayedFinite) stopWith(m_simulation->why());
 }
@@ -389,6 +395,7 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.stability = stability();
   picture.quality = m_ladder.state();
   picture.report = m_report;
+  picture.roughUntil = m_roughUntil;
   picture.energies = m_energies;
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();
   picture.message = m_message.empty() ? m_why : m_message;

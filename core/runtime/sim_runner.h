@@ -99,9 +99,10 @@ private:
   double m_slice;             ///< simulated time between two questions whether it is enough [s]
   std::int64_t m_stepLimit;   ///< of a slice
   StepReport m_report;
-  std::string m_why;        ///< the simulation's own, but for the limits that slices set it
-  bool m_brokenOff = false; ///< the last slice by such a limit
-  std::string m_message;    ///< a refusal or a failure; empty: m_why is what there is to say
+  double m_roughUntil = -1.0; ///< see SimSnapshot
+  std::string m_why;          ///< the simulation's own, but for the limits that slices set it
+  bool m_brokenOff = false;   ///< the last slice by such a limit
+  std::string m_message;      ///< a refusal or a failure; empty: m_why is what there is to say
   // The last finite picture, so that a NaN cannot leave even if the dynamics let one through.
   NetPicture m_picture;
   double m_time = 0.0;

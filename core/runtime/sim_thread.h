@@ -47,6 +47,9 @@ struct SimSnapshot : NetPicture {
   double frameCost = 0.0;      ///< processor time per frame over frame period [1]
   Stability stability = Stability::Idle;
   StepReport report; ///< of the last frame
+  /// Until when the motion was rough (StepReport::rough), as it goes on from there; -1: it never was since
+  /// the start or since all came to rest [s].
+  double roughUntil = -1.0;
   Energies energies;
   QualityState quality;
   std::string solver;

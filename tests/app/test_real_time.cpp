@@ -129,6 +129,64 @@ TEST_F(RealTimeTest, TheStatusBarShowsAccuracyWorkAndSleep)
   EXPECT_EQ(label("lblNodes")->text(), "64 nodes");
 }
 
+// Said while it is so, also when paused or late, and while the motion comes from there; not without a cause.
+TEST_F(RealTimeTest, AToleranceThatWasGivenUpIsSaidForAsLongAsItIsSo)
+{
+  QStatusBar bar;
+  StatusStrip strip(&bar);
+  const auto* note = bar.findChild<QLabel*>("lblTolerance");
+  SimSnapshot snapshot = running(Stability::Slow); // the light speaks of the clock
+  strip.setRun(snapshot);
+  EXPECT_TRUE(note->isHidden());
+  snapshot.report.rough = true;
+  snapshot.roughUntil = snapshot.time = 0.35;
+  strip.setRun(snapshot);
+  EXPECT_FALSE(note->isHidden());
+  EXPECT_TRUE(note->text().contains("tolerance of 1 % given up")) << qPrintable(note->text());
+  EXPECT_TRUE(note->toolTip().contains("softer tissue or heavier nodes")) << qPrintable(note->toolTip());
+  snapshot.playing = false; // the shape that is seen is as rough as before
+  strip.setRun(snapshot);
+  EXPECT_FALSE(note->isHidden());
+  snapshot.playing = true;
+  snapshot.report.rough = false;
+  snapshot.time = 0.5;
+  strip.setRun(snapshot);
+  EXPECT_TRUE(note->text().contains("given up until t = 0.35 s")) << qPrintable(note->text());
+  language.set(Language::German);
+  strip.setRun(snapshot);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return note->text().contains("aufgegeben bis t = 0,35 s"); }))
+    << qPrintable(note->text());
+  strip.setNet(64, 161); // another model
+  EXPECT_TRUE(note->isHidden());
+}
+
+// A real net that no step can follow at the effort allowed: the note comes by itself, stays when paused, and
+// goes with a new beginning.
+TEST_F(RealTimeTest, TheWindowSaysThatATooStiffNetIsRough)
+{
+  MainWindow window(&language);
+  QualityPlan plan;
+  plan.effort = 1e3; // less than a step costs
+  window.controller()->setQuality(plan);
+  Project project = test::sheetProject();
+  project.net.stiffness.setConstant(1e13);
+  project.net.fixed[0] = project.net.fixed[7] = 1; // or it would only fall
+  project.net.initialVelocity.setRandom(3, project.net.nodeCount());
+  window.document()->start(std::move(project), QString());
+  window.show();
+  const auto* note = window.findChild<QLabel*>("lblTolerance");
+  EXPECT_FALSE(note->isVisible());
+  window.controller()->setPlaying(true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return note->isVisible(); }, 20000))
+    << window.controller()->snapshot().time << " s, effort " << window.controller()->snapshot().quality.effort
+    << ": " << window.controller()->snapshot().message;
+  window.controller()->setPlaying(false);
+  QTest::qWait(300);
+  EXPECT_TRUE(note->isVisible());
+  window.controller()->reset();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !note->isVisible(); }, 20000));
+}
+
 // What the engine really says, in German: should a sentence of it change, its translation is missed here.
 TEST_F(RealTimeTest, TheEnginesReasonsAreTranslated)
 {

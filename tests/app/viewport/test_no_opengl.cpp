@@ -39,7 +39,7 @@ TEST(WithoutOpenGl, APageSaysWhatIsMissingAndEverythingElseWorks)
   view.setParameters(net);
   view.setRegions({Region{}}, 0);
   view.setColouring(Colouring::Force);
-  view.setShown(false, false);
+  view.setShown(false, false, false);
   view.setToolForce({0, 0, 1});
   view.setTool(Tool::Pull);
   view.fit();

@@ -167,6 +167,7 @@ TEST(SceneModel, ViewSettingsRoundTrip)
   settings.elevation = 0.9;
   settings.colouring = "force";
   settings.showSprings = false;
+  settings.showStruts = true;
   model.setViewSettings(settings);
   const ViewSettings back = model.viewSettings();
   EXPECT_EQ(back.target, settings.target);
@@ -176,6 +177,7 @@ TEST(SceneModel, ViewSettingsRoundTrip)
   EXPECT_EQ(back.colouring, "force");
   EXPECT_TRUE(back.showSurface);
   EXPECT_FALSE(back.showSprings);
+  EXPECT_TRUE(back.showStruts);
 }
 
 // distance = 0 in a project means "fit": the camera fits, the project still says 0.
@@ -203,7 +205,7 @@ TEST(SceneModel, AHiddenNodeIsPickedOnceTheSurfaceIsOff)
   model.setSnapshot(snapshot);
   const Eigen::Vector2d inside = model.camera.project(snapshot.position.col(0)).pixel;
   EXPECT_NE(model.nodeAt(inside), 0);
-  model.setShown(false, true);
+  model.setShown(false, true, false);
   model.setViewport(2400, 1800); // so that no other node is within the pick radius
   EXPECT_EQ(model.nodeAt(model.camera.project(snapshot.position.col(0)).pixel), 0);
 }
@@ -350,4 +352,17 @@ TEST(SceneModel, ClicksNearASpringsMiddleMeanTheSpring)
     EXPECT_EQ(model.springAt(end), kNoIndex) << "at its end";
   }
   EXPECT_GE(meant, 5) << "of the twelve edges of an octahedron those in front";
+}
+
+// What is not drawn is not meant: hidden struts are out of the way of a click.
+TEST(SceneModel, ClicksMeanAStrutOnlyWhileStrutsAreShown)
+{
+  const auto net = samples::sphere(0, 0.05);
+  net->triangles.resize(3, 0); // nothing hides it
+  std::fill(net->kind.begin(), net->kind.end(), SpringKind::Strut);
+  SceneModel model = modelOf(net);
+  const Eigen::Vector2d middle = model.camera.project(model.middleOf(0)).pixel;
+  EXPECT_EQ(model.springAt(middle), kNoIndex);
+  model.setShown(true, true, true);
+  EXPECT_NE(model.springAt(middle), kNoIndex);
 }

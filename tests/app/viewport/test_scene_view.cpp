@@ -170,7 +170,7 @@ TEST(SceneViewGl, TheEndsOfTheColourMapAppearWhereTheStiffnessIs)
   const auto net = samples::sphere(3, 0.05);
   for (Index s = 0; s < net->springCount(); ++s)
     net->stiffness(s) = net->restPosition(0, net->ends(0, s)) < 0.0 ? 10.0 : 1000.0;
-  view.scene.setShown(true, false);
+  view.scene.setShown(true, false, false);
   view.scene.setNet(net, 1);
   const QImage picture = view.scene.picture();
   const QColor left = view.at(picture, {-0.03, -0.04, 0.0}), right = view.at(picture, {0.03, -0.04, 0.0});
@@ -197,7 +197,7 @@ TEST(SceneViewGl, ProjectSaysWhereThingsAreDrawn)
   settings.elevation = 0.3;
   view.scene.setViewSettings(settings);
   const QImage with = view.scene.picture();
-  view.scene.setShown(true, false);
+  view.scene.setShown(true, false, false);
   const QImage without = view.scene.picture();
   for (const Eigen::Vector3d& point : {Eigen::Vector3d(0.04, 0, 0), Eigen::Vector3d(-0.03, 0, 0),
                                        Eigen::Vector3d(0, 0, 0.045), Eigen::Vector3d(0, 0, -0.02)}) {
@@ -205,6 +205,42 @@ TEST(SceneViewGl, ProjectSaysWhereThingsAreDrawn)
     const Eigen::Vector3d beside = point + Eigen::Vector3d(0.004, 0.0, 0.004); // several pixels off
     EXPECT_LT(difference(view.at(with, beside), view.at(without, beside)), 10) << point.transpose();
   }
+}
+
+// Along x a strut of the support layer, along y a line, along z an edge: each has ink where its switch is on.
+TEST(SceneViewGl, StrutsAreOffAtFirstAndHaveASwitchOfTheirOwn)
+{
+  View view;
+  const auto net = samples::sphere(0, 0.05);
+  net->triangles.resize(3, 0);
+  net->ends.col(0) << 0, 1;
+  net->ends.col(1) << 2, 3;
+  for (Index s = 2; s < net->springCount(); ++s) net->ends.col(s) << 4, 5;
+  net->kind[0] = SpringKind::Strut;
+  net->kind[1] = SpringKind::Line;
+  view.scene.setNet(net, 1);
+  ViewSettings settings = view.scene.viewSettings();
+  EXPECT_FALSE(settings.showStruts);
+  settings.azimuth = 0.9;
+  settings.elevation = 0.3;
+  view.scene.setViewSettings(settings);
+  const QImage atFirst = view.scene.picture();
+  view.scene.setShown(true, false, false);
+  const QImage bare = view.scene.picture();
+  view.scene.setShown(true, false, true);
+  EXPECT_TRUE(view.scene.viewSettings().showStruts);
+  const QImage struts = view.scene.picture();
+  view.scene.setShown(true, true, true);
+  const QImage all = view.scene.picture();
+  const auto inked = [&](const QImage& picture, const Eigen::Vector3d& point) {
+    return difference(view.at(picture, point), view.at(bare, point)) > 60;
+  };
+  const Eigen::Vector3d strut(0.04, 0, 0), line(0, 0.03, 0), edge(0, 0, 0.045);
+  EXPECT_FALSE(inked(atFirst, strut));
+  EXPECT_TRUE(inked(atFirst, line) && inked(atFirst, edge));
+  EXPECT_TRUE(inked(struts, strut));
+  EXPECT_FALSE(inked(struts, line) || inked(struts, edge));
+  EXPECT_TRUE(inked(all, strut) && inked(all, line) && inked(all, edge));
 }
 
 TEST(SceneViewGl, RegionsAreDrawnAndTheSelectedOneStandsOut)
@@ -366,13 +402,13 @@ TEST(SceneViewGl, PicturesOfAnOrgan)
     scene.setToolForce({-0.55, 0.1, -0.2});
     save(scene.picture(), dark ? "organ_stiffness_dark" : "organ_stiffness_light");
     scene.setColouring(Colouring::Strain);
-    scene.setShown(true, false);
+    scene.setShown(true, false, false);
     save(scene.picture(), dark ? "organ_strain_dark" : "organ_strain_light");
     scene.setColouring(Colouring::None);
-    scene.setShown(true, true);
+    scene.setShown(true, true, false);
     save(scene.picture(), dark ? "organ_plain_dark" : "organ_plain_light");
     scene.setColouring(Colouring::Force);
-    scene.setShown(false, true);
+    scene.setShown(false, true, false);
     save(scene.picture(), dark ? "organ_force_dark" : "organ_force_light");
   }
 }

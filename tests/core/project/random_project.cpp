@@ -247,8 +247,8 @@ Project randomProject(unsigned seed)
       {dice.nodes(nodes), dice.curve(), dice.coin() ? std::optional(dice.any()) : std::nullopt});
   project.simulation = {
     dice.uniform(0, 10), dice.uniform(1, 1000), {"implicit", 1e-5, dice.notNegative(), 1 + dice.below(8)}};
-  project.view = {dice.points(1), dice.notNegative(), dice.any(), dice.any(),
-                  "strain",       dice.coin(),        dice.coin()};
+  project.view = {dice.points(1), dice.notNegative(), dice.any(),  dice.any(),
+                  "strain",       dice.coin(),        dice.coin(), dice.coin()};
   return project;
 }
 

@@ -1,0 +1,326 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/error_text.h"
+#include "app/sample_files.h"
+#include "app/screen_room.h"
+#include "app/window_actions.h"
+#include "core/base/file_io.h"
+#include "core/project/project_io.h"
+#include "meshimport/mesh_importer.h"
+#include "tests/app/window_test.h"
+
+#include <QAction>
+#include <QFile>
+#include <QFileDialog>
+#include <QFileSystemWatcher>
+#include <QFrame>
+#include <QLabel>
+#include <QMenu>
+#include <QScreen>
+#include <QStatusBar>
+
+#include <fcntl.h>
+#include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
+
+using namespace esm;
+using test::Answer;
+using test::WindowTest;
+
+namespace {
+
+/// The window with a project that has a file, and has been edited since.
+struct WindowFilesTest : WindowTest {
+  QString path;
+  std::string theirs; ///< what somebody else writes
+
+  void SetUp() override
+  {
+    WindowTest::SetUp();
+    path = folder.filePath("organ.esm");
+    ASSERT_TRUE(saveProject(test::sheetProject(4), path.toStdString()));
+    ASSERT_TRUE(window->openPath(path));
+    window->document()->rename("mine");
+    Project other = test::sheetProject(5);
+    other.name = "theirs";
+    theirs = toJson(other);
+  }
+  std::string onDisk() const { return *readFile(path.toStdString()); }
+  std::string nameOnDisk() const { return loadProject(path.toStdString())->name; }
+};
+
+} // namespace
+
+TEST_F(WindowFilesTest, SavesWithoutAQuestionWhatNobodyElseTouched)
+{
+  Answer answer("dlgOtherVersion", "");
+  ASSERT_TRUE(window->saveProject());
+  window->document()->rename("mine again"); // what was saved is known too
+  ASSERT_TRUE(window->saveProject());
+  EXPECT_FALSE(answer.given);
+  EXPECT_EQ(nameOnDisk(), "mine again");
+}
+
+// What somebody else has saved in the meantime is lost only by a word of the user.
+TEST_F(WindowFilesTest, AsksBeforeAnotherVersionIsOverwritten)
+{
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs));
+  Answer cancel("dlgOtherVersion", "");
+  EXPECT_FALSE(window->saveProject());
+  EXPECT_TRUE(cancel.given);
+  EXPECT_TRUE(cancel.said.contains("organ.esm")) << qPrintable(cancel.said);
+  EXPECT_EQ(onDisk(), theirs);
+  EXPECT_TRUE(window->document()->isModified());
+
+  Answer overwrite("dlgOtherVersion", "otherVersionOverwrite");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_TRUE(overwrite.given);
+  EXPECT_EQ(nameOnDisk(), "mine");
+  EXPECT_EQ(*readFile(path.toStdString() + ".bak"), theirs); // as the question promised
+
+  window->document()->rename("once more"); // from now on it is this window's version
+  Answer none("dlgOtherVersion", "");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_FALSE(none.given);
+}
+
+TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
+{
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs));
+  Answer elsewhere("dlgOtherVersion", "otherVersionSaveAs");
+  QTimer typed;
+  const QString other = folder.filePath("elsewhere.esm");
+  QObject::connect(&typed, &QTimer::timeout, &typed, [&] {
+    auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
+    if (files == nullptr) return;
+    typed.stop();
+    files->selectFile(other);
+    QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+  });
+  typed.start(10);
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_EQ(onDisk(), theirs);
+  EXPECT_EQ(loadProject(other.toStdString())->name, "mine");
+  EXPECT_EQ(window->document()->path(), other);
+}
+
+// Closing asks first whether to save, then this; a window that may not save stays.
+TEST_F(WindowFilesTest, ClosingDoesNotOverwriteEither)
+{
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs));
+  Answer unsaved("dlgUnsaved", "unsavedSave");
+  Answer cancel("dlgOtherVersion", "");
+  EXPECT_FALSE(window->close());
+  EXPECT_TRUE(cancel.given);
+  EXPECT_EQ(onDisk(), theirs);
+}
+
+// A file that is gone has nothing to lose; neither has one that was only touched.
+TEST_F(WindowFilesTest, AsksForNoReasonOfNothing)
+{
+  Answer answer("dlgOtherVersion", "");
+  const std::string bytes = onDisk();
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), bytes)); // as a copy that was put back
+  EXPECT_TRUE(window->saveProject());
+  ASSERT_TRUE(QFile::remove(path));
+  window->document()->rename("back");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_FALSE(answer.given);
+  EXPECT_EQ(nameOnDisk(), "back");
+}
+
+// Two windows on one file: each learns that the other was first.
+TEST_F(WindowFilesTest, TwoDocumentsOfOneFileNoticeEachOther)
+{
+  Document other;
+  ASSERT_TRUE(other.open(path));
+  other.rename("other");
+  EXPECT_FALSE(other.fileChangedOnDisk());
+  ASSERT_TRUE(window->saveProject());
+  EXPECT_TRUE(other.fileChangedOnDisk());
+  ASSERT_TRUE(other.saveAs(path));
+  EXPECT_FALSE(other.fileChangedOnDisk());
+  EXPECT_TRUE(window->document()->fileChangedOnDisk());
+}
+
+// A project may name anything as its mesh file. Watching opens no pipe, waits for none, and watches no folder
+// of devices; the files beside them are watched as ever.
+TEST_F(WindowTest, TheWatchOfChangedFilesLeavesDevicesAndPipesAlone)
+{
+  const std::string pipe = folder.filePath("wall.obj").toStdString();
+  const std::string mesh = folder.filePath("changed.obj").toStdString();
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  ASSERT_TRUE(writeFileAtomically(mesh, "v 0 0 0\n"));
+  const QString link = folder.filePath("link.obj");
+  ASSERT_TRUE(QFile::link(QString::fromStdString(pipe), link));
+  Project project = test::sheetProject(3);
+  project.source.files = {{pipe, 1}, {"/dev/zero", 2}, {link.toStdString(), 3}, {mesh, 4}};
+  window->document()->start(std::move(project), QString());
+  const auto* bar = window->findChild<QFrame*>("changedFilesBar");
+  const auto* watcher = bar->findChild<QFileSystemWatcher*>();
+  const auto nobodyReads = [&] { // to open a pipe for writing succeeds at once only if somebody reads it
+    const int file = ::open(pipe.c_str(), O_WRONLY | O_NONBLOCK | O_CLOEXEC);
+    if (file >= 0) ::close(file);
+    return file < 0;
+  };
+  ASSERT_TRUE(QTest::qWaitFor([&] {
+    EXPECT_TRUE(nobodyReads());
+    return !bar->isHidden();
+  }));
+  EXPECT_TRUE(window->findChild<QLabel*>("changedFilesText")->text().endsWith(": changed.obj"));
+  EXPECT_EQ(watcher->files(), QStringList{QString::fromStdString(mesh)});
+  EXPECT_EQ(watcher->directories(), QStringList{folder.path()});
+
+  ASSERT_TRUE(std::filesystem::remove(mesh)); // and while it watches
+  ASSERT_EQ(::mkfifo(mesh.c_str(), 0600), 0);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return bar->isHidden(); }));
+  EXPECT_FALSE(watcher->files().contains(QString::fromStdString(mesh)));
+}
+
+namespace {
+
+/// What core says of files that are wrong in the ways that users meet.
+std::vector<Error> errorsOfFiles(const QTemporaryDir& folder)
+{
+  std::vector<Error> errors;
+  const auto written = [&](const char* name, const std::string& bytes) {
+    const std::string path = folder.filePath(name).toStdString();
+    EXPECT_TRUE(writeFileAtomically(path, bytes));
+    return path;
+  };
+  const std::string good = toJson(test::sheetProject(3));
+  const auto with = [&](const std::string& from, const std::string& to) {
+    std::string changed = good;
+    EXPECT_NE(changed.find(from), std::string::npos) << from;
+    return changed.replace(changed.find(from), from.size(), to);
+  };
+  const std::string pipe = folder.filePath("pipe.esm").toStdString();
+  EXPECT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  for (const std::string& path :
+       {folder.filePath("absent.esm").toStdString(), folder.path().toStdString(), pipe,
+        std::string("/dev/zero"), written("empty.esm", ""), written("text.esm", "no project"),
+        written("cut.esm", good.substr(0, 700)),
+        written("newer.esm", with("\"schema_version\": 1", "\"schema_version\": 7")),
+        written("key.esm", with("\"name\"", "\"nom\"")),
+        written("type.esm", with("\"name\": \"sheet\"", "\"name\": 5")),
+        written("solver.esm", with("\"solver\": \"auto\"", "\"solver\": \"magic\""))}) {
+    const auto project = loadProject(path);
+    EXPECT_FALSE(project) << path;
+    if (!project) errors.push_back(project.error());
+  }
+  for (const std::string& path :
+       {folder.filePath("absent.obj").toStdString(), folder.path().toStdString(), std::string("/dev/zero"),
+        written("empty.stl", ""), written("blank.obj", "  \n"), written("noise.stl", std::string(60, '\x01')),
+        written("points.obj", "v 0 0 0\n"), written("comma.obj", "v 0,5 0 0\n"),
+        written("far.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n"),
+        written("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
+        written("cloud.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
+                             "y\nproperty float z\nend_header\n0 0 0\n"),
+        written("picture.obj", "\x89PNG\r\n\x1a\n"), written("old.off", "OFF\n3 1 0\n0 0 0\n"),
+        written("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")}) {
+    const auto mesh = importMesh(path);
+    EXPECT_FALSE(mesh) << path;
+    if (!mesh) errors.push_back(mesh.error());
+  }
+  Project broken = test::sheetProject(3);
+  broken.net.stiffness[0] = -3.0;
+  for (const Status& saved :
+       {saveProject(test::sheetProject(3), folder.filePath("no/such/folder/a.esm").toStdString()),
+        saveProject(test::sheetProject(3), folder.path().toStdString()),
+        saveProject(broken, folder.filePath("broken.esm").toStdString())}) {
+    EXPECT_FALSE(saved);
+    if (!saved) errors.push_back(saved.error());
+  }
+  return errors;
+}
+
+} // namespace
+
+// Should a sentence of the core change, its translation is missed here: in German each part is another text.
+TEST_F(WindowTest, WhatIsWrongWithAFileIsSaidInTheWindowsLanguage)
+{
+  const std::vector<Error> errors = errorsOfFiles(folder);
+  for (const Error& error : errors) EXPECT_EQ(errorDetail(error).toStdString(), error.detail); // English
+  language.set(Language::German);
+  const QStringList english{" is ", " the ", " be ", " file", "cannot", " it ", " no ", " has ", " not "};
+  for (const Error& error : errors) {
+    const QString said = QLatin1Char(' ') + errorDetail(error) + QLatin1Char(' ');
+    for (const QString& word : english)
+      EXPECT_FALSE(said.contains(word)) << qPrintable(word) << " in " << qPrintable(said);
+  }
+  EXPECT_EQ(errorDetail(QStringLiteral(
+              "/a: b/x.obj: line 3: a vertex needs three coordinates; is the file cut short?")),
+            "/a: b/x.obj: Zeile 3: eine Ecke braucht drei Koordinaten; ist die Datei abgeschnitten?");
+  EXPECT_EQ(errorDetail(QStringLiteral("x.esm: cannot be read (Permission denied)")),
+            "x.esm: nicht lesbar (keine Berechtigung)");
+  EXPECT_EQ(errorDetail(QStringLiteral("%2.obj: line 1: '%1' is no corner (as 7, 7/1, 7//3 or 7/1/3)")),
+            "%2.obj: Zeile 1: „%1“ ist keine Ecke (wie 7, 7/1, 7//3 oder 7/1/3)");
+}
+
+// An organ is called in the menu and in the title as the window's language calls it.
+TEST_F(WindowTest, SamplesAreNamedInTheWindowsLanguage)
+{
+  EXPECT_EQ(sampleTitle("/x/fallopian_tube.esm"), "Fallopian tube");
+  EXPECT_EQ(sampleTitle("/x/my_own_organ.obj"), "my own organ");
+  window->setLanguage(Language::German);
+  QStringList names;
+  for (const QAction* action : window->actions()->sampleMenu->actions()) names << action->text();
+  EXPECT_TRUE(names.contains("Eileiter") && names.contains("Gallenblase") && names.contains("Gebärmutter"))
+    << qPrintable(names.join(' '));
+  ASSERT_TRUE(window->openSample());
+  EXPECT_TRUE(window->windowTitle().startsWith("Eileiter")) << qPrintable(window->windowTitle());
+}
+
+// Nobody wonders why nothing moves.
+TEST_F(WindowFilesTest, AnOpenedProjectSaysThatItIsPausedAndSoDoesAPull)
+{
+  const QStatusBar* bar = window->statusBar();
+  EXPECT_TRUE(bar->currentMessage().contains("organ.esm")) << qPrintable(bar->currentMessage());
+  EXPECT_TRUE(bar->currentMessage().contains("paused")) << qPrintable(bar->currentMessage());
+  window->controller()->setPlaying(true);
+  EXPECT_TRUE(bar->currentMessage().isEmpty()) << qPrintable(bar->currentMessage());
+  emit window->sceneView()->pullStarted(0, 0.0, 0.0, 0.01);
+  EXPECT_TRUE(bar->currentMessage().isEmpty());
+  emit window->sceneView()->pullEnded();
+  window->controller()->setPlaying(false);
+  emit window->sceneView()->pullStarted(0, 0.0, 0.0, 0.01);
+  EXPECT_TRUE(bar->currentMessage().contains("paused"));
+  emit window->sceneView()->pullEnded();
+}
+
+// A window is all on the screen with its frame, wherever it was when it was last closed.
+TEST(ScreenRoom, ThePlaceOfAWindowIsAllOnTheScreen)
+{
+  const QRect room(0, 24, 1366, 744); // a panel of the desktop above
+  const QMargins frame(4, 30, 4, 4);
+  const auto isAll = [&](const QRect& place) { return room.contains(place.marginsAdded(frame)); };
+  EXPECT_TRUE(isAll(placeWithin(room, QRect(0, 0, 1600, 1000), frame)));    // as large as another screen
+  EXPECT_TRUE(isAll(placeWithin(room, QRect(1500, 300, 800, 600), frame))); // to the right of it
+  EXPECT_TRUE(isAll(placeWithin(room, QRect(-700, -90, 800, 600), frame)));
+  EXPECT_EQ(placeWithin(room, QRect(1500, 300, 800, 600), frame).size(), QSize(800, 600));
+  const QRect fits(100, 100, 800, 600);
+  EXPECT_EQ(placeWithin(room, fits, frame), fits);
+}
+
+TEST_F(WindowTest, AStoredLayoutIsBroughtBackToTheScreen)
+{
+  const QRect room = window->screen()->availableGeometry();
+  {
+    MainWindow other(&language);
+    other.setGeometry(room.right() - 200, room.bottom() - 100, room.width() + 400, room.height() + 300);
+    other.show();
+    other.close(); // stores it
+  }
+  MainWindow restored(&language);
+  restored.restoreLayout();
+  restored.show();
+  restored.keepOnScreen();
+  // Panels have a least width, which the screen of this test may not have.
+  EXPECT_TRUE(QTest::qWaitFor([&] {
+    const QRect place = restored.frameGeometry();
+    return room.contains(place.topLeft()) && room.bottom() >= place.bottom();
+  }))
+    << restored.frameGeometry().x() << ", " << restored.frameGeometry().y() << ", "
+    << restored.frameGeometry().width() << " x " << restored.frameGeometry().height();
+}
