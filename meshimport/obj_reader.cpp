@@ -181,7 +181,7 @@ private:
 bool recognisesObj(std::string_view bytes, std::string_view ending)
 {
   if (!looksLikeText(bytes)) return false;
-  if (ending == "obj") return !foreignKind(bytes);
+  if (ending == "obj") return !foreignKind(bytes) && betrayedEnding(bytes).empty();
   TextCursor cursor(bytes.substr(0, 1 << 16), kRules);
   for (; !cursor.atEnd(); cursor.nextLine()) {
     if (cursor.word() != "v") continue;

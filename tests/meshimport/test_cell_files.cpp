@@ -8,6 +8,8 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+
 namespace {
 
 using namespace esm;
@@ -62,6 +64,22 @@ TEST(Vtk, aHexahedronBecomesItsTwelveEdgesAndQuadraticCellsTheirCorners)
   EXPECT_THAT(allNotes(imported), HasSubstr("1 cells of higher order were reduced to their corners"));
 }
 
+/// Pixels and voxels count their corners row by row, not round the outline.
+TEST(Vtk, pixelsAndVoxelsAreRows)
+{
+  const std::string head = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET UNSTRUCTURED_GRID\nPOINTS 8 float\n"
+                           "0 0 0 1 0 0 0 1 0 1 1 0 0 0 1 1 0 1 0 1 1 1 1 1\n";
+  const auto sum = [](const Result<ImportedMesh>& imported) {
+    return imported ? sumRestLength(imported->mesh, imported->edges) : 0.0;
+  };
+  const auto pixel = importBytes("pixel.vtk", head + "CELLS 1 5\n4 0 1 2 3\nCELL_TYPES 1\n8\n");
+  EXPECT_EQ(contents(pixel), "8 vertices, 0 segments, 2 triangles, 0 tetrahedra");
+  EXPECT_NEAR(sum(pixel), 4.0 + std::sqrt(2.0), 1e-15); // four sides and a diagonal; one rounding
+  const auto voxel = importBytes("voxel.vtk", head + "CELLS 1 9\n8 0 1 2 3 4 5 6 7\nCELL_TYPES 1\n11\n");
+  EXPECT_EQ(contents(voxel), "8 vertices, 12 segments, 0 triangles, 0 tetrahedra");
+  EXPECT_EQ(sum(voxel), 12.0);
+}
+
 // === VTU
 
 std::string vtu(const std::string& head, const std::string& points, const std::string& lists)
@@ -82,6 +100,43 @@ TEST(Vtu, textArraysArrive)
         "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">10 3</DataArray>") +
     "</VTKFile>\n";
   EXPECT_EQ(contents(importBytes("a.vtu", text)), "4 vertices, 1 segments, 0 triangles, 1 tetrahedra");
+}
+
+std::string base64(const std::string& bytes)
+{
+  constexpr const char* kLetters = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    unsigned bits = 0;
+    for (std::size_t k = 0; k < 3; ++k)
+      bits = bits << 8 | (i + k < bytes.size() ? static_cast<unsigned char>(bytes[i + k]) : 0u);
+    for (std::size_t k = 0; k < 4; ++k)
+      text += i + k <= bytes.size() ? kLetters[bits >> (18 - 6 * k) & 63] : '=';
+  }
+  return text;
+}
+
+/// The size before the data may be a text of its own, with padding at its end, or part of one text.
+TEST(Vtu, inlineBase64WithItsSizeApartOrInOne)
+{
+  std::string points, nodes, ends;
+  for (const double x : {0., 0., 0., 1., 0., 0., 0., 1., 0., 0., 0., 1.}) points += bytesOf(x);
+  for (const std::int64_t i : {0, 1, 2, 3, 0, 3}) nodes += bytesOf(i);
+  for (const std::int64_t i : {4, 6}) ends += bytesOf(i);
+  for (const bool isApart : {false, true}) {
+    const auto array = [isApart](const std::string& head, const std::string& data) {
+      const std::string size = bytesOf(static_cast<std::uint32_t>(data.size()));
+      return "<DataArray " + head + " format=\"binary\">" +
+             (isApart ? base64(size) + base64(data) : base64(size + data)) + "</DataArray>";
+    };
+    const std::string text = vtu("", array("type=\"Float64\" NumberOfComponents=\"3\"", points),
+                                 array("type=\"Int64\" Name=\"connectivity\"", nodes) +
+                                   array("type=\"Int64\" Name=\"offsets\"", ends) +
+                                   array("type=\"UInt8\" Name=\"types\"", "\x0a\x03")) +
+                             "</VTKFile>\n";
+    EXPECT_EQ(contents(importBytes("a.vtu", text)), "4 vertices, 1 segments, 0 triangles, 1 tetrahedra")
+      << isApart;
+  }
 }
 
 std::string appendedVtu()
@@ -147,6 +202,18 @@ std::string binaryMsh4(std::endian order)
   bytes += "\n$EndNodes\n$Elements\n" + i8(1) + i8(1) + i8(1) + i8(1) + i4(3) + i4(1) + i4(4) + i8(1) + i8(1);
   for (const std::uint64_t tag : {1, 2, 3, 4}) bytes += i8(tag);
   return bytes + "\n$EndElements\n";
+}
+
+/// Nodes may have their place on a curve or surface behind their coordinates.
+TEST(Gmsh, parametersOfNodesArePassedOver)
+{
+  const std::string text =
+    "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n2 4 1 4\n2 1 1 3\n1\n2\n3\n0 0 0 0.5 0.25\n"
+    "1 0 0 0.5 0.25\n0 1 0 0.5 0.25\n1 1 1 1\n4\n0 0 7 0.5\n$EndNodes\n$Elements\n2 2 1 2\n"
+    "2 1 2 1\n1 1 2 3\n1 1 1 1\n2 1 4\n$EndElements\n";
+  const auto imported = importBytes("a.msh", text);
+  ASSERT_EQ(contents(imported), "4 vertices, 1 segments, 1 triangles, 0 tetrahedra");
+  EXPECT_EQ(imported->report.boxMax, Eigen::Vector3d(1, 1, 7));
 }
 
 TEST(Gmsh, binaryFilesOfBothByteOrdersArrive)

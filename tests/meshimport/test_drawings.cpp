@@ -58,6 +58,36 @@ TEST(Dxf, anInsertIsScaledTurnedAndMoved)
   EXPECT_TRUE(imported->mesh.position.col(1).isApprox(Eigen::Vector3d(5, 8, 0), 1e-12));
 }
 
+TEST(Dxf, anInsertInRowsAndColumnsIsPlacedAtEach)
+{
+  const std::string block = "0\nBLOCK\n2\nB\n0\nLINE\n10\n0\n20\n0\n30\n0\n11\n1\n21\n1\n31\n0\n0\nENDBLK\n";
+  const auto imported =
+    importBytes("a.dxf", dxf("0\nINSERT\n2\nB\n10\n0\n20\n0\n30\n0\n70\n2\n71\n3\n44\n10\n45\n100\n", block));
+  ASSERT_EQ(contents(imported), "12 vertices, 6 segments, 0 triangles, 0 tetrahedra");
+  EXPECT_EQ(imported->report.boxMax, Eigen::Vector3d(11, 201, 0));
+}
+
+/// The arbitrary axis algorithm of the DXF reference: near the world's z the x axis is y cross the extrusion,
+/// else z cross the extrusion.
+TEST(Dxf, theExtrusionDirectionTurnsAPlanePolyline)
+{
+  const auto corners = [](const std::string& extrusion) {
+    return importBytes(
+      "a.dxf", dxf("0\nLWPOLYLINE\n90\n3\n70\n0\n10\n0\n20\n0\n10\n1\n20\n0\n10\n1\n20\n1\n" + extrusion));
+  };
+  const auto below = corners("210\n0\n220\n0\n230\n-1\n");
+  ASSERT_EQ(contents(below), "3 vertices, 2 segments, 0 triangles, 0 tetrahedra");
+  EXPECT_EQ(below->mesh.position.col(1), Eigen::Vector3d(-1, 0, 0));
+  EXPECT_EQ(below->mesh.position.col(2), Eigen::Vector3d(-1, 1, 0));
+  for (const bool inXz : {true, false}) { // leaning in one direction is not near the world's z
+    const auto leaning = corners(inXz ? "210\n0.6\n220\n0\n230\n0.8\n" : "210\n0\n220\n0.6\n230\n0.8\n");
+    const Eigen::Vector3d x = inXz ? Eigen::Vector3d(0, 1, 0) : Eigen::Vector3d(-1, 0, 0);
+    const Eigen::Vector3d y = inXz ? Eigen::Vector3d(-0.8, 0, 0.6) : Eigen::Vector3d(0, -0.8, 0.6);
+    EXPECT_TRUE(leaning->mesh.position.col(1).isApprox(x, 1e-15)) << inXz; // a few roundings
+    EXPECT_TRUE(leaning->mesh.position.col(2).isApprox(x + y, 1e-15)) << inXz;
+  }
+}
+
 TEST(Dxf, aBlockInsideItselfAndABombOfBlocksAreRefused)
 {
   const std::string line = "0\nLINE\n10\n0\n20\n0\n30\n0\n11\n1\n21\n0\n31\n0\n";

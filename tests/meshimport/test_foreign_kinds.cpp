@@ -175,11 +175,23 @@ TEST(ForeignKinds, ogreGoesToTheLibraryWhateverItsName)
 
 TEST(ForeignKinds, aStepFileOfBuildingsIsNoStepPart)
 {
+  // the name of the schema may stand far behind the start
+  const std::string head =
+    "ISO-10303-21;\nHEADER;\nFILE_DESCRIPTION(('" + std::string(5000, 'x') + "'),'2;1');\n";
+  EXPECT_THAT(refusalOf("a.ifc", head + "FILE_SCHEMA(('IFC2X3'));\nENDSEC;\n"),
+              Not(HasSubstr("STEP file, which holds surfaces")));
+  EXPECT_THAT(refusalOf("a.ifc", head + "FILE_SCHEMA(('AUTOMOTIVE_DESIGN'));\nENDSEC;\n"),
+              HasSubstr("STEP file, which holds surfaces"));
   const auto imported = importBytes(
     "a.ifc",
     "ISO-10303-21;\nHEADER;\nFILE_SCHEMA(('IFC2X3'));\nENDSEC;\nDATA;\nENDSEC;\nEND-ISO-10303-21;\n");
   ASSERT_FALSE(imported); // it is empty
   EXPECT_THAT(imported.error().detail, Not(HasSubstr("STEP file, which holds surfaces")));
+}
+
+TEST(ForeignKinds, aFormatOfTheLibraryNamedAsObjIsWhatItIs)
+{
+  EXPECT_EQ(summary(importBytes("a.obj", kOgre)), "3/3/1");
 }
 
 /// What a mesh may have in common with other files does not make it foreign.
