@@ -279,7 +279,13 @@ private:
   /// A conclusion on SINGLETONS is one on each of them, with a weight where it is not full.
   void addRule(RuleBlock& block, std::string_view text)
   {
-    const Rule rule = readRule(text, m_system, true);
+    const char* mixed = nullptr;
+    const Rule rule = readRule(text, m_system, true, &mixed);
+    if (mixed && !m_saidMixed)
+      m_notes.add(mixed,
+                  "AND is joined before the OR in front of it, as the standard has it; jFuzzyLogic joins "
+                  "from the left, brackets say which is meant");
+    m_saidMixed = m_saidMixed || mixed;
     Rule whole = rule;
     whole.consequents.clear();
     std::vector<Rule> parts;
@@ -340,6 +346,7 @@ private:
   System m_system;
   std::vector<std::pair<std::size_t, std::string_view>> m_rules;
   std::vector<Accumulation> m_accumulations;
+  bool m_saidMixed = false;
   std::set<std::string> m_hasMethod;                               ///< outputs that say theirs
   std::map<std::pair<int, int>, std::vector<double>> m_singletons; ///< heights, by output and first term
 };

@@ -330,6 +330,10 @@ private:
     line(text);
     if (term.shape == Shape::Function && hasLeadingMinus(term.formula))
       m_written.losses.push_back("term '" + term.name + "': fuzzylite cannot read '-' before an operand");
+    for (const char* name : {"input.x", "output.x"}) // see formulaNames()
+      if (term.formula.find(name) != std::string::npos)
+        m_written.losses.push_back("term '" + term.name + "': fuzzylite cannot read '" + name +
+                                   "', call that variable otherwise than x");
   }
 
   void writeOutput(const OutputVariable& output)

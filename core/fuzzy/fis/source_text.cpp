@@ -121,6 +121,8 @@ public:
     return rule;
   }
 
+  const char* mixed() const { return m_mixed; }
+
 private:
   using Kind = Antecedent::Kind;
   /// A condition while it grows; turned into the flat tree, parents first, at the end.
@@ -128,6 +130,7 @@ private:
     Kind kind = Kind::Proposition;
     Proposition proposition;
     std::vector<Branch> children;
+    const char* bare = nullptr; ///< of a chain without brackets: its first "and" or "or"
   };
 
   void next()
@@ -166,8 +169,12 @@ private:
     if (!is(keyword)) return first;
     Branch chain;
     chain.kind = kind;
+    chain.bare = m_word.data();
     chain.children.push_back(std::move(first));
-    while (accept(keyword)) chain.children.push_back(readPart());
+    while (accept(keyword)) {
+      chain.children.push_back(readPart());
+      if (kind == Kind::Or && !m_mixed) m_mixed = chain.children.back().bare;
+    }
     return chain;
   }
 
@@ -176,10 +183,11 @@ private:
     if (depth > kDepth) throw Fault{m_word.data(), "the condition is nested too deeply"};
     if (accept("(")) {
       Branch group = readAny(depth + 1);
+      group.bare = nullptr;
       expect(")");
       return group;
     }
-    if (!is("not")) return {Kind::Proposition, readProposition(false), {}};
+    if (!is("not")) return {Kind::Proposition, readProposition(false), {}, nullptr};
     next();
     if (is("(") || is("not")) {
       Branch inverse;
@@ -189,7 +197,7 @@ private:
     }
     Proposition proposition = readProposition(false);
     proposition.hedges.insert(proposition.hedges.begin(), Hedge::Not);
-    return {Kind::Proposition, std::move(proposition), {}};
+    return {Kind::Proposition, std::move(proposition), {}, nullptr};
   }
 
   template <class Named>
@@ -267,13 +275,17 @@ private:
   std::string_view m_text, m_word;
   const System& m_system;
   bool m_asFcl;
+  const char* m_mixed = nullptr;
 };
 
 } // namespace
 
-Rule readRule(std::string_view text, const System& system, bool asFcl)
+Rule readRule(std::string_view text, const System& system, bool asFcl, const char** mixed)
 {
-  return RuleReader(text, system, asFcl).read();
+  RuleReader reader(text, system, asFcl);
+  Rule rule = reader.read();
+  if (mixed) *mixed = reader.mixed();
+  return rule;
 }
 
 } // namespace esm::fis

@@ -80,7 +80,8 @@ Result<System> runReader(const SourceText& source, const Read& read)
 ///     proposition := variable is hedge* term
 ///
 /// "not" before a variable is the hedge before its term. @param asFcl keywords and hedges in any case, commas
-/// between conclusions.
-Rule readRule(std::string_view text, const System& system, bool asFcl);
+/// between conclusions. @param mixed gets the place of an "and" behind an "or" without brackets, if there is
+/// one
+Rule readRule(std::string_view text, const System& system, bool asFcl, const char** mixed = nullptr);
 
 } // namespace esm::fis

@@ -51,6 +51,34 @@ TEST(Inference, AggregationIsMaximum)
   EXPECT_EQ(one.evaluate(in).outputs[0].value, two.evaluate(in).outputs[0].value);
 }
 
+// Beyond the range of an input its end counts, so that nothing changes with it there.
+TEST(Inference, BeyondTheRangeSlopesAreZero)
+{
+  RuleBase base = smallRules();
+  base.inputs[0].terms[1] = makeTerm("hard", Shape::Triangle, {-1, 2, 3}); // rises through both ends
+  const Engine e = engine(
+    base, {"IF hardness IS hard THEN stiffness IS high", "IF elasticity IS low THEN stiffness IS low"});
+  for (const double hardness : {0.9, 1.5, -0.5}) {
+    const std::vector<InputValue> in = {hardness, 0.4, 0.5};
+    const bool within = hardness >= 0.0 && hardness <= 1.0;
+    EXPECT_EQ(e.slopes(in, 0)[0] != 0.0, within) << hardness;
+  }
+}
+
+// What no conclusion hangs on is not drawn either: the tail of a bell that does not fire.
+TEST(Inference, RulesThatDoNotFireAreNotDrawn)
+{
+  RuleBase base = smallRules();
+  base.rules.push_back(rule(base, "IF hardness IS hard THEN stiffness IS high"));
+  for (const auto& [degree, drawn] : {std::pair{1e-13, false}, {1e-11, true}}) {
+    Inference inference;
+    inference.firings.push_back({0, degree});
+    double highest = 0.0;
+    for (const auto& [x, height] : aggregatedSet(base, inference, 0, 11)) highest = std::max(highest, height);
+    EXPECT_EQ(highest, drawn ? degree : 0.0);
+  }
+}
+
 TEST(Inference, WeightScalesTheDegreeAndDisabledRulesAreSilent)
 {
   RuleBase base = smallRules();

@@ -41,6 +41,23 @@ Mesh square()
   return meshOf({{0, 0, 0}, {a, 0, 0}, {a, a, 0}, {0, a, 0}}, {{0, 1, 2}, {0, 2, 3}});
 }
 
+// A band of the support layer stands for the node's share of the surface: k = E A / l, A = a^2 / 3 at a
+// corner of two triangles. 1e-12 relative: rounding.
+TEST(ApplyTissue, ABandHoldsItsShareOfTheSurface)
+{
+  const TissueModel model = defaultTissue();
+  const TissueParameters tissue = TissueField::create(model)->base();
+  SpringNet net = netOf(square());
+  net.anchors.node = {0};
+  net.anchors.point = Eigen::Vector3d(0, 0, -0.02);
+  net.anchors.stiffness = net.anchors.viscosity = Eigen::ArrayXd::Zero(1);
+  net.anchors.bandLength = Eigen::ArrayXd::Constant(1, 0.02);
+  apply(model, net);
+  ASSERT_EQ(net.anchors.count(), 5);
+  EXPECT_NEAR(net.anchors.stiffness[4] / (tissue.youngsModulus * 1e-4 / 3.0 / 0.02), 1.0, 1e-12);
+  EXPECT_NEAR(net.anchors.viscosity[4] / (tissue.viscosity * net.anchors.stiffness[4]), 1.0, 1e-12);
+}
+
 // k = E h A / L^2: a side (A = a^2/2, L = a) has E h / 2, the diagonal (A = a^2, L^2 = 2 a^2) too.
 // Masses: density h a^2 / 6 per triangle corner. 1e-12 relative: rounding.
 TEST(ApplyTissue, ASquareByHand)

@@ -41,7 +41,7 @@ void expectSameNet(const SpringNet& a, const SpringNet& b)
   expectSameBits(a.mass, b.mass, "mass");
   expectSameBits(a.anchors.stiffness, b.anchors.stiffness, "anchor stiffness");
   expectSameBits(a.anchors.viscosity, b.anchors.viscosity, "anchor viscosity");
-  EXPECT_EQ(a.anchors.node, b.anchors.node);
+  ASSERT_EQ(a.anchors.node, b.anchors.node);
   EXPECT_EQ(a.anchors.point, b.anchors.point);
   EXPECT_EQ(a.law, b.law);
 }

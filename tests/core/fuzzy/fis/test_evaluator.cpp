@@ -66,6 +66,14 @@ TEST(Evaluator, TakesNumbersIntervalsAndWords)
               (10 * t * t + 90) / (t * t + 1), 1e-12);
 }
 
+// Where a formula needs a number, the middle of the interval stands in.
+TEST(Evaluator, TheMiddleOfAnIntervalStandsIn)
+{
+  System system = systemOf(" rule: if heat is any then speed is high\n");
+  system.outputs[0].terms[1] = {"high", Shape::Linear, {3.0, 0.0, 1.0}, 1.0, {}};
+  EXPECT_DOUBLE_EQ(answer(system, {Input::interval(2.0, 6.0), Input::number(0.0)}).value, 13.0);
+}
+
 TEST(Evaluator, SaysWhereAValueComesFrom)
 {
   System system = systemOf(" rule: if heat is hot then speed is high\n");
@@ -184,6 +192,20 @@ TEST(Checks, FindWhatIsOdd)
   shadow.outputs[0].terms = {{"low", Shape::Triangle, {0, 20, 40}, 1.0, {}},
                              {"high", Shape::Triangle, {60, 80, 100}, 1.0, {}}};
   EXPECT_EQ(kindsOf(shadow), std::vector{Kind::Shadowed});
+}
+
+// Equal triangles of half width 1, one moved by d: the common part is (1 - d/2)^2, of what either covers 62
+// per cent at d = 1/4 and 55 at 0.32. More than 60 per cent is odd.
+TEST(Checks, TermsMayShareSixtyPerCent)
+{
+  for (const auto& [shift, odd] : {std::pair{0.25, true}, {0.32, false}}) {
+    System system = systemOf(kRules);
+    system.outputs[0].minimum = -1.0, system.outputs[0].maximum = 2.0;
+    system.outputs[0].terms = {{"low", Shape::Triangle, {-1, 0, 1}, 1.0, {}},
+                               {"high", Shape::Triangle, {shift - 1, shift, shift + 1}, 1.0, {}}};
+    const auto kinds = kindsOf(system);
+    EXPECT_EQ(std::count(kinds.begin(), kinds.end(), FindingKind::Overlap), odd ? 1 : 0) << shift;
+  }
 }
 
 // The witness of an uncovered place is one: nothing fires there.
