@@ -6,6 +6,7 @@
 #include "app/import/defect_list.h"
 #include "app/import/format_memory.h"
 #include "app/import/recipe_form.h"
+#include "app/import/unit_question.h"
 #include "app/theme.h"
 #include "app/viewport/scene_view.h"
 
@@ -235,6 +236,11 @@ void ImportDialog::readFiles()
 
 void ImportDialog::takeSource(MeshSource source)
 {
+  if (!m_source && m_remembered) { // but for the unit: a wrong one would go unseen
+    ImportRecipe remembered = m_form->recipe();
+    remembered.unit = guessedUnit((source.report.boxMax - source.report.boxMin).maxCoeff());
+    m_form->setRecipe(remembered);
+  }
   if (!m_source && !m_remembered) {
     ImportRecipe guessed = m_form->recipe();
     guessed.unit = guessedUnit((source.report.boxMax - source.report.boxMin).maxCoeff());
@@ -410,8 +416,11 @@ void ImportDialog::showSize()
   const QLocale locale;
   const auto text = [&](double length) { return locale.toString(length, 'g', 4); };
   QString size = tr("%1 × %2 × %3 mm").arg(text(extent.x()), text(extent.y()), text(extent.z()));
-  if (extent.maxCoeff() < 3.0 || extent.maxCoeff() > 2000.0)
-    size += QStringLiteral("   ⚠ ") + tr("Not the size of an organ: is the unit right?");
+  m_extent = (m_source->report.boxMax - m_source->report.boxMin).maxCoeff();
+  m_metres = extent.maxCoeff() / 1000.0;
+  if (!isOrganSize(m_metres))
+    size += QStringLiteral("   ⚠ ") + tr("Not the size of an organ: is the unit right?") + QLatin1Char(' ') +
+            likelyText(m_extent);
   m_size->setText(size);
 }
 
@@ -432,9 +441,24 @@ bool ImportDialog::replaces() const
   return m_replace->isChecked();
 }
 
+/// A model that is smaller or larger than any organ is taken only by a word of the user.
+bool ImportDialog::unitIsMeant()
+{
+  if (isOrganSize(m_metres)) return true;
+  const UnitAnswer answer = askAboutUnit(m_extent, m_metres, this);
+  if (answer == UnitAnswer::UseLikely) {
+    ImportRecipe likely = m_form->recipe();
+    likely.unit = likelyUnit(m_extent).value_or(likely.unit);
+    m_form->setRecipe(likely);
+    showSize();
+    askForNet();
+  }
+  return answer == UnitAnswer::Keep;
+}
+
 void ImportDialog::accept()
 {
-  if (!m_preview) return;
+  if (!m_preview || !unitIsMeant()) return;
   rememberRecipe(format(), m_form->recipe());
   QDialog::accept();
 }

@@ -68,6 +68,7 @@ private:
   void setBusy(bool busy);
   TissueModel wantedTissue() const;
   void askForNet();
+  bool unitIsMeant();
   void resetRemembered();
   void retranslate();
   ImportRecipe recipe() const;
@@ -80,7 +81,8 @@ private:
   std::optional<ImportPreview> m_preview;     ///< of the present choices, or empty
   std::uint64_t m_generation = 0;             ///< of nets in the view
   bool m_remembered = false;
-  QTimer m_settle; ///< a value that is being typed or dragged waits for the next
+  double m_extent = 0.0, m_metres = 0.0; ///< the largest of the box, in the file's unit and in the scene
+  QTimer m_settle;                       ///< a value that is being typed or dragged waits for the next
   QTimer m_progressTimer;
 
   QScrollArea* m_left = nullptr;

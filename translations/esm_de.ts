@@ -2195,6 +2195,22 @@
         <source>Regions lie where the former organ was</source>
         <translation>Regionen liegen dort, wo das frühere Organ war</translation>
     </message>
+    <message>
+        <source>With the unit %1 it would be %2 large.</source>
+        <translation>Mit der Einheit %1 wäre es %2 groß.</translation>
+    </message>
+    <message>
+        <source>The model is %1 large. Is its unit right?</source>
+        <translation>Das Modell ist %1 groß. Stimmt seine Einheit?</translation>
+    </message>
+    <message>
+        <source>Take the unit %1</source>
+        <translation>Einheit %1 nehmen</translation>
+    </message>
+    <message>
+        <source>Import as it is</source>
+        <translation>So importieren</translation>
+    </message>
 </context>
 <context>
     <name>esm::InputRow</name>

@@ -29,6 +29,7 @@ std::optional<ImportRecipe> rememberedRecipe(const QString& format)
 void rememberRecipe(const QString& format, ImportRecipe recipe)
 {
   recipe.files.clear();
+  recipe.unit = ImportRecipe().unit;
   QSettings().setValue(keyOf(format), QString::fromStdString(toRecipeJson(recipe)));
 }
 

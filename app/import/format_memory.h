@@ -11,7 +11,7 @@
 namespace esm {
 
 /// What was chosen for the last file of a format ("STL" by the ending), kept in the settings of the program.
-/// Files and fingerprints are not part of it.
+/// Files, fingerprints and the unit are not part of it: a wrong unit would go unseen.
 std::optional<ImportRecipe> rememberedRecipe(const QString& format);
 void rememberRecipe(const QString& format, ImportRecipe recipe);
 void forgetRecipe(const QString& format);

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/import/unit_question.h"
 #include "app/import_dialog.h"
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
@@ -304,4 +305,67 @@ TEST_F(WindowTest, TheFirstModelKeepsAllOfTheTissue)
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
   dialog.accept();
   EXPECT_EQ(dialog.takeModel().tissue->regions, tissue.regions);
+}
+
+// 30 units are a usual organ in mm, and 30 m in metres: then the user is asked, and the likely unit is
+// offered.
+TEST_F(WindowTest, AModelOfNoOrgansSizeIsTakenOnlyByAWordOfTheUser)
+{
+  const QString path = folder.filePath("wall.units");
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), "v 0 0 0\nv 30 0 0\nv 0 30 0\nf 1 2 3\n"));
+  JobRunner jobs;
+  ImportDialog dialog({path}, &jobs, true, defaultTissue());
+  auto* unit = dialog.findChild<QComboBox*>("importUnit");
+  auto* size = dialog.findChild<QLabel*>("importSize");
+  auto* ok = dialog.findChild<QAbstractButton*>("importOk");
+  const auto ready = [&] { return QTest::qWaitFor([&] { return ok->isEnabled(); }); };
+  ASSERT_TRUE(ready());
+  EXPECT_EQ(unit->currentText(), "mm");
+  EXPECT_FALSE(size->text().contains("unit")) << qPrintable(size->text());
+  unit->setCurrentText("m");
+  EXPECT_TRUE(size->text().contains("With the unit mm it would be 30 mm large")) << qPrintable(size->text());
+  ASSERT_TRUE(ready());
+  {
+    test::Answer cancel("dlgUnit", "");
+    dialog.accept();
+    EXPECT_TRUE(cancel.given);
+    EXPECT_TRUE(cancel.said.contains("30 m large")) << qPrintable(cancel.said);
+    EXPECT_NE(dialog.result(), QDialog::Accepted);
+    EXPECT_EQ(unit->currentText(), "m");
+  }
+  {
+    test::Answer use("dlgUnit", "unitUse");
+    dialog.accept();
+    EXPECT_TRUE(use.given);
+    EXPECT_NE(dialog.result(), QDialog::Accepted) << "the net of the other unit is to be seen first";
+    EXPECT_EQ(unit->currentText(), "mm");
+  }
+  unit->setCurrentText("m");
+  ASSERT_TRUE(ready());
+  {
+    test::Answer keep("dlgUnit", "unitKeep");
+    dialog.accept();
+    EXPECT_TRUE(keep.given);
+    EXPECT_EQ(dialog.result(), QDialog::Accepted);
+  }
+  // The next file of the kind has its unit guessed anew, for metres would go unseen among what is remembered.
+  ImportDialog next({path}, &jobs, true, defaultTissue());
+  auto* nextOk = next.findChild<QAbstractButton*>("importOk");
+  ASSERT_TRUE(QTest::qWaitFor([&] { return nextOk->isEnabled(); }));
+  EXPECT_FALSE(next.findChild<QLabel*>("importRemembered")->text().isEmpty());
+  EXPECT_EQ(next.findChild<QComboBox*>("importUnit")->currentText(), "mm");
+  test::Answer none("dlgUnit", "");
+  next.accept();
+  EXPECT_FALSE(none.given);
+  EXPECT_EQ(next.result(), QDialog::Accepted);
+}
+
+// From 1 mm to 2 m nothing is asked; the ends belong to it, as float32 writes them too.
+TEST(OrganSize, IsAMillimetreToTwoMetres)
+{
+  EXPECT_TRUE(isOrganSize(0.001) && isOrganSize(2.0) && isOrganSize(double(0.001f)));
+  EXPECT_FALSE(isOrganSize(0.00099) || isOrganSize(2.01) || isOrganSize(0.0));
+  EXPECT_EQ(likelyUnit(30.0), LengthUnit::Millimetre);
+  EXPECT_EQ(likelyUnit(0.12), LengthUnit::Metre);
+  EXPECT_FALSE(likelyUnit(50000.0)); // micrometres: none of those that are offered
 }

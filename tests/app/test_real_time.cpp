@@ -151,6 +151,7 @@ TEST_F(RealTimeTest, AToleranceThatWasGivenUpIsSaidForAsLongAsItIsSo)
   snapshot.report.rough = false;
   snapshot.time = 0.5;
   strip.setRun(snapshot);
+  EXPECT_FALSE(note->isHidden());
   EXPECT_TRUE(note->text().contains("given up until t = 0.35 s")) << qPrintable(note->text());
   language.set(Language::German);
   strip.setRun(snapshot);
