@@ -2,6 +2,12 @@
 // SPDX-License-Identifier: MIT
 #include "cli/import_report.h"
 
+#include "cli/messages.h"
+#include "core/base/text_number.h"
+
+#include <algorithm>
+#include <cmath>
+
 namespace esm::cli {
 
 namespace {
@@ -54,7 +60,39 @@ void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cos
   line.add("after", meshReportJson(imported.after));
   if (imported.recipe.material.concernsNet()) line.add("material", materialJson(imported.material));
   line.add("cost", predicted);
+  line.add("size_mm", Eigen::Vector3d(1000.0 * extentOf(imported.net)));
   line.add("notes", imported.notes);
+}
+
+std::string sizeInMillimetres(const Eigen::Vector3d& extent)
+{
+  std::string text;
+  constexpr double kWhole = 1e3,
+                   kMost = 1e9; // from a metre to a thousand kilometres: no power of ten to read
+  for (const double length : extent) {
+    const double shown = 1000.0 * length;
+    const bool isWhole = shown >= kWhole && shown <= kMost;
+    text +=
+      (text.empty() ? "" : " x ") + (isWhole ? std::to_string(std::llround(shown)) : formatDouble(shown, 4));
+  }
+  return text + " mm";
+}
+
+Eigen::Vector3d extentOf(const SpringNet& net)
+{
+  if (net.nodeCount() == 0) return Eigen::Vector3d::Zero();
+  return net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
+}
+
+void warnOfSize(const std::string& file, const ImportedNet& imported)
+{
+  const Eigen::Vector3d extent = extentOf(imported.net);
+  if (isUsualSize(extent.maxCoeff())) return;
+  const bool isStated = std::any_of(imported.files.begin(), imported.files.end(),
+                                    [](const ReadFile& read) { return read.stated.metres.has_value(); });
+  say(file + ": warning: " + sizeInMillimetres(extent) +
+      " is not the size of an organ (1 mm to 2 m); is the unit right? --unit mm|cm|m|inch sets it" +
+      (isStated && !imported.recipe.ignoreStated ? ", with --ignore-stated over what the file states" : ""));
 }
 
 } // namespace esm::cli

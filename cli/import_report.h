@@ -19,4 +19,14 @@ void addCost(JsonLine& line, const NetCost& cost);
 /// "before" and "after" of the mesh, "material" if it concerned the net, "cost" and "notes".
 void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cost);
 
+/// "80 x 42 x 40 mm"
+std::string sizeInMillimetres(const Eigen::Vector3d& extent);
+
+/// Of the box around the nodes [m].
+Eigen::Vector3d extentOf(const SpringNet& net);
+
+/// Says so if a net has not the size of what hands and instruments work on: most often the unit is another
+/// one.
+void warnOfSize(const std::string& file, const ImportedNet& imported);
+
 } // namespace esm::cli

@@ -37,9 +37,17 @@ bool isPlain(ImportRecipe recipe)
   return recipe == ImportRecipe{};
 }
 
+/// The size in the scene, if the file says its unit.
+Eigen::Vector3d statedExtent(const ImportedMesh& imported)
+{
+  return extentInScene(imported.report.boxMin, imported.report.boxMax, frameOf(imported.stated, {}));
+}
+
 JsonLine jsonOf(const ImportedMesh& imported)
 {
   JsonLine line = meshReportJson(imported.report);
+  if (!imported.stated.isEmpty()) line.add("stated", inWords(imported.stated));
+  if (imported.stated.metres) line.add("size_mm", Eigen::Vector3d(1000.0 * statedExtent(imported)));
   line.add("sum_rest_length", sumRestLength(imported.mesh, imported.edges));
   line.add("format", imported.format);
   line.add("notes", imported.notes);
@@ -184,8 +192,10 @@ Exit inspectFile(const InspectOptions& options, const ImportRecipe& recipe)
   ImportOptions import;
   import.weld = recipe.weldTolerance >= 0.0;
   if (import.weld) import.weldTolerance = recipe.weldTolerance;
-  const Result<ImportedMesh> imported = importMesh(options.mesh, import);
+  Result<ImportedMesh> imported = importMesh(options.mesh, import);
   if (!imported) return fail(imported.error());
+  if (std::string note = frameNote(imported->stated, recipe); !note.empty())
+    imported->notes.push_back(std::move(note));
   for (const std::string& note : imported->notes) say(options.mesh + ": " + note);
   const Mesh& mesh = imported->mesh;
   MeshDefects defects;
@@ -200,6 +210,7 @@ Exit inspectFile(const InspectOptions& options, const ImportRecipe& recipe)
     print(line.text());
   } else {
     printReport(imported->report, imported->format);
+    if (imported->stated.metres) row("size, as stated", sizeInMillimetres(statedExtent(*imported)));
     row("sum of rest lengths", formatDouble(sumRestLength(mesh, imported->edges), 6));
     if (options.defects) printDefects(defects, crossings, mesh);
   }

@@ -190,13 +190,19 @@ void addRecipeOptions(CLI::App& command, RecipeArguments& arguments)
 {
   command.add_option("--recipe", arguments.recipeFile,
                      "start from the choices in this recipe (of --save-recipe) or project; flags go over it");
-  addWord(command, arguments, "--unit", {"mm", "cm", "m", "inch"}, "length unit of the meshes (default m)",
+  addWord(command, arguments, "--unit", {"mm", "cm", "m", "inch"},
+          "length unit of meshes that state none themselves (default m)",
           [](ImportRecipe& recipe, std::size_t word) { recipe.unit = LengthUnit(word); });
-  addWord(command, arguments, "--up", {"y", "z"}, "axis of the meshes that points up (default z)",
+  addWord(command, arguments, "--up", {"y", "z"}, "axis that points up in meshes that do not say (default z)",
           [](ImportRecipe& recipe, std::size_t word) { recipe.up = UpAxis(word); });
   addWord(command, arguments, "--patient-axes", {"none", "lps", "ras"},
-          "the meshes' axes are a patient's: lps (DICOM) or ras (NIfTI)",
+          "the axes are a patient's, in meshes that do not say: lps (DICOM) or ras (NIfTI)",
           [](ImportRecipe& recipe, std::size_t word) { recipe.patientAxes = PatientAxes(word); });
+  command.add_flag_callback(
+    "--ignore-stated",
+    [&arguments] { arguments.changes.push_back([](ImportRecipe& recipe) { recipe.ignoreStated = true; }); },
+    "use --unit, --up and --patient-axes for meshes, too, that state their own (COLLADA, glTF, 3MF, DXF, "
+    "...)");
   addWeld(command, arguments);
   addWord(command, arguments, "--polygons", {"triangulated", "edges"},
           "springs along the cuts through polygons too (default), or along their edges only",

@@ -56,7 +56,8 @@ Exit save(const UpdateArguments& arguments, Reimported& result, const std::files
   for (const std::string& note : result.notes) say(arguments.output + ": " + note);
   say(arguments.output + ": " + std::to_string(project.net.nodeCount()) + " nodes (" +
       std::to_string(result.unchanged) + " as before, " + std::to_string(result.added) + " new, " +
-      std::to_string(result.gone) + " gone), " + std::to_string(project.net.springCount()) + " springs");
+      std::to_string(result.gone) + " gone), " + std::to_string(project.net.springCount()) + " springs, " +
+      sizeInMillimetres(extentOf(project.net)));
   if (arguments.json) printJson(arguments, result, true);
   return Exit::Done;
 }
@@ -89,6 +90,7 @@ Exit updateProject(const UpdateArguments& given)
   Result<ImportedNet> imported = importNet(*recipe, folder, before.tissue.thickness);
   if (!imported) return fail(imported.error());
   for (const std::string& note : imported->notes) say(arguments.project + ": " + note);
+  warnOfSize(arguments.project, *imported);
   Result<Reimported> result = reimport(before, std::move(imported->net), std::move(imported->recipe));
   if (!result) return fail({result.error().code, arguments.project + ": " + result.error().detail});
   return save(arguments, *result, folder);

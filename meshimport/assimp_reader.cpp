@@ -36,9 +36,10 @@ std::string endingOf(const std::string& origin)
   return ending;
 }
 
-Result<Mesh> readAssimp(std::string_view bytes, const std::string& origin, std::string& format,
-                        std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readAssimp(std::string_view bytes, const std::string& origin, FileStory& story,
+                        WorkControl* control)
 {
+
   if (bytes.size() > kLargestFile)
     return fault(ErrorCode::Unsupported, origin, 0,
                  "it is larger than 1 GB, which only OBJ, STL, PLY and OFF may be; convert it");
@@ -53,8 +54,9 @@ Result<Mesh> readAssimp(std::string_view bytes, const std::string& origin, std::
   task.file = origin;
   Result<WorkerReply> reply = readInWorker(task, control);
   if (!reply) return reply.error();
-  format = std::move(reply->format);
-  notes.insert(notes.end(), reply->notes.begin(), reply->notes.end());
+  story.format = std::move(reply->format);
+  story.stated = reply->stated;
+  story.notes.insert(story.notes.end(), reply->notes.begin(), reply->notes.end());
   return std::move(reply->mesh);
 }
 

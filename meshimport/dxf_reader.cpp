@@ -358,9 +358,11 @@ bool recognisesDxf(std::string_view bytes, std::string_view)
   return entities.next(first) && first.name == "SECTION";
 }
 
-Result<Mesh> readDxf(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readDxf(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   format = "DXF";
   if (bytes.substr(0, kBinaryMagic.size()) == kBinaryMagic)
     return fault(ErrorCode::Unsupported, origin, 0, "binary DXF is not read; save it as DXF in text (ASCII)");

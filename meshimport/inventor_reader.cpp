@@ -20,9 +20,9 @@ bool recognisesInventor(std::string_view bytes, std::string_view)
   return bytes.substr(0, 11) == "#Inventor V" || bytes.substr(0, 7) == "#VRML V";
 }
 
-Result<Mesh> readInventor(std::string_view, const std::string& origin, std::string& format,
-                          std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readInventor(std::string_view, const std::string& origin, FileStory& story, WorkControl* control)
 {
+
   if (!kHasCoin)
     return fault(
       ErrorCode::Unsupported, origin, 0,
@@ -33,8 +33,9 @@ Result<Mesh> readInventor(std::string_view, const std::string& origin, std::stri
   task.file = origin;
   Result<WorkerReply> reply = readInWorker(task, control);
   if (!reply) return reply.error();
-  format = std::move(reply->format);
-  notes.insert(notes.end(), reply->notes.begin(), reply->notes.end());
+  story.format = std::move(reply->format);
+  story.stated = reply->stated;
+  story.notes.insert(story.notes.end(), reply->notes.begin(), reply->notes.end());
   return std::move(reply->mesh);
 }
 

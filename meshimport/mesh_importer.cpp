@@ -3,6 +3,8 @@
 #include "meshimport/mesh_importer.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/text_number.h"
+#include "core/geometry/near_vertices.h"
 #include "core/geometry/weld.h"
 #include "meshimport/assimp_reader.h"
 #include "meshimport/content.h"
@@ -16,6 +18,7 @@
 #include "meshimport/ply_reader.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/raw_reader.h"
+#include "meshimport/stated_frame.h"
 #include "meshimport/stl_reader.h"
 #include "meshimport/vtk_reader.h"
 #include "meshimport/vtu_reader.h"
@@ -82,11 +85,31 @@ Result<ImportedMesh> readMesh(const std::filesystem::path& path, WorkControl* co
 
   ImportedMesh imported;
   imported.fingerprint = file->fingerprint();
-  noteWrongName(*reader, ending, imported.notes);
-  Result<Mesh> mesh = reader->read(bytes, origin, imported.format, imported.notes, control);
+  FileStory story;
+  noteWrongName(*reader, ending, story.notes);
+  story.stated = statedInText(bytes, reader->name);
+  Result<Mesh> mesh = reader->read(bytes, origin, story, control);
   if (!mesh) return mesh.error();
+  imported.stated = story.stated;
+  imported.format = std::move(story.format);
+  imported.notes = std::move(story.notes);
   imported.mesh = std::move(*mesh);
   return imported;
+}
+
+void tellUnused(ImportedMesh& imported)
+{
+  if (const Index unused = imported.report.isolatedVertices; unused > 0)
+    imported.notes.push_back(std::to_string(unused) + " points that no face or line uses become no nodes.");
+}
+
+void tellNearVertices(ImportedMesh& imported, WorkControl* control)
+{
+  const NearVertices near = findNearVertices(imported.mesh, imported.edges, control);
+  if (near.count == 0) return;
+  const std::string tolerance = formatDouble(near.tolerance, 2);
+  imported.notes.push_back(std::to_string(near.count) + " vertices nearly meet others, within " + tolerance +
+                           "; --weld-tolerance " + tolerance + " joins them.");
 }
 
 Result<ImportedMesh> importChecked(const std::filesystem::path& path, const ImportOptions& options,
@@ -110,6 +133,8 @@ Result<ImportedMesh> importChecked(const std::filesystem::path& path, const Impo
   if (stopWanted(control)) return cancelledError();
   imported.report = examine(imported.mesh, imported.edges, control);
   if (stopWanted(control)) return cancelledError();
+  if (imported.report.springs > 0) tellUnused(imported);
+  if (options.weld) tellNearVertices(imported, control);
   if (imported.report.springs == 0)
     return fault(ErrorCode::EmptyResult, path.string(), 0,
                  "no face or line in it has two corners apart from each other, so no spring comes out");

@@ -25,6 +25,7 @@ struct ImportOptions {
 
 /// A mesh in the file's own units and axes, with what is to be said about it.
 struct ImportedMesh {
+  StatedFrame stated;              ///< what the file says of them
   Mesh mesh;                       ///< welded if wished
   MeshReport report;               ///< of `mesh`
   EdgeList edges;                  ///< of `mesh`, for buildNet(); of no use once its topology changes
@@ -41,14 +42,21 @@ struct ImportedMesh {
 Result<ImportedMesh> importMesh(const std::filesystem::path& path, const ImportOptions& options = {},
                                 WorkControl* control = nullptr);
 
+/// What is to be said of a file beside its mesh.
+struct FileStory {
+  std::string format;             ///< "OBJ", "STL (binary)", ...
+  std::vector<std::string> notes; ///< what was passed over or repaired, one sentence each
+  StatedFrame stated;             ///< unit and axes, as far as the file itself states them
+};
+
 /// One mesh format. Adding one is one file and one line in readerTable().
 struct MeshReader {
   const char* name;
   /// Whether the bytes look like this format (the ending is a hint where content leaves doubt).
   bool (*recognises)(std::string_view bytes, std::string_view endingLowerCase);
   /// `control` may be null; own readers answer Cancelled within 100 ms of its wish.
-  Result<Mesh> (*read)(std::string_view bytes, const std::string& origin, std::string& format,
-                       std::vector<std::string>& notes, WorkControl* control);
+  Result<Mesh> (*read)(std::string_view bytes, const std::string& origin, FileStory& story,
+                       WorkControl* control);
 };
 const std::vector<MeshReader>& readerTable();
 

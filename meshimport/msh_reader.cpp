@@ -318,9 +318,11 @@ bool recognisesMsh(std::string_view bytes, std::string_view)
          start.substr(0, 4) == "$NOE" || start.substr(0, 9) == "$Comments";
 }
 
-Result<Mesh> readMsh(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readMsh(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   format = "Gmsh";
   return MshParser(bytes, origin, control).run(format, notes);
 }

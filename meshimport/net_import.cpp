@@ -43,6 +43,36 @@ void follow(std::vector<Index>& map, const std::vector<Index>& next)
     if (place != kNoIndex) place = next[static_cast<std::size_t>(place)];
 }
 
+/// A report in metres from one in the file's unit and axes: only the box changes.
+MeshReport inScene(MeshReport report, const FileFrame& frame)
+{
+  Mesh corners;
+  corners.position.resize(3, 2);
+  corners.position << report.boxMin, report.boxMax;
+  toScene(corners, frame);
+  report.boxMin = corners.position.rowwise().minCoeff();
+  report.boxMax = corners.position.rowwise().maxCoeff();
+  return report;
+}
+
+/// Brings what has been read so far into the scene, since the next file has another frame.
+void bringIntoScene(MeshSource& source)
+{
+  if (source.isInScene) return;
+  toScene(source.mesh, frameOf(source.recipe, source.stated));
+  source.isInScene = true;
+}
+
+/// Appends a file to those that were read before it.
+void join(MeshSource& source, ImportedMesh& imported)
+{
+  if (imported.stated != source.stated || source.isInScene) {
+    bringIntoScene(source);
+    toScene(imported.mesh, frameOf(source.recipe, imported.stated));
+  }
+  append(source.mesh, imported.mesh);
+}
+
 Status addFile(MeshSource& source, SourceFile& file, const std::filesystem::path& path, bool several,
                WorkControl* control)
 {
@@ -55,15 +85,16 @@ Status addFile(MeshSource& source, SourceFile& file, const std::filesystem::path
     source.notes.push_back(several ? file.name + ": " + note : std::move(note));
   file.fingerprint = imported->fingerprint;
 
-  ReadFile read{file.name, std::move(imported->format), std::move(imported->vertexOfFile)};
+  ReadFile read{file.name, std::move(imported->format), imported->stated, std::move(imported->vertexOfFile)};
   if (source.files.empty()) {
     source.mesh = std::move(imported->mesh);
     source.report = imported->report;
     source.edges = std::move(imported->edges);
+    source.stated = imported->stated;
   } else {
     const Index offset = source.mesh.vertexCount();
     for (Index& vertex : read.vertexOfFile) vertex += offset;
-    append(source.mesh, imported->mesh);
+    join(source, *imported);
   }
   source.files.push_back(std::move(read));
   return {};
@@ -73,7 +104,8 @@ Status addFile(MeshSource& source, SourceFile& file, const std::filesystem::path
 Status weldFiles(MeshSource& source, WorkControl* control)
 {
   if (source.recipe.weldTolerance >= 0.0) {
-    const std::vector<Index> newOf = weldVertices(source.mesh, source.recipe.weldTolerance, control);
+    const double unit = source.isInScene ? frameOf(source.recipe, source.files.front().stated).metres : 1.0;
+    const std::vector<Index> newOf = weldVertices(source.mesh, source.recipe.weldTolerance * unit, control);
     if (stopWanted(control)) return cancelledError();
     for (ReadFile& file : source.files) follow(file.vertexOfFile, newOf);
   }
@@ -97,16 +129,48 @@ Status addMaterial(ImportedNet& made, const MaterialOptions& options, double thi
   return {};
 }
 
-/// A report in metres from one in the file's unit and axes: only the box changes.
-MeshReport inScene(MeshReport report, const Mesh& sceneMesh)
+/// Adds what is to be said of the frames, of alike files once.
+void addFrameNotes(std::vector<std::string>& notes, const std::vector<ReadFile>& files,
+                   const ImportRecipe& recipe)
 {
-  const VertexBox box = boxOf(sceneMesh);
-  report.boxMin = box.low;
-  report.boxMax = box.high;
-  return report;
+  const bool alike = std::all_of(files.begin(), files.end(),
+                                 [&](const ReadFile& file) { return file.stated == files.front().stated; });
+  for (const ReadFile& file : files) {
+    const std::string note = frameNote(file.stated, recipe);
+    if (!note.empty()) notes.push_back(alike ? note : file.name + ": " + note);
+    if (alike) break;
+  }
 }
 
 } // namespace
+
+bool MeshSource::serves(const ImportRecipe& other) const
+{
+  return !isInScene || (other.unit == recipe.unit && other.up == recipe.up &&
+                        other.patientAxes == recipe.patientAxes && other.ignoreStated == recipe.ignoreStated);
+}
+
+FileFrame MeshSource::frame(const ImportRecipe& other) const
+{
+  return isInScene ? FileFrame{} : frameOf(other, stated);
+}
+
+std::string frameNote(const StatedFrame& stated, const ImportRecipe& recipe)
+{
+  if (stated.isEmpty()) return {};
+  const std::string states = "The file states " + inWords(stated);
+  if (recipe.ignoreStated) return states + "; as wished, the choices hold and not that.";
+  const FileFrame used = frameOf(recipe, stated), chosen = frameOf(recipe, {});
+  const ImportRecipe usual;
+  std::string against;
+  if (recipe.unit != usual.unit && used.metres != chosen.metres)
+    against = "unit " + lengthUnitName(recipe.unit);
+  if ((recipe.up != usual.up && used.up != chosen.up) || used.patientAxes != chosen.patientAxes)
+    if (recipe.up != usual.up || recipe.patientAxes != usual.patientAxes)
+      against += against.empty() ? "the chosen axes" : " and the chosen axes";
+  if (against.empty()) return states + ", which is used (--ignore-stated uses the choices).";
+  return states + ", which is used and not " + against + " (--ignore-stated uses the choices).";
+}
 
 Result<MeshSource> readMeshes(const ImportRecipe& recipe, const std::filesystem::path& folder,
                               WorkControl* control)
@@ -137,11 +201,12 @@ Result<ImportedNet> makeNet(MeshSource source, const ImportRecipe& recipe, doubl
   made.recipe.weldTolerance = source.recipe.weldTolerance;
   made.files = source.files;
   made.notes = source.notes;
+  addFrameNotes(made.notes, source.files, recipe);
 
   const bool isAsRead = recipe.repair.doesNothing();
   Mesh mesh = isAsRead ? std::move(source.mesh) : source.mesh;
-  toScene(mesh, recipe.unit, recipe.up, recipe.patientAxes);
-  made.before = made.after = inScene(source.report, mesh);
+  toScene(mesh, source.frame(recipe));
+  made.before = made.after = inScene(source.report, source.frame(recipe));
   if (stopWanted(control)) return cancelledError();
 
   std::vector<Index> nodeOfVertex;

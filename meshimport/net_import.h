@@ -19,17 +19,26 @@ namespace esm {
 struct ReadFile {
   std::string name;                ///< as in the recipe
   std::string format;              ///< "OBJ", "STL (binary)", ...
+  StatedFrame stated;              ///< unit and axes, as far as the file states them
   std::vector<Index> vertexOfFile; ///< vertex of the file -> vertex of MeshSource::mesh
 };
 
-/// All files of a recipe in one mesh, in the files' unit and axes.
+/// All files of a recipe in one mesh, in the files' unit and axes. Files of which one states another frame
+/// than the next are brought into the scene's before they are joined.
 struct MeshSource {
-  ImportRecipe recipe; ///< with the fingerprints of what was read
-  Mesh mesh;           ///< welded if the recipe says so
-  MeshReport report;   ///< of `mesh`
-  EdgeList edges;      ///< of `mesh`
+  ImportRecipe recipe;    ///< with the fingerprints of what was read
+  Mesh mesh;              ///< welded if the recipe says so
+  MeshReport report;      ///< of `mesh`
+  EdgeList edges;         ///< of `mesh`
+  StatedFrame stated;     ///< by the files about `mesh`
+  bool isInScene = false; ///< `mesh` is, with the frame of `recipe`
   std::vector<ReadFile> files;
   std::vector<std::string> notes; ///< one sentence each; with several files each names its own
+
+  /// The frame of `mesh` if this recipe is followed.
+  FileFrame frame(const ImportRecipe& other) const;
+  /// Whether makeNet() can follow the frame of this recipe without reading again.
+  bool serves(const ImportRecipe& other) const;
 };
 
 /// A net with its story. Tissue has still to give it its numbers (applyTissue()).
@@ -44,6 +53,9 @@ struct ImportedNet {
   std::vector<std::vector<Index>> nodeOfFile; ///< for each file: its vertex -> node, or kNoIndex
   std::vector<std::string> notes;
 };
+
+/// One sentence of what a file states and what the recipe makes of it; empty if it states nothing.
+std::string frameNote(const StatedFrame& stated, const ImportRecipe& recipe);
 
 /// @param folder where relative names of the recipe start.
 /// Thread: any. Errors: as importMesh(), and InvalidValue for an impossible recipe; Cancelled within 100 ms.

@@ -191,9 +191,11 @@ bool recognisesObj(std::string_view bytes, std::string_view ending)
   return false;
 }
 
-Result<Mesh> readObj(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readObj(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   format = "OBJ";
   return ObjParser(bytes, origin).run(notes, control);
 }

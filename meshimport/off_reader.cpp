@@ -134,9 +134,11 @@ bool recognisesOff(std::string_view bytes, std::string_view ending)
          counts.atLineEnd();
 }
 
-Result<Mesh> readOff(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readOff(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   format = "OFF";
   return OffParser(bytes, origin).run(notes, control);
 }

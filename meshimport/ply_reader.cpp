@@ -370,9 +370,11 @@ Result<Mesh> readBody(std::string_view bytes, const PlyHeader& header, const std
   return BodyParser<Source>(header, Source(bytes, header), origin).run(notes, control);
 }
 
-Result<Mesh> readPly(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readPly(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   format = "PLY";
   const Result<PlyHeader> header = parsePlyHeader(bytes, origin);
   if (!header) return header.error();

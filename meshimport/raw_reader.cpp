@@ -166,10 +166,11 @@ bool recognisesRaw(std::string_view bytes, std::string_view ending)
   return false;
 }
 
-Result<Mesh> readRaw(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readRaw(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
-  format = "RAW triangles";
+  std::vector<std::string>& notes = story.notes;
+  story.format = "RAW triangles";
   return RawParser(bytes, origin).run(notes, control);
 }
 

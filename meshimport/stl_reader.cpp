@@ -306,9 +306,11 @@ private:
   bool m_inSolid = false, m_inFacet = false;
 };
 
-Result<Mesh> readStl(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readStl(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   const bool ascii = isAscii(bytes, "stl");
   format = ascii ? "STL (ASCII)" : "STL (binary)";
   Result<Mesh> mesh =

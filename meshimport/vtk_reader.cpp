@@ -365,9 +365,11 @@ bool recognisesVtk(std::string_view bytes, std::string_view)
   return equalIgnoringCase(bytes.substr(0, 14), "# vtk DataFile");
 }
 
-Result<Mesh> readVtk(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readVtk(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   format = "VTK";
   return VtkParser(bytes, origin, control).run(format, notes);
 }

@@ -223,9 +223,11 @@ bool recognisesVtu(std::string_view bytes, std::string_view)
   return bytes.substr(0, 64).find('<') != std::string_view::npos && tags.next(tag) && tag.name == "VTKFile";
 }
 
-Result<Mesh> readVtu(std::string_view bytes, const std::string& origin, std::string& format,
-                     std::vector<std::string>& notes, WorkControl* control)
+Result<Mesh> readVtu(std::string_view bytes, const std::string& origin, FileStory& story,
+                     WorkControl* control)
 {
+  std::string& format = story.format;
+  std::vector<std::string>& notes = story.notes;
   format = "VTU";
   return VtuParser(bytes, origin, control).run(format, notes);
 }

@@ -70,14 +70,15 @@ class Model:
         for a, b in (tuple(line) for line in lines):
             parent[root(a)] = root(b)
         where = list(place)
-        answer = {"nodes": len(place), "springs": len(lines) + diagonals, "triangles": triangles,
+        ends = [where[i] for i in used]
+        answer = {"nodes": len(used), "springs": len(lines) + diagonals, "triangles": triangles,
                   "segments": len(self.segments), "components": len({root(i) for i in used}),
                   "isolated_vertices": len(place) - len(used),
                   "boundary_edges": sum(n == 1 for n in users.values()),
                   "nonmanifold_edges": sum(n > 2 for n in users.values()), "duplicate_faces": duplicates,
                   "degenerate_faces": degenerate, "finite": True,
-                  "bbox_min": [min(p[k] for p in where) for k in range(3)],
-                  "bbox_max": [max(p[k] for p in where) for k in range(3)]}
+                  "bbox_min": [min(p[k] for p in ends) for k in range(3)],
+                  "bbox_max": [max(p[k] for p in ends) for k in range(3)]}
         if diagonals == 0:
             answer["sum_rest_length"] = sum(math.dist(where[a], where[b]) for a, b in (tuple(line) for line in lines))
         return answer

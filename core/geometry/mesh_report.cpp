@@ -19,24 +19,43 @@ namespace esm {
 
 namespace {
 
-void examineParts(const EdgeList& edges, MeshReport& report, WorkControl* control)
+/// Returns which vertices a spring uses.
+std::vector<std::uint8_t> examineParts(const Mesh& mesh, const EdgeList& edges, MeshReport& report,
+                                       WorkControl* control)
 {
+  const Index vertices = mesh.vertexCount();
   report.springs = static_cast<Index>(edges.ends.cols());
-  UnionFind parts(report.nodes);
+  UnionFind parts(vertices);
   const Index* const ends = edges.ends.data();
   Index joins = 0;
   for (Index e = 0; e < report.springs; ++e) {
-    if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(report.springs), control)) return;
+    if (stopWantedAt(static_cast<std::size_t>(e), static_cast<std::size_t>(report.springs), control))
+      return {};
     joins += parts.join(ends[2 * std::ptrdiff_t{e}], ends[2 * std::ptrdiff_t{e} + 1]);
   }
   // Only a vertex that nothing uses is still a part of its own.
-  std::vector<std::uint8_t> isUsed(static_cast<std::size_t>(report.nodes), 0);
-  for (Index v = 0; v < report.nodes; ++v)
+  std::vector<std::uint8_t> isUsed(static_cast<std::size_t>(vertices), 0);
+  for (Index v = 0; v < vertices; ++v)
     if (const Index root = parts.root(v); root != v)
       isUsed[static_cast<std::size_t>(root)] = isUsed[static_cast<std::size_t>(v)] = 1;
-  const Index inUse = std::accumulate(isUsed.begin(), isUsed.end(), Index{0});
-  report.isolatedVertices = report.nodes - inUse;
-  report.components = inUse - joins; // each join makes two parts one
+  report.nodes = std::accumulate(isUsed.begin(), isUsed.end(), Index{0});
+  report.isolatedVertices = vertices - report.nodes;
+  report.components = report.nodes - joins; // each join makes two parts one
+  return isUsed;
+}
+
+/// The box around the nodes alone.
+void shrinkBox(const Mesh& mesh, const std::vector<std::uint8_t>& isUsed, MeshReport& report)
+{
+  if (report.isolatedVertices == 0 || report.nodes == 0) return;
+  Mesh nodes;
+  nodes.position.resize(3, report.nodes);
+  Index count = 0;
+  for (Index v = 0; v < mesh.vertexCount(); ++v)
+    if (isUsed[static_cast<std::size_t>(v)] != 0) nodes.position.col(count++) = mesh.position.col(v);
+  const VertexBox box = boxOf(nodes);
+  report.boxMin = box.low;
+  report.boxMax = box.high;
 }
 
 void examineFaces(const Mesh& mesh, const EdgeList& edges, MeshReport& report, WorkControl* control)
@@ -65,14 +84,14 @@ MeshReport examine(const Mesh& mesh, WorkControl* control)
 MeshReport examine(const Mesh& mesh, const EdgeList& edges, WorkControl* control)
 {
   MeshReport report;
-  report.nodes = mesh.vertexCount();
   const VertexBox box = boxOf(mesh);
   report.boxMin = box.low;
   report.boxMax = box.high;
   report.nonFiniteVertices = box.nonFinite;
   report.finite = box.nonFinite == 0;
-  examineParts(edges, report, control);
+  const std::vector<std::uint8_t> isUsed = examineParts(mesh, edges, report, control);
   if (stopWanted(control)) return report;
+  shrinkBox(mesh, isUsed, report);
   examineFaces(mesh, edges, report, control);
   return report;
 }

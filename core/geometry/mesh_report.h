@@ -11,7 +11,7 @@ namespace esm {
 /// What is in a mesh and what is wrong with it, before it becomes a net. Counts are of the mesh as
 /// given (weld first); the box is in its own unit.
 struct MeshReport {
-  Index nodes = 0;     ///< vertices
+  Index nodes = 0;     ///< vertices that a spring uses; the others are no nodes of the net
   Index springs = 0;   ///< unique edges of triangles and segments (zero-length ends excluded: a != b)
   Index triangles = 0; ///< as given, degenerate and duplicate ones included
   Index segments = 0;
@@ -22,7 +22,8 @@ struct MeshReport {
   Index degenerateFaces = 0;   ///< two equal corners, or zero area
   Index duplicateFaces = 0;    ///< a later triangle over the same three vertices, whatever their order
   Index nonFiniteVertices = 0; ///< a NaN or infinite coordinate
-  Eigen::Vector3d boxMin = Eigen::Vector3d::Zero(); ///< over finite vertices; zero if there are none
+  Eigen::Vector3d boxMin =
+    Eigen::Vector3d::Zero(); ///< over finite nodes; over all vertices if no spring is there
   Eigen::Vector3d boxMax = Eigen::Vector3d::Zero();
   bool finite = true; ///< nonFiniteVertices == 0
 };

@@ -15,6 +15,11 @@ constexpr const char* kProjectFormat = "esm-project";
 
 } // namespace
 
+FileFrame frameOf(const ImportRecipe& recipe, const StatedFrame& stated)
+{
+  return frameOf(recipe.ignoreStated ? StatedFrame{} : stated, {recipe.unit, recipe.up, recipe.patientAxes});
+}
+
 ImportRecipe withAbsoluteNames(ImportRecipe recipe, const std::filesystem::path& folder)
 {
   const std::filesystem::path base = std::filesystem::absolute(folder);

@@ -34,10 +34,11 @@ enum class PolygonSprings {
 /// files have changed. Plain data; saved in the project and, by itself, as a recipe file. What each stage
 /// does stands with its options; importNet() of meshimport goes through all of them.
 struct ImportRecipe {
-  std::vector<SourceFile> files; ///< joined to one mesh in this order; none: made elsewhere
-  LengthUnit unit = LengthUnit::Metre;
+  std::vector<SourceFile> files;       ///< joined to one mesh in this order; none: made elsewhere
+  LengthUnit unit = LengthUnit::Metre; ///< this and the axes: of files that state none themselves
   UpAxis up = UpAxis::Z;
   PatientAxes patientAxes = PatientAxes::None; ///< not None: `up` does not count
+  bool ignoreStated = false;                   ///< they hold for all files, whatever these state
   double weldTolerance = 0.0;                  ///< [file unit]; < 0 = not welded
   PolygonSprings polygons = PolygonSprings::Triangulated;
   RepairOptions repair; ///< in the scene's unit [m]
@@ -45,6 +46,9 @@ struct ImportRecipe {
   MaterialOptions material;
   bool operator==(const ImportRecipe&) const = default;
 };
+
+/// The unit and axes of a file that states these.
+FileFrame frameOf(const ImportRecipe& recipe, const StatedFrame& stated);
 
 /// Names relative to `folder` become absolute, which they are while a document may still be saved anywhere.
 ImportRecipe withAbsoluteNames(ImportRecipe recipe, const std::filesystem::path& folder);

@@ -156,6 +156,7 @@ Json sourceOf(const ImportRecipe& recipe)
   source["up"] = wordOf(recipe.up, kUp);
   if (recipe.patientAxes != PatientAxes::None)
     source["patient_axes"] = wordOf(recipe.patientAxes, kPatientAxes);
+  if (recipe.ignoreStated) source["ignore_stated"] = true;
   source["weld_tolerance"] = recipe.weldTolerance;
   if (recipe.polygons != PolygonSprings::Triangulated)
     source["polygons"] = wordOf(recipe.polygons, kPolygons);
@@ -168,12 +169,13 @@ Json sourceOf(const ImportRecipe& recipe)
 ImportRecipe readSource(const View& object, bool alone)
 {
   if (alone)
-    object.expectKeys({"format"}, {"file", "fingerprint", "more_files", "unit", "up", "patient_axes",
-                                   "weld_tolerance", "polygons", "repair", "support", "material"});
+    object.expectKeys({"format"},
+                      {"file", "fingerprint", "more_files", "unit", "up", "patient_axes", "ignore_stated",
+                       "weld_tolerance", "polygons", "repair", "support", "material"});
   else
-    object.expectKeys(
-      {"file", "unit", "up", "weld_tolerance"},
-      {"fingerprint", "more_files", "patient_axes", "polygons", "repair", "support", "material"});
+    object.expectKeys({"file", "unit", "up", "weld_tolerance"},
+                      {"fingerprint", "more_files", "patient_axes", "ignore_stated", "polygons", "repair",
+                       "support", "material"});
   ImportRecipe recipe;
   if (object.has("file"))
     if (SourceFile first = readFile(object); !first.name.empty()) recipe.files.push_back(std::move(first));
@@ -188,6 +190,7 @@ ImportRecipe readSource(const View& object, bool alone)
   if (object.has("up")) recipe.up = UpAxis(object["up"].choice(kUp));
   if (object.has("patient_axes"))
     recipe.patientAxes = PatientAxes(object["patient_axes"].choice(kPatientAxes));
+  if (object.has("ignore_stated")) recipe.ignoreStated = object["ignore_stated"].boolean();
   if (object.has("weld_tolerance")) recipe.weldTolerance = object["weld_tolerance"].number();
   if (object.has("polygons")) recipe.polygons = PolygonSprings(object["polygons"].choice(kPolygons));
   readGroup(object, "repair", recipe.repair, kVisitRepair);

@@ -3,13 +3,17 @@
 #include "meshimport/worker/assimp_scene.h"
 
 #include "core/base/ascii_case.h"
+#include "meshimport/import_endings.h"
 #include "meshimport/raw_mesh.h"
+#include "meshimport/worker/assimp_frame.h"
 #include "meshimport/worker/folder_files.h"
 #include "meshimport/worker/limits.h"
+#include "meshimport/worker/opened_archive.h"
 
 #include <Eigen/Geometry>
 
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/scene.h>
 
 #include <algorithm>
@@ -20,27 +24,20 @@ namespace esm {
 
 namespace {
 
-Eigen::Matrix4d toEigen(const aiMatrix4x4& m)
-{
-  Eigen::Matrix4d out;
-  for (unsigned row = 0; row < 4; ++row)
-    for (unsigned column = 0; column < 4; ++column) out(row, column) = double{m[row][column]};
-  return out;
-}
-
 /// Gathers the meshes of a scene, each where its nodes put it.
 class SceneCollector {
 public:
   SceneCollector(const aiScene& scene, const std::string& origin) : m_scene(scene), m_origin(origin) {}
 
-  Result<Mesh> run(std::vector<std::string>& notes)
+  /// @param root in place of the transform of the root node
+  Result<Mesh> run(const Eigen::Matrix4d& root, std::vector<std::string>& notes)
   {
     struct Visit {
       const aiNode* node;
       Eigen::Matrix4d transform;
     };
     std::vector<Visit> open; // a stack of our own: scenes may be nested tens of thousands deep
-    if (m_scene.mRootNode) open.push_back({m_scene.mRootNode, toEigen(m_scene.mRootNode->mTransformation)});
+    if (m_scene.mRootNode && !isSkeleton()) open.push_back({m_scene.mRootNode, root});
     while (!open.empty()) {
       const Visit visit = open.back();
       open.pop_back();
@@ -48,16 +45,23 @@ public:
         if (Status status = add(mesh, visit.transform); !status) return status.error();
       const std::span children(visit.node->mChildren, visit.node->mNumChildren);
       for (std::size_t i = children.size(); i-- > 0;)
-        open.push_back({children[i], visit.transform * toEigen(children[i]->mTransformation)});
+        open.push_back({children[i], visit.transform * matrixOf(children[i]->mTransformation)});
     }
     if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it was read, but it holds neither a face nor a line");
+                   "it was read, but it holds neither a face nor a line" + withSemicolons(notes));
     if (m_points > 0) notes.push_back(std::to_string(m_points) + " single points were passed over.");
     return finishMesh(std::move(m_raw), m_origin, notes);
   }
 
 private:
+  /// Whether all there is are the octahedra that the library puts in the place of bones.
+  bool isSkeleton() const
+  {
+    return m_scene.mNumMeshes == 1 && m_scene.mNumMaterials == 1 &&
+           m_scene.mMaterials[0]->GetName() == aiString("SkeletonMaterial");
+  }
+
   Status add(unsigned number, const Eigen::Matrix4d& transform)
   {
     if (number >= m_scene.mNumMeshes)
@@ -106,25 +110,51 @@ bool tellsOfTheEnd(std::string_view complaint)
                      [&](std::string_view sign) { return text.find(sign) != text.npos; });
 }
 
+bool endsWithOneOf(std::string_view name, std::span<const std::string_view> endings)
+{
+  const std::size_t point = name.rfind('.');
+  if (point == name.npos) return false;
+  return std::find(endings.begin(), endings.end(), asciiLower(name.substr(point + 1))) != endings.end();
+}
+
+/// The parts that may hold a mesh; the library asks for materials and animations of many names, too.
+bool isScene(std::string_view name)
+{
+  return endsWithOneOf(name, foreignEndings()) || endsWithOneOf(name, ownEndings());
+}
+
+bool isNoPicture(std::string_view name)
+{
+  constexpr std::string_view kPictures[] = {"png",  "jpg", "jpeg", "webp", "ktx",
+                                            "ktx2", "dds", "gif",  "bmp",  "tga"};
+  return name.find('.') != name.npos && !endsWithOneOf(name, kPictures);
+}
+
 } // namespace
 
 WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, const std::string& ending)
 {
+  const OpenedArchive archive = openArchive(bytes, ending);
   Assimp::Importer importer;
-  auto* files = new FolderFiles(origin, bytes, ending, allowFor); // owned by the importer
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
+  auto* files = new FolderFiles(origin, archive.bytes(bytes), ending, allowFor); // owned by the importer
   importer.SetIOHandler(files);
   WorkerReply reply;
   const aiScene* scene = importer.ReadFile(files->name(), 0);
+  reply.notes = files->folder().lostParts(ending == "gltf" || ending == "glb" ? isNoPicture : isScene);
   if (!scene) {
     const std::string complaint = importer.GetErrorString();
-    reply.refusal = fault(ErrorCode::BadFormat, origin, 0,
-                          "the assimp library cannot read it (" + complaint +
-                            (tellsOfTheEnd(complaint) ? "); fetch it again, it may be cut short, or" : ");") +
-                            " save it as OBJ, PLY or STL in the program it comes from");
+    reply.refusal =
+      fault(ErrorCode::BadFormat, origin, 0,
+            "the assimp library cannot read it (" + complaint + ")" + withSemicolons(reply.notes) +
+              (tellsOfTheEnd(complaint) ? "; fetch it again, it may be cut short, or" : ";") +
+              " save it as OBJ, PLY or STL in the program it comes from");
     return reply;
   }
   reply.format = ending + " (assimp)";
-  Result<Mesh> mesh = SceneCollector(*scene, origin).run(reply.notes);
+  const SceneStart start = startOf(*scene, archive.text.empty() ? bytes : archive.text, ending);
+  reply.stated = start.stated;
+  Result<Mesh> mesh = SceneCollector(*scene, origin).run(start.root, reply.notes);
   if (mesh)
     reply.mesh = std::move(*mesh);
   else

@@ -3,15 +3,30 @@
 #include "meshimport/worker/coin_scene.h"
 
 #include "meshimport/raw_mesh.h"
+#include "meshimport/worker/coin_parts.h"
 
 #include <Inventor/SoDB.h>
-#include <Inventor/SoInput.h>
 #include <Inventor/SoPrimitiveVertex.h>
+#include <Inventor/VRMLnodes/SoVRMLAppearance.h>
 #include <Inventor/actions/SoCallbackAction.h>
 #include <Inventor/errors/SoDebugError.h>
 #include <Inventor/errors/SoReadError.h>
+#include <Inventor/nodes/SoBaseColor.h>
+#include <Inventor/nodes/SoIndexedShape.h>
+#include <Inventor/nodes/SoMaterial.h>
+#include <Inventor/nodes/SoMaterialBinding.h>
+#include <Inventor/nodes/SoNormal.h>
+#include <Inventor/nodes/SoNormalBinding.h>
+#include <Inventor/nodes/SoPackedColor.h>
 #include <Inventor/nodes/SoSeparator.h>
-#include <Inventor/nodes/SoShape.h>
+#include <Inventor/nodes/SoTexture.h>
+#include <Inventor/nodes/SoTextureCoordinate2.h>
+#include <Inventor/nodes/SoTextureCoordinateBinding.h>
+#include <Inventor/nodes/SoUnits.h>
+#include <Inventor/nodes/SoVertexProperty.h>
+
+#include <algorithm>
+#include <string>
 
 namespace esm {
 
@@ -20,6 +35,7 @@ namespace {
 struct Collected {
   RawMesh raw;
   std::size_t points = 0;
+  bool hasUnits = false;
 
   Index add(SoCallbackAction* action, const SoPrimitiveVertex* vertex)
   {
@@ -51,11 +67,91 @@ void onPoint(void* to, SoCallbackAction*, const SoPrimitiveVertex*)
   ++static_cast<Collected*>(to)->points;
 }
 
-/// Keeps the first complaint.
+/// Keeps the first line of the first complaint.
 void onError(const SoError* error, void* to)
 {
   auto& text = *static_cast<std::string*>(to);
-  if (text.empty()) text = error->getDebugString().getString();
+  if (!text.empty()) return;
+  text = error->getDebugString().getString();
+  text.resize(std::min(text.find('\n'), text.size()));
+}
+
+/// What only looks is not asked for, so it can neither crash nor matter.
+SoCallbackAction::Response passOver(void*, SoCallbackAction*, const SoNode*)
+{
+  return SoCallbackAction::PRUNE;
+}
+
+void reset(SoMFInt32& indices)
+{
+  indices.setValue(-1); // "as the corners say"
+}
+
+void stripLooks(SoVertexProperty* property)
+{
+  property->materialBinding.setValue(SoMaterialBinding::OVERALL);
+  property->normalBinding.setValue(SoNormalBinding::OVERALL);
+  property->normal.setNum(0);
+  property->orderedRGBA.setNum(0);
+  property->texCoord.setNum(0);
+}
+
+/// Colours and normals that a shape has in itself.
+void stripLooks(SoNode* node)
+{
+  if (node->isOfType(SoIndexedShape::getClassTypeId())) {
+    auto* shape = static_cast<SoIndexedShape*>(node);
+    reset(shape->materialIndex);
+    reset(shape->normalIndex);
+    reset(shape->textureCoordIndex);
+  }
+  if (node->isOfType(SoVertexShape::getClassTypeId()))
+    if (SoNode* const property = static_cast<SoVertexShape*>(node)->vertexProperty.getValue())
+      stripLooks(static_cast<SoVertexProperty*>(property));
+  for (const char* const name : {"color", "normal", "texCoord"}) // of VRML97
+    if (SoField* const field = node->getField(name); field && field->isOfType(SoSFNode::getClassTypeId()))
+      static_cast<SoSFNode*>(field)->setValue(nullptr);
+  for (const char* const name : {"colorIndex", "normalIndex", "texCoordIndex"})
+    if (SoField* const field = node->getField(name); field && field->isOfType(SoMFInt32::getClassTypeId()))
+      static_cast<SoMFInt32*>(field)->setNum(0);
+}
+
+// The scene is ours, only the action takes its nodes as const.
+
+SoCallbackAction::Response beforeShape(void*, SoCallbackAction*, const SoNode* node)
+{
+  stripLooks(const_cast<SoNode*>(node));
+  return SoCallbackAction::CONTINUE;
+}
+
+SoCallbackAction::Response beforeProperty(void*, SoCallbackAction*, const SoNode* node)
+{
+  stripLooks(static_cast<SoVertexProperty*>(const_cast<SoNode*>(node)));
+  return SoCallbackAction::CONTINUE;
+}
+
+SoCallbackAction::Response onUnits(void* to, SoCallbackAction*, const SoNode*)
+{
+  static_cast<Collected*>(to)->hasUnits = true;
+  return SoCallbackAction::CONTINUE;
+}
+
+void collect(SoNode* scene, Collected& collected)
+{
+  SoCallbackAction action;
+  for (const SoType looks :
+       {SoMaterial::getClassTypeId(), SoMaterialBinding::getClassTypeId(), SoBaseColor::getClassTypeId(),
+        SoPackedColor::getClassTypeId(), SoNormal::getClassTypeId(), SoNormalBinding::getClassTypeId(),
+        SoTexture::getClassTypeId(), SoTextureCoordinate2::getClassTypeId(),
+        SoTextureCoordinateBinding::getClassTypeId(), SoVRMLAppearance::getClassTypeId()})
+    action.addPreCallback(looks, passOver, nullptr);
+  action.addPreCallback(SoShape::getClassTypeId(), beforeShape, nullptr);
+  action.addPreCallback(SoVertexProperty::getClassTypeId(), beforeProperty, nullptr);
+  action.addPreCallback(SoUnits::getClassTypeId(), onUnits, &collected);
+  action.addTriangleCallback(SoShape::getClassTypeId(), onTriangle, &collected);
+  action.addLineSegmentCallback(SoShape::getClassTypeId(), onLine, &collected);
+  action.addPointCallback(SoShape::getClassTypeId(), onPoint, &collected);
+  action.apply(scene);
 }
 
 WorkerReply refused(ErrorCode code, const std::string& origin, const std::string& text)
@@ -73,26 +169,28 @@ WorkerReply readWithCoin(std::string_view bytes, const std::string& origin, cons
   std::string complaint;
   SoReadError::setHandlerCallback(onError, &complaint);
   SoDebugError::setHandlerCallback(onError, &complaint);
-  SoInput input;
+  CoinParts parts(origin);
+  readInlinesFrom(parts);
+  PartInput input(parts);
   input.setBuffer(bytes.data(), bytes.size());
   SoSeparator* const scene =
     SoDB::readAll(&input); // never released: this process ends when the reply is sent
+  WorkerReply reply;
+  reply.notes = parts.folder.lostParts();
   if (!scene)
     return refused(ErrorCode::BadFormat, origin,
-                   "the Coin library cannot read it (" + complaint + "); save it as OBJ, PLY or STL");
+                   "the Coin library cannot read it (" + complaint + ")" + withSemicolons(reply.notes) +
+                     "; save it as OBJ, PLY or STL");
   scene->ref();
 
   Collected collected;
-  SoCallbackAction action;
-  action.addTriangleCallback(SoShape::getClassTypeId(), onTriangle, &collected);
-  action.addLineSegmentCallback(SoShape::getClassTypeId(), onLine, &collected);
-  action.addPointCallback(SoShape::getClassTypeId(), onPoint, &collected);
-  action.apply(scene);
+  collect(scene, collected);
   if (collected.raw.isEmpty())
-    return refused(ErrorCode::EmptyResult, origin, "it was read, but it holds neither a face nor a line");
+    return refused(ErrorCode::EmptyResult, origin,
+                   "it was read, but it holds neither a face nor a line" + withSemicolons(reply.notes));
 
-  WorkerReply reply;
   reply.format = bytes.substr(0, 5) == "#VRML" ? "VRML (Coin)" : "Open Inventor (Coin)";
+  if (collected.hasUnits) reply.stated.metres = 1.0; // the library has come to them by its Units nodes
   if (collected.points > 0)
     reply.notes.push_back(std::to_string(collected.points) + " single points were passed over.");
   Result<Mesh> mesh = finishMesh(std::move(collected.raw), origin, reply.notes);

@@ -50,11 +50,8 @@ private:
 
 FolderFiles::FolderFiles(const fs::path& model, std::string_view bytes, std::string_view ending,
                          void (*announce)(std::uint64_t bytes))
-  : m_bytes(bytes), m_announce(announce)
+  : m_folder(model), m_model(m_folder.path() / model.filename()), m_bytes(bytes), m_announce(announce)
 {
-  std::error_code code;
-  m_folder = fs::weakly_canonical(fs::absolute(model, code).parent_path(), code);
-  m_model = m_folder / model.filename();
   if (!ending.empty()) m_model.replace_extension(ending);
 }
 
@@ -63,30 +60,23 @@ bool FolderFiles::isModel(const fs::path& file) const
   return file == m_model || file == m_model.filename();
 }
 
-fs::path FolderFiles::inside(const fs::path& file) const
-{
-  std::error_code code;
-  const fs::path whole = fs::weakly_canonical(file.is_absolute() ? file : m_folder / file, code);
-  if (code) return {};
-  const auto [folder, rest] = std::mismatch(m_folder.begin(), m_folder.end(), whole.begin(), whole.end());
-  return folder == m_folder.end() && fs::is_regular_file(whole, code) ? whole : fs::path{};
-}
-
 bool FolderFiles::Exists(const char* file) const
 {
-  return isModel(file) || !inside(file).empty();
+  return isModel(file) || !m_folder.find(file).empty();
 }
 
 Assimp::IOStream* FolderFiles::Open(const char* file, const char* mode)
 {
   if (std::strpbrk(mode, "wa+")) return nullptr;
   if (isModel(file)) return new MemoryStream(m_bytes);
-  const fs::path whole = inside(file);
+  const fs::path whole = m_folder.find(file);
   if (whole.empty()) return nullptr;
   std::error_code code;
   if (const std::uintmax_t size = fs::file_size(whole, code); !code) m_announce(size);
   Result<std::string> bytes = readFile(whole);
-  return bytes ? new MemoryStream(std::move(*bytes)) : nullptr;
+  if (bytes) return new MemoryStream(std::move(*bytes));
+  m_folder.lose(file, "it cannot be read");
+  return nullptr;
 }
 
 } // namespace esm

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "meshimport/worker/model_folder.h"
+
 #include <assimp/IOStream.hpp>
 #include <assimp/IOSystem.hpp>
 
@@ -12,8 +14,7 @@
 
 namespace esm {
 
-/// The files that assimp may see: the model itself, from memory, and for reading what lies in its folder
-/// or below. A glTF may name "../../etc/passwd" as its buffer; symbolic links are followed before the check.
+/// The files that assimp may see: the model itself, from memory, and for reading what ModelFolder finds.
 class FolderFiles : public Assimp::IOSystem {
 public:
   /// @param model its path; `name()` is what assimp must be asked for
@@ -24,6 +25,7 @@ public:
               void (*announce)(std::uint64_t bytes));
 
   std::string name() const { return m_model.string(); }
+  const ModelFolder& folder() const noexcept { return m_folder; }
 
   bool Exists(const char* file) const override;
   char getOsSeparator() const override { return '/'; }
@@ -32,10 +34,9 @@ public:
 
 private:
   bool isModel(const std::filesystem::path& file) const;
-  /// The file to open, empty if it lies outside.
-  std::filesystem::path inside(const std::filesystem::path& file) const;
 
-  std::filesystem::path m_folder, m_model;
+  mutable ModelFolder m_folder; ///< remembers what was asked for
+  std::filesystem::path m_model;
   std::string_view m_bytes;
   void (*m_announce)(std::uint64_t bytes);
 };

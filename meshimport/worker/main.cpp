@@ -6,7 +6,10 @@
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/assimp_scene.h"
 #include "meshimport/worker/coin_scene.h"
+#include "meshimport/worker/file_guard.h"
 #include "meshimport/worker/limits.h"
+#include "meshimport/worker/model_folder.h"
+#include "meshimport/worker/sandbox.h"
 
 #include <cerrno>
 #include <charconv>
@@ -21,6 +24,8 @@ namespace {
 using namespace esm;
 
 constexpr int kReplyFile = 3;
+const char* const kOpenNetwork =
+  "The kernel offers no seccomp, so the foreign reader of this format was not kept from the network.";
 
 struct Library {
   const char* name;
@@ -46,9 +51,17 @@ WorkerReply readBy(const Library& library, const std::string& origin, const std:
   std::error_code code;
   if (const std::uintmax_t size = std::filesystem::file_size(origin, code); !code) allowFor(size);
   const Result<std::string> bytes = readFile(origin);
-  if (bytes) return library.read(*bytes, origin, ending);
   WorkerReply reply;
-  reply.refusal = bytes.error();
+  if (!bytes) {
+    reply.refusal = bytes.error();
+    return reply;
+  }
+  const std::filesystem::path folder = ModelFolder(origin).path();
+  guardFiles(folder);
+  closeOtherFolders(folder);
+  const bool closed = closeNetwork();
+  reply = library.read(*bytes, origin, ending);
+  if (!closed) reply.notes.push_back(kOpenNetwork);
   return reply;
 }
 

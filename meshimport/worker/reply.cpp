@@ -5,6 +5,7 @@
 #include "meshimport/raw_mesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <span>
 #include <type_traits>
@@ -13,10 +14,12 @@ namespace esm {
 
 namespace {
 
-static_assert(std::is_trivially_copyable_v<ReplyHead> && sizeof(ReplyHead) == 64);
+static_assert(std::is_trivially_copyable_v<ReplyHead> && sizeof(ReplyHead) == 80);
 
 constexpr std::uint64_t kMostText = 1 << 16; ///< bytes of format, notes or reason
 constexpr auto kLastCode = static_cast<std::int64_t>(ErrorCode::Internal);
+constexpr auto kLastUp = static_cast<std::int32_t>(UpAxis::X);
+constexpr auto kLastAxes = static_cast<std::int32_t>(PatientAxes::Ras);
 
 Error garbled(const std::string& what)
 {
@@ -90,6 +93,22 @@ std::string withHead(ReplyHead head, const std::string& text)
   return bytes.append(text, 0, static_cast<std::size_t>(head.textBytes));
 }
 
+/// Whether unit and axes are those of the enumerations; one that is stated is a positive number.
+bool stateable(const ReplyHead& head)
+{
+  return std::isfinite(head.metres) && head.metres >= 0.0 && head.up >= -1 && head.up <= kLastUp &&
+         head.axes >= -1 && head.axes <= kLastAxes;
+}
+
+StatedFrame statedBy(const ReplyHead& head)
+{
+  StatedFrame stated;
+  if (head.metres > 0.0) stated.metres = head.metres;
+  if (head.up >= 0) stated.up = static_cast<UpAxis>(head.up);
+  if (head.axes >= 0) stated.patientAxes = static_cast<PatientAxes>(head.axes);
+  return stated;
+}
+
 } // namespace
 
 std::string encodeReply(const WorkerReply& reply)
@@ -105,6 +124,9 @@ std::string encodeReply(const WorkerReply& reply)
   head.segments = static_cast<std::uint64_t>(mesh.segmentCount());
   head.tetrahedra = static_cast<std::uint64_t>(mesh.tetrahedronCount());
   head.diagonals = static_cast<std::uint64_t>(mesh.diagonals.cols());
+  head.metres = reply.stated.metres.value_or(0.0);
+  head.up = reply.stated.up ? static_cast<std::int32_t>(*reply.stated.up) : -1;
+  head.axes = reply.stated.patientAxes ? static_cast<std::int32_t>(*reply.stated.patientAxes) : -1;
   std::string text = reply.format;
   for (const std::string& note : reply.notes) text += "\n" + note;
   std::string bytes = withHead(head, text);
@@ -127,7 +149,7 @@ std::optional<std::uint64_t> replySize(std::string_view begin)
     if (count > kMostItems / 4) return std::nullopt; // so that no sum below can overflow
     items += count;
   }
-  if (head->textBytes > kMostText || items > kMostItems / 4) return std::nullopt;
+  if (!stateable(*head) || head->textBytes > kMostText || items > kMostItems / 4) return std::nullopt;
   if (head->refusal != ReplyHead::kNone && (head->refusal < 0 || head->refusal > kLastCode || items > 0))
     return std::nullopt;
   return sizeof(ReplyHead) + head->textBytes + 3 * sizeof(double) * head->vertices +
@@ -155,6 +177,7 @@ Result<WorkerReply> decodeReply(std::string_view bytes)
   if (reply.notes.empty()) return garbled("it does not name the format");
   reply.format = std::move(reply.notes.front());
   reply.notes.erase(reply.notes.begin());
+  reply.stated = statedBy(head);
   arrays.fill(reply.mesh.position, head.vertices);
   arrays.fill(reply.mesh.triangles, head.triangles);
   arrays.fill(reply.mesh.segments, head.segments);

@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/geometry/mesh.h"
+#include "core/geometry/scene_frame.h"
 
 #include <cstdint>
 #include <optional>
@@ -18,6 +19,7 @@ struct WorkerReply {
   std::optional<Error> refusal; ///< then the rest is empty
   std::string format;
   std::vector<std::string> notes;
+  StatedFrame stated;
   Mesh mesh;
 };
 
@@ -32,10 +34,12 @@ struct ReplyHead {
   std::uint32_t version = kVersion;
   std::int64_t refusal = kNone; ///< or the ErrorCode
   std::uint64_t textBytes = 0;
+  double metres = 0.0;             ///< of a unit, as the file states; 0 = nothing is stated
+  std::int32_t up = -1, axes = -1; ///< UpAxis and PatientAxes that the file states, or -1
   std::uint64_t vertices = 0, triangles = 0, segments = 0, tetrahedra = 0, diagonals = 0;
 
   static constexpr std::uint32_t kMagic = 0x574D5345; ///< "ESMW"
-  static constexpr std::uint32_t kVersion = 2;
+  static constexpr std::uint32_t kVersion = 3;
   static constexpr std::int64_t kNone = -1;
 };
 

@@ -30,7 +30,8 @@ constexpr std::size_t kMostComplaint = 1 << 12;      ///< bytes kept of what the
 constexpr std::size_t kMostComplaintShown = 160;     ///< bytes of it in a message
 constexpr std::chrono::milliseconds kLookAround{10}; ///< how often a wish to stop is looked for
 constexpr std::chrono::seconds kLastBreath{1};       ///< between the closed pipe and the end of the worker
-const char* const kWayOut = "the file may be damaged: convert it to OBJ, PLY or STL";
+const char* const kWayOut = "convert the file to OBJ, PLY or STL";
+const char* const kWhoseFault = ", by a fault of its own or because the file is damaged; ";
 
 /// An open file that closes itself.
 class Descriptor {
@@ -223,7 +224,7 @@ Error obituary(const std::string& origin, int status, const std::string& complai
                           : WEXITSTATUS(status) != 0 ? "exit code " + std::to_string(WEXITSTATUS(status))
                                                      : std::string("it ended without an answer");
   return fault(ErrorCode::BadFormat, origin, 0,
-               "the reader for this format crashed (" + why + "); " + kWayOut);
+               "the reader for this format failed: it crashed (" + why + ")" + kWhoseFault + kWayOut);
 }
 
 /// Waits for a worker that has closed its pipe; one that does not end is killed.
@@ -277,8 +278,8 @@ Result<WorkerReply> readInWorker(const WorkerTask& task, WorkControl* control)
   Result<WorkerReply> answer = decodeReply(heard.reply);
   if (!answer)
     return fault(ErrorCode::BadFormat, origin, 0,
-                 "the reader for this format answered with garbage (" + answer.error().detail + "); " +
-                   kWayOut);
+                 "the reader for this format failed: it answered with garbage (" + answer.error().detail +
+                   ")" + kWhoseFault + kWayOut);
   if (answer->refusal) return *std::move(answer->refusal);
   return answer;
 }

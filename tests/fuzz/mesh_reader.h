@@ -3,6 +3,7 @@
 #pragma once
 
 #include "meshimport/mesh_importer.h"
+#include "meshimport/stated_frame.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -14,9 +15,9 @@ inline int feed(const MeshReader& reader, const std::uint8_t* data, std::size_t 
 {
   const std::string_view bytes(reinterpret_cast<const char*>(data), size);
   reader.recognises(bytes, "");
-  std::string format;
-  std::vector<std::string> notes;
-  const Result<Mesh> mesh = reader.read(bytes, "fuzz", format, notes, nullptr);
+  statedInText(bytes, reader.name);
+  FileStory story;
+  const Result<Mesh> mesh = reader.read(bytes, "fuzz", story, nullptr);
   if (!mesh) {
     if (mesh.error().detail.rfind("fuzz: ", 0) != 0) __builtin_trap();
     return 0;

@@ -3,6 +3,7 @@
 #include "core/base/file_io.h"
 #include "core/geometry/weld.h"
 #include "core/net/net_builder.h"
+#include "meshimport/stated_frame.h"
 #include "tests/meshimport/import_bytes.h"
 
 #include <random>
@@ -110,10 +111,10 @@ TEST(Fuzz, noAccidentToAFileCrashesAReaderOrYieldsABadIndex)
     int read = 0, refused = 0;
     for (int i = 0; i < 3000; ++i) {
       const std::string bytes = i == 0 ? seed.bytes : mutated(seed.bytes, random);
-      std::string format;
-      std::vector<std::string> notes;
+      FileStory story;
       reader.recognises(bytes, "");
-      Result<Mesh> mesh = reader.read(bytes, "fuzz", format, notes, nullptr); // even if it is not recognised
+      statedInText(bytes, reader.name);
+      Result<Mesh> mesh = reader.read(bytes, "fuzz", story, nullptr); // even if it is not recognised
       ++(mesh ? read : refused);
       if (!mesh) {
         EXPECT_NE(mesh.error().code, ErrorCode::Internal);

@@ -179,4 +179,37 @@ TEST(ToScene, turnsYUpIntoZUpWithoutMirroring)
   EXPECT_EQ(upright.position, Eigen::Matrix3d::Identity() * 0.0254);
 }
 
+TEST(ToScene, turnsXUpAsColladaMeansIt)
+{
+  Mesh mesh;
+  mesh.position = Eigen::Matrix3d::Identity(); // x up, y to the left, z towards who looks
+  toScene(mesh, FileFrame{1.0, UpAxis::X, PatientAxes::None});
+  EXPECT_EQ(mesh.position.col(0), Eigen::Vector3d(0, 0, 1));
+  EXPECT_EQ(mesh.position.col(1), Eigen::Vector3d(-1, 0, 0));
+  EXPECT_EQ(mesh.position.col(2), Eigen::Vector3d(0, -1, 0));
+  const Eigen::Vector3d low(0, 0, 0), high(1, 2, 4);
+  EXPECT_EQ(extentInScene(low, high, {0.5, UpAxis::X, PatientAxes::None}), Eigen::Vector3d(1, 2, 0.5));
+  EXPECT_EQ(extentInScene(low, high, {1.0, UpAxis::Y, PatientAxes::None}), Eigen::Vector3d(1, 4, 2));
+}
+
+TEST(FileFrame, whatIsStatedHoldsAndTheChoiceForTheRest)
+{
+  const ChosenFrame chosen{LengthUnit::Inch, UpAxis::Y, PatientAxes::None};
+  EXPECT_EQ(frameOf({}, chosen), (FileFrame{0.0254, UpAxis::Y, PatientAxes::None}));
+  EXPECT_EQ(frameOf({1e-3, {}, {}}, chosen), (FileFrame{1e-3, UpAxis::Y, PatientAxes::None}));
+  EXPECT_EQ(frameOf({{}, UpAxis::Z, {}}, chosen), (FileFrame{0.0254, UpAxis::Z, PatientAxes::None}));
+  // A patient lies with z up, unless the file says otherwise.
+  EXPECT_EQ(frameOf({{}, {}, PatientAxes::Lps}, chosen), (FileFrame{0.0254, UpAxis::Z, PatientAxes::Lps}));
+  EXPECT_EQ(frameOf({1.0, UpAxis::Y, {}}, {LengthUnit::Metre, UpAxis::Z, PatientAxes::Lps}),
+            (FileFrame{1.0, UpAxis::Y, PatientAxes::Lps}));
+  EXPECT_EQ(inWords({1e-3, UpAxis::Z, PatientAxes::Lps}), "millimetres, z up and a patient's axes (LPS)");
+  EXPECT_EQ(inWords({0.125, {}, {}}), "units of 0.125 m");
+}
+
+TEST(FileFrame, organsHaveAMillimetreToTwoMetres)
+{
+  for (const double size : {1e-3, 0.08, 2.0}) EXPECT_TRUE(isUsualSize(size)) << size;
+  for (const double size : {0.0, 9e-4, 2.1, 80.0, std::nan("")}) EXPECT_FALSE(isUsualSize(size)) << size;
+}
+
 } // namespace

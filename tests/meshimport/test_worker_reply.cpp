@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <cstring>
 #include <limits>
 
@@ -65,6 +66,27 @@ TEST(WorkerReply, arrivesAsItWasSent)
   EXPECT_EQ(got->mesh.segments, sent.mesh.segments);
   EXPECT_EQ(got->mesh.diagonals, sent.mesh.diagonals);
   EXPECT_EQ(got->mesh.tetrahedra, sent.mesh.tetrahedra);
+  EXPECT_TRUE(got->stated.isEmpty());
+}
+
+TEST(WorkerReply, carriesWhatTheFileStates)
+{
+  WorkerReply sent = sample();
+  for (const StatedFrame& stated :
+       {StatedFrame{0.0254, UpAxis::X, PatientAxes::Ras}, StatedFrame{{}, UpAxis::Y, {}},
+        StatedFrame{1e-3, {}, PatientAxes::Lps}}) {
+    sent.stated = stated;
+    const auto got = decodeReply(encodeReply(sent));
+    ASSERT_TRUE(got) << got.error().detail;
+    EXPECT_EQ(got->stated, stated);
+  }
+  const std::string bytes = encodeReply(sent);
+  for (const double metres : {-1.0, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_FALSE(replySize(withHead(bytes, &ReplyHead::metres, metres)));
+  for (const std::int32_t number : {-2, 3, 1 << 30}) {
+    EXPECT_FALSE(replySize(withHead(bytes, &ReplyHead::up, number)));
+    EXPECT_FALSE(replySize(withHead(bytes, &ReplyHead::axes, number)));
+  }
 }
 
 TEST(WorkerReply, carriesARefusalInPlaceOfAMesh)

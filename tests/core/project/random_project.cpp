@@ -205,6 +205,7 @@ ImportRecipe randomRecipe(Dice& dice)
   recipe.unit = LengthUnit(dice.below(4));
   recipe.up = UpAxis(dice.below(2));
   recipe.patientAxes = PatientAxes(dice.below(3));
+  recipe.ignoreStated = dice.coin();
   recipe.weldTolerance = dice.any();
   recipe.polygons = PolygonSprings(dice.below(2));
   if (dice.coin()) {
