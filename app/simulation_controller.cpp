@@ -35,7 +35,10 @@ SimulationController::SimulationController(Document* document, SceneView* view, 
   : QObject(parent), m_document(document), m_view(view), m_sim(refreshRate())
 {
   setQuality({});
-  connect(document, &Document::projectReset, this, &SimulationController::load);
+  connect(document, &Document::projectReset, this, [this] {
+    disarm(); // the hand does not know what comes
+    load();
+  });
   connect(document, &Document::netChanged, this, &SimulationController::load);
   connect(document, &Document::parametersChanged, this, [this] {
     if (m_generation == 0) return;
@@ -78,7 +81,7 @@ void SimulationController::load()
 void SimulationController::poll()
 {
   const SimSnapshot& newest = m_sim.latest();
-  if (m_deviceLeads || m_pulledNode != kNoIndex) letDeviceLead();
+  letDeviceLead();
   if (m_session) {
     m_trace.clear();
     m_session->takeTrace(m_trace);
@@ -158,15 +161,17 @@ void SimulationController::endPull()
   letDeviceLead();
 }
 
-/// A device that touches leads always, but while the mouse holds a node; one that holds nodes leads while it
-/// has one and may feel force.
+/// A device that touches leads as long as it works, but while the mouse holds a node; one that holds nodes
+/// leads while it has one and may feel force.
 void SimulationController::letDeviceLead()
 {
-  bool leads = m_session && m_coupling == Coupling::Touches && (m_pulledNode == kNoIndex || m_leadsByMouse);
-  if (m_coupling == Coupling::HoldsNode && m_pulledNode != kNoIndex) {
-    const DeviceState state = hapticStatus().state;
-    leads = state == DeviceState::Arming || state == DeviceState::Active;
-  }
+  const DeviceState state = hapticStatus().state;
+  bool leads = m_session && deviceReport().phase == DevicePhase::Running && state != DeviceState::Absent;
+  if (m_coupling == Coupling::Touches)
+    leads = leads && (m_pulledNode == kNoIndex || m_leadsByMouse);
+  else
+    leads =
+      leads && m_pulledNode != kNoIndex && (state == DeviceState::Arming || state == DeviceState::Active);
   if (leads == m_deviceLeads) return;
   m_deviceLeads = leads;
   m_sim.followDevice(leads);

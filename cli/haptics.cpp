@@ -148,8 +148,10 @@ void addTissueOptions(CLI::App& command, HapticRunOptions& options)
   addNumber(command, "--frames", options.frameRate, "frames of the simulation per second (default: 60)",
             NumberRange::Positive);
   addInteger(command, "--node", options.node, "hold this node instead of touching the surface", 0, 1 << 30);
-  command.add_option("--csv", options.csv,
-                     "what came to pass, tick by tick: t, position, velocity, force, work, lateness");
+  command.add_option(
+    "--csv", options.csv,
+    "what came to pass, tick by tick, written meanwhile: t, position, velocity, force, work, "
+    "lateness");
 }
 
 } // namespace

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "cli/haptics.h"
 
-#include "core/base/file_io.h"
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "core/project/project_io.h"
@@ -13,11 +12,14 @@
 #include "haptics/haptic_session.h"
 #include "haptics/replay/true_force.h"
 #include "haptics/simulated_device.h"
+#include "haptics/trace_log.h"
 
 #include <algorithm>
 #include <chrono>
 #include <csignal>
+#include <optional>
 #include <thread>
+#include <vector>
 
 namespace esm::cli {
 
@@ -25,11 +27,35 @@ namespace {
 
 constexpr double kDefaultLimit = 5.0, kDefaultFrames = 60.0, kDefaultSeconds = 5.0;
 
-double largestForce(const std::vector<TraceSample>& samples)
+/// What the ticks told, and the file that they go to meanwhile, if any.
+struct Recording {
+  void take()
+  {
+    for (const TraceSample& tick : ticks) {
+      if (count++ == 0) start = tick.time;
+      largestForce = std::max(largestForce, tick.force.norm());
+      work = tick.work;
+      duration = tick.time - start;
+    }
+    if (log) log->add(ticks);
+    ticks.clear();
+  }
+  Status finish() { return log ? log->finish() : Status{}; }
+
+  std::optional<TraceLog> log;
+  std::vector<TraceSample> ticks; ///< not taken yet
+  std::int64_t count = 0;
+  double start = 0.0, duration = 0.0, largestForce = 0.0, work = 0.0;
+};
+
+/// @param file empty: none.
+Status logTo(Recording& recording, const std::string& file, TraceLog::Columns columns)
 {
-  double largest = 0.0;
-  for (const TraceSample& sample : samples) largest = std::max(largest, sample.force.norm());
-  return largest;
+  if (file.empty()) return {};
+  Result<TraceLog> log = TraceLog::create(file, columns);
+  if (!log) return log.error();
+  recording.log.emplace(std::move(*log));
+  return {};
 }
 
 JsonLine jsonOf(const JitterCounts& jitter)
@@ -63,24 +89,22 @@ Result<std::unique_ptr<HapticDevice>> deviceFor(const HapticRunOptions& options,
     SimulatedDeviceSettings{}, std::make_unique<RecordedHand>(std::move(*path))));
 }
 
-Status writeCsv(const std::string& file, const std::vector<TraceSample>& samples)
-{
-  if (file.empty()) return {};
-  return writeFileAtomically(file, traceCsv(samples));
-}
-
 /// Until the time is over or somebody wants the program to end.
-void waitWhile(HapticSession& session, double seconds, std::vector<TraceSample>& samples)
+void waitWhile(HapticSession& session, double seconds, Recording& recording)
 {
   using Clock = std::chrono::steady_clock;
   const auto end = Clock::now() + std::chrono::duration<double>(seconds);
+  const auto take = [&] {
+    session.takeTrace(recording.ticks);
+    recording.take();
+  };
   while (Clock::now() < end && !ExitGuard::requested()) {
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    session.takeTrace(samples);
+    take();
   }
   if (ExitGuard::requested()) // the servo lets the force fall by itself; its last ticks belong to the record
     std::this_thread::sleep_for(std::chrono::milliseconds(30));
-  session.takeTrace(samples);
+  take();
 }
 
 void endAsAsked()
@@ -97,6 +121,7 @@ Exit runDevice(const HapticRunOptions& options)
 {
   const ExitGuard guard;
   Eigen::Vector3d hand = Eigen::Vector3d::Zero();
+  Recording recording;
   SimThread simulation(options.frameRate.value_or(kDefaultFrames));
   if (!options.project.empty()) {
     Result<Project> project = loadProject(options.project);
@@ -107,6 +132,8 @@ Exit runDevice(const HapticRunOptions& options)
   }
   Result<std::unique_ptr<HapticDevice>> device = deviceFor(options, hand);
   if (!device) return fail(device.error());
+  if (const Status open = logTo(recording, options.csv, TraceLog::Columns::All); !open)
+    return fail(open.error());
   auto session = HapticSession::start(std::move(*device), simulation.toolInput(), simulation.contactOutput());
   if (!session) return fail(session.error());
   const double limit = options.forceLimit.value_or(kDefaultLimit);
@@ -121,25 +148,24 @@ Exit runDevice(const HapticRunOptions& options)
     simulation.play();
   }
   if (options.arm) (*session)->arm();
-  std::vector<TraceSample> samples;
-  waitWhile(**session, options.seconds.value_or(kDefaultSeconds), samples);
+  waitWhile(**session, options.seconds.value_or(kDefaultSeconds), recording);
   const HapticStatus status = (*session)->status();
   const JitterCounts jitter = (*session)->jitter();
   session->reset(); // zero force, whatever comes now
-  if (const Status written = writeCsv(options.csv, samples); !written) return fail(written.error());
+  if (const Status written = recording.finish(); !written) return fail(written.error());
   if (options.json) {
     JsonLine line;
     line.add("device", status.device);
     line.add("priority", status.priority);
     line.add("rate", status.rate);
-    line.add("largest_force", largestForce(samples));
+    line.add("largest_force", recording.largestForce);
     line.add("reason", status.reason);
     line.add("lateness", jsonOf(jitter));
     print(line.text());
   } else {
     print(status.device + ": " + std::to_string(jitter.ticks) + " ticks (" + std::to_string(jitter.missed) +
           " missed) at " + status.priority + " priority, largest force " +
-          formatDouble(largestForce(samples), 3) + " N");
+          formatDouble(recording.largestForce, 3) + " N");
     print("late by " + microseconds(jitter.percentile(0.5)) + " (half), " +
           microseconds(jitter.percentile(0.99)) + " (99 %), " + microseconds(jitter.percentile(0.999)) +
           " (99.9 %), " + microseconds(jitter.worst) + " (worst)");
@@ -156,15 +182,16 @@ Exit recordPath(const HapticRunOptions& options)
   TripleBuffer<ContactModel> contact;
   auto session = HapticSession::open(options.device, tool, contact, options.own);
   if (!session) return fail(session.error());
-  std::vector<TraceSample> samples;
-  waitWhile(**session, options.seconds.value_or(kDefaultSeconds), samples);
+  Recording recording;
+  if (const Status open = logTo(recording, options.output, TraceLog::Columns::Path); !open)
+    return fail(open.error());
+  waitWhile(**session, options.seconds.value_or(kDefaultSeconds), recording);
   session->reset();
-  const HandPath path = handPathOf(samples);
-  if (path.time.empty())
+  if (recording.count == 0)
     return fail(
       {ErrorCode::EmptyResult, "the device '" + options.device + "' told no position; is it homed?"});
-  if (const Status written = writeHandPath(options.output, path); !written) return fail(written.error());
-  say(std::to_string(path.time.size()) + " positions in " + formatDouble(path.duration(), 3) + " s");
+  if (const Status written = recording.finish(); !written) return fail(written.error());
+  say(std::to_string(recording.count) + " positions in " + formatDouble(recording.duration, 3) + " s");
   endAsAsked();
   return Exit::Done;
 }
@@ -213,31 +240,34 @@ Exit replayPath(const HapticRunOptions& options)
   play.servo().setForceLimit(options.forceLimit.value_or(kDefaultLimit));
   play.servo().setForceScale(scale);
   play.arm();
-  std::vector<TraceSample> samples;
+  Recording recording;
+  if (const Status open = logTo(recording, options.csv, TraceLog::Columns::All); !open)
+    return fail(open.error());
   std::vector<ReplayTick> ticks;
   while (play.now() < seconds - 0.5 * play.loop().device().profile().period) {
     if (options.stopAfter && play.now() > *options.stopAfter) play.killSimulation();
     play.tick();
-    play.servo().trace().takeNew(samples);
+    play.servo().trace().takeNew(recording.ticks);
+    recording.take();
     ticks.push_back(play.last());
   }
-  if (const Status written = writeCsv(options.csv, samples); !written) return fail(written.error());
+  if (const Status written = recording.finish(); !written) return fail(written.error());
   const ServoStatus status = play.servo().status();
   SimSnapshot picture;
   play.simulation().draw(picture);
   JsonLine line;
   line.add("device", options.device);
   line.add("ticks", std::ssize(ticks));
-  line.add("largest_force", largestForce(samples));
+  line.add("largest_force", recording.largestForce);
   line.add("force", status.force);
-  line.add("work", samples.empty() ? 0.0 : samples.back().work);
+  line.add("work", recording.work);
   line.add("generated", status.generated);
   line.add("tip", picture.tipPosition);
   line.add("touches", picture.tipTouches);
   line.add("reason", reasonText(status.reason));
   line.add("simulation", picture.message);
   std::string said = std::to_string(ticks.size()) + " ticks, largest force " +
-                     formatDouble(largestForce(samples), 3) + " N, at the end " +
+                     formatDouble(recording.largestForce, 3) + " N, at the end " +
                      formatDouble(status.force.norm(), 3) + " N";
   if (options.compare) {
     const Result<Eigen::Matrix3Xd> truth = trueForce(*scene, ticks);

@@ -48,10 +48,14 @@ void Arming::watch(DeviceLink link, double dt) noexcept
   }
 }
 
-void Arming::advance(double dt, double wish) noexcept
+void Arming::advance(double dt, double wish, std::uint64_t scene, bool begins) noexcept
 {
-  if (waits()) m_safeTicks = wish < kSafeForce ? m_safeTicks + 1 : 0; // NaN is not small
-  const double change = m_wanted && !waits() ? dt / std::max(m_armTime, 1e-3) : -dt / kDisarmTime;
+  const bool isSafe = scene != 0 && wish < kSafeForce; // NaN is not small
+  if (scene != m_scene) m_safeTicks = 0;
+  m_scene = scene;
+  if (begins && !isSafe) m_gain = 0.0; // nothing is felt of it yet
+  if (waits()) m_safeTicks = isSafe && m_gain == 0.0 ? m_safeTicks + 1 : 0;
+  const double change = opens() ? dt / std::max(m_armTime, 1e-3) : -dt / kDisarmTime;
   m_gain = std::clamp(m_gain + change, 0.0, 1.0);
 }
 
@@ -66,7 +70,8 @@ DeviceState Arming::state(bool present, bool forceFlows) const noexcept
   if (m_fault == ServoReason::DeviceLost) return DeviceState::Absent;
   if (m_fault != ServoReason::Plain) return DeviceState::Fault;
   if (!m_wanted) return forceFlows ? DeviceState::Fading : DeviceState::Idle;
-  if (!present && forceFlows) return DeviceState::Fading;
+  // Without a contact, what flows while force fades in is its damping only.
+  if (!present && forceFlows && (waits() || m_gain == 1.0)) return DeviceState::Fading;
   return m_gain < 1.0 ? DeviceState::Arming : DeviceState::Active;
 }
 

@@ -37,7 +37,8 @@ enum class ServoReason : std::uint8_t {
   Plain,
   NeedsHome,
   ForceTooLarge, ///< armed, but force waits until it would begin with almost nothing
-  NoContact,     ///< armed, but nothing is held or the simulation is paused
+  NoScene,       ///< armed, but no tissue moves: paused, or no model
+  NoContact,     ///< armed, but nothing is held or touched
   StaleModel,    ///< the simulation has not answered for a while
   EmergencyStop,
   BadModel,      ///< the simulation sent a force that is no number
@@ -52,9 +53,13 @@ enum class ServoReason : std::uint8_t {
 ///     Absent <-- lost -- any;   any -- fault --> Fault -- arm --> Arming --> Active
 ///     Idle -- arm --> Arming;   Arming, Active -- disarm, home lost --> Fading --> Idle
 ///
-/// Opening waits until the force would have been below 0.2 N for 50 ticks, so that it begins with nothing in
-/// the hand, then takes the profile's armTime, with some damping besides. Closing takes 50 ms; a fault closes
-/// at once (the limiter's slew rate then is what the arm feels).
+/// Opening waits until tissue was there and the force would have been below 0.2 N for 50 ticks, so that it
+/// begins with nothing in the hand, then takes the profile's armTime, with some damping besides. Closing
+/// takes 50 ms; a fault closes at once (the limiter's slew rate then is what the arm feels).
+///
+/// Another scene, or the same after a silence, waits and opens anew: tissue that appears around the hand is
+/// as much of a surprise as the first. A contact that begins with more than 0.2 N, wherever it comes from,
+/// fades in over armTime too.
 /// @note Threads: servo only.
 class Arming {
 public:
@@ -69,14 +74,18 @@ public:
   void obey(std::uint32_t orderWord) noexcept; ///< does nothing for a word it has seen
   void fail(ServoReason reason) noexcept;      ///< the first reason stays until arm()
   void watch(DeviceLink link, double dt) noexcept;
-  /// @param wish  size of the force that would be sent with gain 1 [N].
-  void advance(double dt, double wish) noexcept;
+  void fadeInAnew() noexcept { m_gain = 0.0; } ///< where the hand is now is no way it went
+  /// @param wish   size of the force that would be sent with gain 1 and a contact that has faded in [N].
+  /// @param scene  that it comes from; 0: no tissue, or it is silent or fades out.
+  /// @param begins whether its contact begins with this tick.
+  void advance(double dt, double wish, std::uint64_t scene, bool begins) noexcept;
 
   double gain() const noexcept { return m_gain; } ///< 0 ... 1
   /// Damping to add while force fades in, over the device's most [1]; comes and goes without a jump.
   double dampingShare() const noexcept;
   bool waits() const noexcept { return m_wanted && m_safeTicks < kSafeTicks; }
   bool wanted() const noexcept { return m_wanted; }
+  bool opens() const noexcept { return m_wanted && !waits(); } ///< force is on, or fades in
   ServoReason fault() const noexcept { return m_fault; }
   /// @param forceFlows whether the force now sent is not zero.
   DeviceState state(bool present, bool forceFlows) const noexcept;
@@ -86,6 +95,7 @@ private:
   double m_armTime;
   double m_gain = 0.0, m_silence = 0.0;
   std::uint32_t m_seen = 0;
+  std::uint64_t m_scene = 0;
   int m_safeTicks = 0;
   bool m_wanted = false, m_needsHome = false;
   ServoReason m_fault = ServoReason::Plain;

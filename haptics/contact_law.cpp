@@ -98,14 +98,27 @@ ContactLaw::Plane ContactLaw::planeOf(const ContactModel& model, double scale) c
 bool ContactLaw::take(const ContactModel& model, double now, double scale) noexcept
 {
   if (model.sequence == m_sequence) return true;
+  if (!isPlausible(model)) {
+    m_sequence = model.sequence;
+    return false;
+  }
+  const bool goesOn = model.scene == m_scene && !m_stale;
+  const bool fades = m_presence > 0.0;
+  m_sceneLeaves = fades && model.scene != m_scene;
+  m_leaves = m_sceneLeaves || (fades && model.active && !m_active);
+  if (m_leaves) return true; // asked again with the next tick
+  if (goesOn) {
+    m_interval += 0.2 * (std::clamp(now - m_arrival, kLeastInterval, kMostInterval) - m_interval);
+    if (model.edition != m_edition || scale != m_scale) m_editLeft = kEditTime;
+  }
   m_sequence = model.sequence;
-  if (!isPlausible(model)) return false;
-  const bool goesOn = present();
-  m_active = model.active;
-  if (!model.active) return true; // the old plane fades out
-  if (goesOn) m_interval += 0.2 * (std::clamp(now - m_arrival, kLeastInterval, kMostInterval) - m_interval);
+  m_scene = model.scene;
+  m_edition = model.edition;
+  m_scale = scale;
   m_arrival = now;
   m_stale = false;
+  m_active = model.active;
+  if (!model.active) return true; // the old plane fades out
   m_plane = planeOf(model, scale);
   m_isNew = true;
   return true;
@@ -113,8 +126,8 @@ bool ContactLaw::take(const ContactModel& model, double now, double scale) noexc
 
 void ContactLaw::forget() noexcept
 {
-  m_active = m_stale = false;
-  m_presence = m_stored = 0.0;
+  m_active = false;
+  m_presence = m_stored = m_size = 0.0;
 }
 
 /// Mean and mean deviation of the ticks; the age rises at once and falls slowly.
@@ -131,10 +144,11 @@ Eigen::Vector3d ContactLaw::force(double now, double dt, const Eigen::Vector3d& 
                                   const Eigen::Vector3d& velocity, double age) noexcept
 {
   measure(dt, age);
-  m_stale = m_active && now - m_arrival > kStaleAfter;
+  m_stale = m_scene != 0 && now - m_arrival > kStaleAfter;
   const bool wasAbsent = m_presence == 0.0;
   m_presence = std::clamp(m_presence + (present() ? dt : -dt) / kFadeTime, 0.0, 1.0);
-  m_stored = 0.0;
+  m_begins = wasAbsent && m_presence > 0.0;
+  m_stored = m_size = 0.0;
   if (m_presence == 0.0) return Eigen::Vector3d::Zero();
 
   const Eigen::Vector3d elastic =
@@ -146,13 +160,17 @@ Eigen::Vector3d ContactLaw::force(double now, double dt, const Eigen::Vector3d& 
   if (m_isNew) {
     // Nothing is felt yet that could jump while a contact only begins.
     m_jump = wasAbsent ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(m_shown - full);
-    m_blend = 0.0;
+    m_blendLeft = std::max(kBlendShare * m_interval, m_editLeft);
     m_isNew = false;
   }
-  m_blend = std::min(1.0, m_blend + dt / (kBlendShare * m_interval));
-  m_shown = full + (1.0 - m_blend) * m_jump;
+  m_jump *= m_blendLeft > dt ? 1.0 - dt / m_blendLeft : 0.0; // on a straight line to nothing
+  m_blendLeft -= dt;
+  m_editLeft = std::max(0.0, m_editLeft - dt);
+  m_shown = full + m_jump;
   if (!m_plane.normal.isZero(0.0))
     if (const double push = m_shown.dot(m_plane.normal); push < 0.0) m_shown -= push * m_plane.normal;
+  m_size = m_shown.stableNorm();
+  if (!present() && m_size == 0.0) m_presence = 0.0; // nothing is felt that would have to fade
   return m_presence * m_shown;
 }
 

@@ -20,13 +20,18 @@ namespace esm {
 /// damping, T tick, tau delay). T is the mean tick plus twice its deviation, tau the age of positions, both
 /// as measured; half of that stiffness leaves room for what was not.
 ///
+/// Where the tissue's parameters or the scale have changed, the jump is taken back over 100 ms instead: an
+/// edit under the hand is felt as tissue that hardens.
+///
 /// Presence fades in over 50 ms when a contact begins and out when it ends or when no model has come for
-/// 100 ms: a dead simulation is not a wall.
+/// 100 ms: a dead simulation is not a wall. What comes after an ended contact, or from
+/// another scene, is taken once the old one has faded out.
 /// @note Threads: servo only. Never allocates or throws.
 class ContactLaw {
 public:
   static constexpr double kStaleAfter = 0.1; ///< [s]
   static constexpr double kFadeTime = 0.05;  ///< [s]
+  static constexpr double kEditTime = 0.1;   ///< [s]
   static constexpr double kStabilityShare = 0.5;
 
   explicit ContactLaw(const DeviceProfile& profile) noexcept;
@@ -43,8 +48,12 @@ public:
 
   void forget() noexcept; ///< ends the contact at once; a model that was already seen does not come back
 
-  bool present() const noexcept { return m_active && !m_stale; }
-  bool stale() const noexcept { return m_active && m_stale; }
+  bool present() const noexcept { return m_active && !m_stale && !m_leaves; }
+  bool stale() const noexcept { return m_stale; } ///< no word of a scene that was there
+  /// Number of the scene whose tissue is felt or could be at any time; 0: none, or it is silent or fades out.
+  std::uint64_t scene() const noexcept { return m_stale || m_sceneLeaves ? 0 : m_scene; }
+  bool begins() const noexcept { return m_begins; } ///< with the last force() the contact came out of nothing
+  double size() const noexcept { return m_size; }   ///< of the last force, without presence [N]
   double presence() const noexcept { return m_presence; } ///< 0 ... 1
   /// What the springs of the last force() hold, the energy that they may give back, without presence [J].
   double stored() const noexcept { return m_stored; }
@@ -69,12 +78,15 @@ private:
   Eigen::Vector3d m_jump = Eigen::Vector3d::Zero();  ///< that the newest plane would have made [N]
   Eigen::Vector3d m_shown = Eigen::Vector3d::Zero(); ///< last force, without presence [N]
   bool m_isNew = false;
-  double m_blend = 1.0;           ///< 1: nothing is left of m_jump
+  double m_blendLeft = 0.0;       ///< until nothing is left of m_jump [s]
   double m_interval = 1.0 / 60.0; ///< between models, smoothed [s]
   double m_arrival = 0.0;         ///< of the newest model [s]
-  std::uint64_t m_sequence = 0;
-  double m_presence = 0.0, m_stored = 0.0;
-  bool m_active = false, m_stale = false;
+  double m_editLeft = 0.0;        ///< of kEditTime [s]
+  double m_scale = 1.0;
+  std::uint64_t m_sequence = 0, m_scene = 0, m_edition = 0;
+  double m_presence = 0.0, m_stored = 0.0, m_size = 0.0;
+  bool m_active = false, m_stale = false, m_begins = false;
+  bool m_leaves = false, m_sceneLeaves = false; ///< fades out before what has come already is taken
 };
 
 } // namespace esm

@@ -104,25 +104,6 @@ HandPath handPathOf(std::span<const TraceSample> trace)
   return path;
 }
 
-std::string traceCsv(std::span<const TraceSample> trace)
-{
-  std::string text = "t,x,y,z,vx,vy,vz,fx,fy,fz,work,lateness\n";
-  for (const TraceSample& sample : trace) {
-    appendDouble(text, sample.time);
-    for (const Eigen::Vector3d* part : {&sample.position, &sample.velocity, &sample.force})
-      for (int i = 0; i < 3; ++i) {
-        text += ',';
-        appendDouble(text, (*part)[i]);
-      }
-    for (const double value : {sample.work, sample.lateness}) {
-      text += ',';
-      appendDouble(text, value);
-    }
-    text += '\n';
-  }
-  return text;
-}
-
 HandPose WaitingHand::pose(double time) noexcept
 {
   const std::uint32_t starts = m_starts.load(std::memory_order_relaxed);

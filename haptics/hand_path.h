@@ -35,8 +35,6 @@ Status writeHandPath(const std::filesystem::path& file, const HandPath& path);
 
 /// The way of the hand in a trace; it begins at t = 0.
 HandPath handPathOf(std::span<const TraceSample> trace);
-/// A trace as CSV: "t,x,y,z,vx,vy,vz,fx,fy,fz,work,lateness", one tick a line, SI units.
-std::string traceCsv(std::span<const TraceSample> trace);
 
 /// Leads a simulated device along a path, from the first time that it is asked on.
 class RecordedHand final : public Hand {

@@ -20,10 +20,14 @@ std::string reasonText(ServoReason reason)
     return "The device does not know its position yet; move its grip out and in once";
   case ServoReason::ForceTooLarge:
     return "Force waits until it would begin below 0.2 N; move the tool away from the tissue";
+  case ServoReason::NoScene:
+    return "No tissue moves: there is no model, or the simulation is paused";
   case ServoReason::NoContact:
-    return "Nothing is held, or the simulation is paused";
+    return "Nothing is touched or held";
   case ServoReason::StaleModel:
-    return "The simulation has not answered for 0.1 s";
+    return "The simulation has not answered for 0.1 s: the scene is too heavy for this computer; a model "
+           "with "
+           "fewer nodes or a larger allowed error helps";
   case ServoReason::EmergencyStop:
     return "Stopped by the user; arm again to go on";
   case ServoReason::BadModel:

@@ -11,6 +11,7 @@ namespace esm {
 namespace {
 
 constexpr double kVelocityCutoff = 200.0; ///< [Hz]; above it encoder steps show, below it damping comes late
+constexpr double kNoSpeed = 1e-12;        ///< [m/s], along an axis
 constexpr double kMostScale = 10.0;
 
 } // namespace
@@ -54,14 +55,16 @@ Eigen::Vector3d ServoCore::wish(double now, double dt, double limit) noexcept
     m_arming.fail(ServoReason::BadModel);
     force.setZero(); // 0 x NaN would be NaN
   }
+  if (m_law.begins()) m_share = 0.0; // the old one was another contact's
   if (!m_energy.account(m_limiter.force(), m_motion, m_law.stored(), m_share, dt)) {
-    if (m_arming.gain() > 0.0) m_arming.fail(ServoReason::EnergyTooHigh);
+    // What fades out anyway gives nothing that its springs did not hold.
+    if (m_law.present() && m_arming.opens()) m_arming.fail(ServoReason::EnergyTooHigh);
     m_energy.forget();
   }
   const double size = force.stableNorm();
   force += m_energy.damping(m_velocity);
   if (const double norm = force.stableNorm(); norm > limit) force *= std::max(limit, 0.0) / norm;
-  m_arming.advance(dt, size);
+  m_arming.advance(dt, m_law.size(), m_law.scene(), m_law.begins());
   const double gain = m_arming.gain();
   m_share = m_law.presence() * gain * (size > limit ? std::max(limit, 0.0) / size : 1.0);
   if (gain == 0.0) return Eigen::Vector3d::Zero();
@@ -88,10 +91,13 @@ void ServoCore::take(const DeviceSample& sample, double dt) noexcept
 {
   if (!m_hasSample || sample.epoch != m_epoch) {
     m_velocity.setZero();
+    m_law.forget(); // made for another place
+    m_arming.fadeInAnew();
   } else {
     m_motion = sample.position - m_lastPosition;
     const double lag = 1.0 / (2.0 * std::numbers::pi * kVelocityCutoff);
     m_velocity += (m_motion - dt * m_velocity) / (dt + lag);
+    m_velocity = (m_velocity.array().abs() < kNoSpeed).select(0.0, m_velocity); // or it would take for ever
   }
   m_hasSample = true;
   m_epoch = sample.epoch;
@@ -108,10 +114,11 @@ ServoReason ServoCore::reason() const noexcept
 {
   if (m_arming.fault() != ServoReason::Plain) return m_arming.fault();
   if (m_arming.needsHome()) return ServoReason::NeedsHome;
-  if (m_arming.wanted() && m_law.stale()) return ServoReason::StaleModel;
-  if (m_arming.waits() && m_law.present()) return ServoReason::ForceTooLarge;
-  if (m_arming.wanted() && !m_law.present()) return ServoReason::NoContact;
-  return ServoReason::Plain;
+  if (!m_arming.wanted()) return ServoReason::Plain;
+  if (m_law.stale()) return ServoReason::StaleModel;
+  if (m_law.scene() == 0) return ServoReason::NoScene;
+  if (!m_law.present()) return ServoReason::NoContact;
+  return m_arming.waits() ? ServoReason::ForceTooLarge : ServoReason::Plain;
 }
 
 void ServoCore::report(double now, double limit) noexcept

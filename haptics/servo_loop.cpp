@@ -3,6 +3,7 @@
 #include "haptics/servo_loop.h"
 
 #include "haptics/exit_guard.h"
+#include "haptics/no_denormals.h"
 #include "haptics/zero_reports.h"
 
 #include <algorithm>
@@ -46,6 +47,7 @@ void ServoLoop::run(const std::stop_token& stop) noexcept
 {
   const LiveServo alive([](void* core) noexcept { static_cast<ServoCore*>(core)->sendZero(); }, &m_core);
   m_priority.store(raiseThreadPriority(), std::memory_order_relaxed);
+  dropDenormals();
   m_lastTick = m_deadline = m_clock->now();
   while (!stop.stop_requested() && !ExitGuard::requested()) nextTick();
   fallToZero();

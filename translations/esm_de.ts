@@ -1628,6 +1628,10 @@
         <source>Let the loaded path lead the hand of a device in the computer</source>
         <translation>Den geladenen Weg die Hand eines Geräts im Rechner führen lassen</translation>
     </message>
+    <message>
+        <source>A recording that was not saved is in %1</source>
+        <translation>Eine Aufzeichnung, die nicht gesichert wurde, liegt in %1</translation>
+    </message>
 </context>
 <context>
     <name>esm::HapticText</name>
@@ -1638,14 +1642,6 @@
     <message>
         <source>Force waits until it would begin below 0.2 N; move the tool away from the tissue</source>
         <translation>Die Kraft wartet, bis sie unter 0,2 N beginnen würde; das Werkzeug vom Gewebe wegbewegen</translation>
-    </message>
-    <message>
-        <source>Nothing is held, or the simulation is paused</source>
-        <translation>Nichts wird gehalten, oder die Simulation ist angehalten</translation>
-    </message>
-    <message>
-        <source>The simulation has not answered for 0.1 s</source>
-        <translation>Die Simulation hat 0,1 s lang nicht geantwortet</translation>
     </message>
     <message>
         <source>Stopped by the user; arm again to go on</source>
@@ -1882,6 +1878,18 @@
     <message>
         <source>normal priority</source>
         <translation>normale Priorität</translation>
+    </message>
+    <message>
+        <source>No tissue moves: there is no model, or the simulation is paused</source>
+        <translation>Kein Gewebe bewegt sich: Es gibt kein Modell, oder die Simulation ist angehalten</translation>
+    </message>
+    <message>
+        <source>Nothing is touched or held</source>
+        <translation>Nichts wird berührt oder gehalten</translation>
+    </message>
+    <message>
+        <source>The simulation has not answered for 0.1 s: the scene is too heavy for this computer; a model with fewer nodes or a larger allowed error helps</source>
+        <translation>Die Simulation hat 0,1 s lang nicht geantwortet: Die Szene ist zu schwer für diesen Rechner; ein Modell mit weniger Knoten oder ein größerer erlaubter Fehler hilft</translation>
     </message>
 </context>
 <context>

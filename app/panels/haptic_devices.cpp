@@ -67,7 +67,7 @@ HapticDevices::HapticDevices(DeviceDesk* desk, SimulationController* controller,
   connect(m_home, &QPushButton::clicked, m_controller, &SimulationController::requestHome);
   connect(m_place, &QPushButton::clicked, this, &HapticDevices::placeOnModel);
   connect(m_calibrate, &QPushButton::clicked, this, &HapticDevices::calibrate);
-  connect(m_desk, &DeviceDesk::listed, this, &HapticDevices::fillList);
+  connect(m_desk, &DeviceDesk::listed, this, &HapticDevices::takeList);
   connect(m_desk, &DeviceDesk::busyChanged, this, &HapticDevices::refresh);
   connect(m_controller, &SimulationController::deviceChanged, this, &HapticDevices::refresh);
   retranslateUi();
@@ -164,6 +164,16 @@ std::string HapticDevices::current() const
 bool HapticDevices::isConnected(const std::string& name) const
 {
   return !name.empty() && m_controller->deviceName() == name;
+}
+
+/// A session does not survive its cable: plugged in again, the device is one that can be connected.
+void HapticDevices::takeList()
+{
+  const std::string name = m_controller->deviceName();
+  const DeviceListing* listing = name.empty() ? nullptr : m_desk->find(name);
+  if (listing != nullptr && listing->usable && m_controller->deviceReport().phase == DevicePhase::Lost)
+    m_controller->detachDevice();
+  fillList();
 }
 
 void HapticDevices::fillList()

@@ -34,6 +34,7 @@ private:
   void build();
   void layOut();
   void retranslateUi();
+  void takeList();
   void fillList();
   void showDetails();
   void showRow(int row);

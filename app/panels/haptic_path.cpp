@@ -7,8 +7,13 @@
 #include "core/base/file_io.h"
 #include "haptics/emulator/emulated_falcon.h"
 #include "haptics/simulated_device.h"
+#include "haptics/trace_log.h"
 
+#include <QCoreApplication>
+#include <QDateTime>
+#include <QDir>
 #include <QEvent>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QGridLayout>
@@ -29,10 +34,30 @@ QString number(double value, int decimals)
 
 constexpr const char* kPathDevice = "path"; ///< simulated, led by a path
 
+/// By the XDG base directory specification.
+QString recordingsFolder()
+{
+  QString state = qEnvironmentVariable("XDG_STATE_HOME");
+  if (!QDir::isAbsolutePath(state)) state = QDir::homePath() + QStringLiteral("/.local/state");
+  return state + QStringLiteral("/esm/recordings");
+}
+
+/// The newest one whose program, the number at the end of its name, runs no more; empty if there is none.
+QString leftRecording()
+{
+  const QDir folder(recordingsFolder());
+  for (const QFileInfo& file :
+       folder.entryInfoList({QStringLiteral("felt-*.csv")}, QDir::Files, QDir::Time)) {
+    const QString program = file.completeBaseName().section(QLatin1Char('-'), -1);
+    if (!QFileInfo::exists(QStringLiteral("/proc/") + program)) return file.absoluteFilePath();
+  }
+  return {};
+}
+
 } // namespace
 
 HapticPath::HapticPath(DeviceDesk* desk, SimulationController* controller, QWidget* parent)
-  : QWidget(parent), m_desk(desk), m_controller(controller)
+  : QWidget(parent), m_desk(desk), m_controller(controller), m_left(leftRecording())
 {
   const auto button = [this](const char* name) {
     auto* made = new QPushButton(this);
@@ -78,18 +103,54 @@ HapticPath::HapticPath(DeviceDesk* desk, SimulationController* controller, QWidg
   retranslateUi();
 }
 
+HapticPath::~HapticPath()
+{
+  dropLog();
+}
+
 void HapticPath::take(const std::vector<TraceSample>& ticks)
 {
   if (!m_recording) return;
   m_ticks.insert(m_ticks.end(), ticks.begin(), ticks.end());
+  if (m_log) m_log->add(ticks);
   if (m_ticks.size() >= kMostTicks) m_record->setChecked(false);
 }
 
 void HapticPath::record(bool on)
 {
   m_recording = on;
-  if (on) m_ticks.clear();
+  if (on) {
+    m_ticks.clear();
+    beginLog();
+  } else if (m_log) {
+    const Status written = m_log->finish();
+    m_log.reset();
+    if (!written) emit said(errorText(written.error()));
+  }
   refresh();
+}
+
+/// Without one it is recorded all the same, and the user knows that it would not survive.
+void HapticPath::beginLog()
+{
+  dropLog();
+  const QString folder = recordingsFolder();
+  QDir().mkpath(folder);
+  const QString file =
+    QStringLiteral("%1/felt-%2-%3.csv")
+      .arg(folder, QDateTime::currentDateTime().toString(QStringLiteral("yyyyMMdd-HHmmss")))
+      .arg(QCoreApplication::applicationPid());
+  Result<TraceLog> log = TraceLog::create(file.toStdString(), TraceLog::Columns::All);
+  if (!log) return emit said(errorText(log.error()));
+  m_log.emplace(std::move(*log));
+  m_logFile = file;
+}
+
+void HapticPath::dropLog()
+{
+  m_log.reset();
+  if (!m_logFile.isEmpty()) QFile::remove(m_logFile);
+  m_logFile.clear();
 }
 
 void HapticPath::refresh()
@@ -106,7 +167,8 @@ void HapticPath::refresh()
   if (m_recording)
     m_recorded->setText(tr("Recording: %1 s").arg(number(seconds, 1)));
   else if (m_ticks.empty())
-    m_recorded->setText(tr("Nothing is recorded yet."));
+    m_recorded->setText(m_left.isEmpty() ? tr("Nothing is recorded yet.")
+                                         : tr("A recording that was not saved is in %1").arg(m_left));
   else
     m_recorded->setText(tr("Recorded: %1 s, largest force %2 N").arg(number(seconds, 1), number(peak, 2)));
   m_lead->setEnabled(m_path.has_value());
@@ -125,7 +187,8 @@ void HapticPath::save(bool path)
   if (file.isEmpty()) return;
   const Status written = path ? writeHandPath(file.toStdString(), handPathOf(m_ticks))
                               : writeFileAtomically(file.toStdString(), traceCsv(m_ticks));
-  if (!written) emit said(errorText(written.error()));
+  if (!written) return emit said(errorText(written.error()));
+  if (!path) dropLog();
 }
 
 void HapticPath::load()

@@ -5,6 +5,7 @@
 #include "app/haptics/device_desk.h"
 #include "app/simulation_controller.h"
 #include "haptics/hand_path.h"
+#include "haptics/trace_log.h"
 
 #include <QWidget>
 
@@ -16,11 +17,14 @@ class QPushButton;
 namespace esm {
 
 /// Record and replay: the way of the hand and what it felt, in the files of `esm haptics record`, `replay`
-/// and `run --csv`. A loaded path leads the hand of an emulated device, or of a simulated one of its own.
+/// and `run --csv`. What is recorded goes to the user's state folder meanwhile, so that a program that dies
+/// leaves it there; it is removed when it was saved or the program ends in order. A loaded path leads the
+/// hand of an emulated device, or of a simulated one of its own.
 class HapticPath : public QWidget {
   Q_OBJECT
 public:
   HapticPath(DeviceDesk* desk, SimulationController* controller, QWidget* parent = nullptr);
+  ~HapticPath() override;
   void refresh();
 
 signals:
@@ -33,6 +37,8 @@ private:
   void retranslateUi();
   void take(const std::vector<TraceSample>& ticks);
   void record(bool on);
+  void beginLog();
+  void dropLog();
   void save(bool path);
   void load();
   void lead();
@@ -47,6 +53,9 @@ private:
   QLabel *m_recorded = nullptr, *m_loaded = nullptr;
   std::vector<TraceSample> m_ticks;
   bool m_recording = false;
+  std::optional<TraceLog> m_log; ///< while recording
+  QString m_logFile;             ///< of the last recording, until it was saved
+  QString m_left;                ///< recording of a program that died
   std::optional<HandPath> m_path;
   QString m_file;
   WaitingHand* m_hand = nullptr; ///< of the device "path", while it is attached

@@ -29,9 +29,15 @@ struct ToolState {
 /// normal is held below `friction` F.normal. Such a model may come before the contact does: the servo then
 /// meets the surface on time instead of a frame later. Without a normal the tool holds on, and F has any
 /// direction.
+///
+/// A scene is tissue that moves on without a break: another number, or silence, and the servo begins as
+/// softly as after arming. Within a scene a contact may come and go, and an edition says that parameters were
+/// changed.
 struct ContactModel {
   std::uint64_t sequence = 0;
-  double time = 0.0; ///< simulated time [s]
+  std::uint64_t scene = 1;   ///< 0: no tissue moves that could be felt
+  std::uint64_t edition = 0; ///< of the tissue's parameters
+  double time = 0.0;         ///< simulated time [s]
   bool active = false;
   Eigen::Vector3d position = Eigen::Vector3d::Zero();  ///< tool position the model was made for [m]
   Eigen::Vector3d force = Eigen::Vector3d::Zero();     ///< on the hand at that position [N]

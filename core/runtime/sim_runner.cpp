@@ -65,7 +65,7 @@ void SimRunner::carryOut(command::Load&& load)
     m_message = "The net was not taken, the former one goes on: " + fresh.error().detail;
     return;
   }
-  endContact();
+  closeScene();
   m_grip.reset();
   m_simulation.emplace(std::move(*fresh));
   m_compliance.forget();
@@ -93,7 +93,7 @@ void SimRunner::carryOut(command::SetParameters&& change)
   if (m_grip) m_grip->adapt(m_simulation->net());
   if (m_tip) m_tip->adapt(m_simulation->net());
   m_compliance.forget();
-  endContact(); // the tissue in the hand is another one: it fades in anew
+  ++m_edition;
   m_failed = false;
   m_message.clear();
   keepPicture();
@@ -109,7 +109,7 @@ void SimRunner::carryOut(command::Play)
 void SimRunner::carryOut(command::Pause)
 {
   m_playing = m_stepPending = false;
-  endContact();
+  closeScene();
 }
 
 void SimRunner::carryOut(command::StepOnce)
@@ -118,13 +118,13 @@ void SimRunner::carryOut(command::StepOnce)
   m_playing = false;
   m_stepPending = true;
   if (std::exchange(m_failed, false)) m_message.clear();
-  endContact();
+  closeScene();
 }
 
 void SimRunner::carryOut(command::Reset)
 {
   if (!m_simulation) return;
-  endContact();
+  closeScene();
   m_grip.reset();
   if (m_tip) m_tip->letGo();
   m_simulation->setTools({});
@@ -151,7 +151,7 @@ void SimRunner::carryOut(const command::Grab& grab)
 {
   // The window may still show an older net than the one that runs: such a node is no fault, only too late.
   if (!m_simulation || grab.node < 0 || grab.node >= m_simulation->net().nodeCount()) return;
-  endContact();
+  if (m_contactActive) closeScene();
   m_grip.emplace(m_simulation->net(), grab.node, grab.target, grab.maxForce);
 }
 
@@ -162,13 +162,17 @@ void SimRunner::carryOut(const command::MoveGrab& move)
 
 void SimRunner::carryOut(command::Release)
 {
-  endContact();
+  if (m_tip && m_grip)
+    closeScene();
+  else
+    endContact();
   m_grip.reset();
   if (m_simulation) m_simulation->setTools({});
 }
 
 void SimRunner::carryOut(const command::FollowDevice& follow)
 {
+  if (m_tip && follow.on != m_followDevice) closeScene();
   m_followDevice = follow.on;
   if (follow.on) return;
   endContact();
@@ -178,10 +182,12 @@ void SimRunner::carryOut(const command::FollowDevice& follow)
 
 void SimRunner::carryOut(const command::Touch& touch)
 {
-  endContact();
-  m_tip.reset();
+  const bool sameBall = touch.on && m_touch && m_touch->radius == touch.radius;
   m_touch.reset();
   if (touch.on) m_touch = touch;
+  if (sameBall && m_tip) return m_tip->setMaxForce(touch.maxForce);
+  closeScene();
+  m_tip.reset();
   if (!m_simulation) return;
   if (!m_grip) m_simulation->setTools({});
   if (touch.on) m_tip.emplace(m_simulation->net(), touch.radius, touch.maxForce);
@@ -200,7 +206,7 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
     keepMoment();
   else
     keepPicture();
-  if ((m_grip || m_tip) && m_followDevice && m_playing) publishContact();
+  if (m_playing) publishContact();
   return report.simulatedTime;
 }
 
@@ -322,7 +328,7 @@ void SimRunner::stopWith(std::string message)
   m_failed = true;
   m_playing = m_stepPending = false;
   m_message = std::move(message);
-  endContact();
+  closeScene();
 }
 
 void SimRunner::keepPicture()
@@ -345,33 +351,43 @@ void SimRunner::keepMoment()
   if (!std::exchange(m_brokenOff, false)) m_why = m_simulation->why();
 }
 
+/// Each frame, be it that nothing is touched: silence would be taken for a dead simulation.
 void SimRunner::publishContact()
 {
   const NetState& state = m_simulation->state();
   ContactModel model;
-  if (m_grip)
+  if (deviceFeels() && m_grip)
     model = m_grip->contactModel(
       state, m_compliance.at(*m_simulation, {{m_grip->node(), kNoIndex, kNoIndex}, {1.0, 0.0, 0.0}}));
-  else if (m_tip->isNear())
+  else if (deviceFeels() && m_tip->isNear())
     model = m_tip->contactModel(state, m_compliance.at(*m_simulation, m_tip->point()));
-  if (!model.active || !model.force.allFinite() || !model.stiffness.allFinite()) {
-    endContact();
-    return;
-  }
-  model.sequence = ++m_contactSequence;
-  m_contact.back() = model;
-  m_contact.publish();
-  m_contactActive = true;
+  if (!model.force.allFinite() || !model.stiffness.allFinite()) model = {};
+  if (m_scene == 0) m_scene = ++m_sceneCount;
+  publish(model);
 }
 
+/// Nothing is touched or held any more; the tissue moves on.
 void SimRunner::endContact()
 {
-  if (!m_contactActive) return;
-  m_contactActive = false;
-  ContactModel none;
-  none.sequence = ++m_contactSequence;
-  none.time = m_time;
-  m_contact.back() = none;
+  if (m_contactActive) publish({});
+}
+
+/// The tissue stands still, or another one or another tool comes: whatever is felt next begins softly.
+void SimRunner::closeScene()
+{
+  if (m_scene == 0) return;
+  m_scene = 0;
+  publish({});
+}
+
+void SimRunner::publish(ContactModel model)
+{
+  model.sequence = ++m_contactSequence;
+  model.scene = m_scene;
+  model.edition = m_edition;
+  model.time = m_time;
+  m_contactActive = model.active;
+  m_contact.back() = model;
   m_contact.publish();
 }
 

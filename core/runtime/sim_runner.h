@@ -78,8 +78,11 @@ private:
   void judge(const StepReport& report);
   void keepPicture();
   void keepMoment();
+  bool deviceFeels() const noexcept { return (m_grip || m_tip) && m_followDevice; }
   void publishContact();
   void endContact();
+  void closeScene();
+  void publish(ContactModel model);
 
   TripleBuffer<ToolState>& m_tool;
   TripleBuffer<ContactModel>& m_contact;
@@ -91,7 +94,8 @@ private:
   QualityLadder m_ladder;
   bool m_auto = false; ///< the solver is the engine's own choice
   std::uint64_t m_generation = 0;
-  std::uint64_t m_contactSequence = 0;
+  std::uint64_t m_contactSequence = 0, m_edition = 0;
+  std::uint64_t m_sceneCount = 0, m_scene = 0; ///< so far; published now, 0 for none
   double m_period;
   bool m_playing = false, m_stepPending = false, m_followDevice = false, m_contactActive = false;
   bool m_handIsThere = false; ///< the last led frame came to its end, and the tool to where the hand was

@@ -37,9 +37,9 @@ ToolTip::ToolTip(const SpringNet& net, double radius, double maxForce)
   : m_surface(net.triangles, net.restPosition),
     m_rest(net.restPosition),
     m_isClosed(isClosedSurface(net)),
-    m_radius(std::isfinite(radius) ? std::max(radius, 0.0) : 0.0),
-    m_maxForce(std::isfinite(maxForce) ? std::max(maxForce, kLeastForce) : kLeastForce)
+    m_radius(std::isfinite(radius) ? std::max(radius, 0.0) : 0.0)
 {
+  setMaxForce(maxForce);
   const auto nodes = static_cast<std::size_t>(net.nodeCount());
   m_firstTriangle.assign(nodes + 1, 0);
   for (Index t = 0; t < net.triangleCount(); ++t)
@@ -61,6 +61,11 @@ void ToolTip::adapt(const SpringNet& net)
     m_own[static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(a)])] +=
       net.anchors.stiffness[a];
   m_mass.assign(net.mass.data(), net.mass.data() + net.mass.size());
+}
+
+void ToolTip::setMaxForce(double newtons) noexcept
+{
+  m_maxForce = std::isfinite(newtons) ? std::max(newtons, kLeastForce) : kLeastForce;
 }
 
 void ToolTip::moveTo(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity)

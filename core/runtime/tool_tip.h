@@ -34,7 +34,8 @@ public:
   /// @param radius [m] >= 0; @param maxForce on the hand [N].
   ToolTip(const SpringNet& net, double radius, double maxForce);
 
-  void adapt(const SpringNet& net);                                          ///< other parameters
+  void adapt(const SpringNet& net); ///< other parameters
+  void setMaxForce(double newtons) noexcept;
   void moveTo(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity); ///< non-finite: stays
   void letGo() noexcept; ///< of the surface; the hand counts as outside where it is next
 

@@ -211,11 +211,49 @@ TEST_F(HapticsPanelTest, APulledCableHasAReasonAndTheWayBack)
   ASSERT_TRUE(comes([&] { return run()->hapticStatus().state == DeviceState::Absent; }));
   EXPECT_TRUE(comes([&] { return find<QLabel>("hapticMessage")->text().contains("unplugged"); }));
   EXPECT_FALSE(find<QAbstractButton>("hapticArm")->isEnabled());
-  falcon()->setPlugged(true);
+  falcon()->setPlugged(true); // and is shown as such by itself, not as the lost one
+  ASSERT_TRUE(comes([&] { return row(kFalcon).contains("ready to connect"); }));
+  EXPECT_TRUE(run()->deviceName().empty());
+  EXPECT_TRUE(find<QLabel>("hapticMessage")->text().isEmpty());
   ASSERT_TRUE(comes([&] { return find<QAbstractButton>("hapticConnect")->isEnabled(); }));
   click("hapticConnect");
   EXPECT_TRUE(comes([&] { return run()->deviceReport().phase == DevicePhase::NeedsHome; }));
   EXPECT_EQ(run()->hapticStatus().force.norm(), 0.0);
+}
+
+// The instrument leaves the scene with its device: no dent stays, and no force that nobody feels.
+TEST_F(HapticsPanelTest, APulledCableTakesTheToolOutOfTheScene)
+{
+  ASSERT_NO_FATAL_FAILURE(connectFalcon());
+  run()->setPlaying(true);
+  ASSERT_TRUE(comes([&] { return run()->snapshotIsCurrent() && run()->snapshot().tipRadius > 0.0; }));
+  falcon()->setPlugged(false);
+  EXPECT_TRUE(comes([&] { return run()->snapshot().tipRadius == 0.0; }));
+  EXPECT_TRUE(run()->snapshot().toolForce.isZero(0.0));
+}
+
+// Force never flows into another project by itself.
+TEST_F(HapticsPanelTest, AnotherProjectTurnsTheForceOff)
+{
+  ASSERT_NO_FATAL_FAILURE(connectFalcon());
+  ASSERT_NO_FATAL_FAILURE(arm());
+  window->document()->start(test::sheetProject(), QString());
+  EXPECT_TRUE(comes([&] { return run()->hapticStatus().state == DeviceState::Idle; }));
+  EXPECT_FALSE(run()->forceMayFlow());
+}
+
+// What the window says is so: nothing moves while it is paused, and then it is only that nothing is touched.
+TEST_F(HapticsPanelTest, ItSaysWhyNothingIsFelt)
+{
+  ASSERT_NO_FATAL_FAILURE(connectFalcon());
+  const auto says = [&](const char* what) {
+    return comes([&] { return find<QLabel>("hapticMessage")->text().contains(QLatin1String(what)); });
+  };
+  run()->setPlaying(false);
+  ASSERT_NO_FATAL_FAILURE(arm());
+  EXPECT_TRUE(says("paused"));
+  run()->setPlaying(true);
+  EXPECT_TRUE(says("Nothing is touched"));
 }
 
 TEST_F(HapticsPanelTest, AnUnregisteredDeviceNeedsConsent)
@@ -355,9 +393,9 @@ TEST_F(HapticsPanelTest, TheDevicesReasonsAreTranslated)
   ASSERT_TRUE(comes([&] { return !window->devices()->find("falcon")->udevRule.empty(); }));
   const std::string reason = window->devices()->find("falcon")->reason;
   EXPECT_NE(german(reason), reason);
-  run()->arm();
-  run()->stop();
-  ASSERT_TRUE(stopped());
-  EXPECT_NE(german(run()->hapticStatus().reason), run()->hapticStatus().reason);
+  for (int r = static_cast<int>(ServoReason::NeedsHome); r <= static_cast<int>(ServoReason::Closed); ++r) {
+    const std::string servo = reasonText(static_cast<ServoReason>(r));
+    EXPECT_NE(german(servo), servo);
+  }
   EXPECT_EQ(german("something new"), "something new");
 }

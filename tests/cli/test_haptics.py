@@ -16,7 +16,7 @@ from program import PROGRAM, SOURCE, ProgramTest
 class Haptics(ProgramTest):
     def rows(self, name):
         with open(self.folder / name, newline="", encoding="utf-8") as file:
-            return [{key: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
+            return [{key.split(" [")[0]: float(value) for key, value in row.items()} for row in csv.DictReader(file)]
 
     def press_path(self):
         """From 2 cm over the top of the uterus to 1 cm under it and back, in 2 s."""
@@ -97,6 +97,28 @@ class Haptics(ProgramTest):
         rows = self.rows("felt.csv")
         self.assertGreater(len(rows), 100)
         self.assertEqual(self.force(rows[-1]), 0.0)
+
+    def test_a_killed_program_leaves_its_record_up_to_the_last_half_second(self):
+        for command, out, header in ((["run", "--csv"], "felt.csv", "t [s],x [m],"), (["record", "-o"], "way.csv", "t,x,")):
+            process = subprocess.Popen([PROGRAM, "haptics", *command, out, "--seconds", "60"], cwd=self.folder)
+            file = self.folder / out
+            deadline = time.monotonic() + 30
+            while (not file.exists() or file.stat().st_size < 1000) and time.monotonic() < deadline:
+                time.sleep(0.02)
+            begun = time.monotonic()  # the first part of the record is there
+            time.sleep(1.5)
+            process.kill()
+            ran = time.monotonic() - begun
+            process.wait(timeout=30)
+            text = file.read_text(encoding="utf-8")
+            self.assertTrue(text.startswith(header), text[:60])
+            lines = text[:text.rindex("\n")].split("\n")[1:]
+            times = [float(line.split(",")[0]) for line in lines]
+            self.assertTrue(all(line.count(",") == lines[0].count(",") for line in lines))
+            self.assertGreater(times[-1] - times[0], ran - 0.5)
+
+    def test_a_record_is_refused_before_the_device_moves(self):
+        self.run_program("haptics", "run", "--seconds", "60", "--csv", "no/such/folder/felt.csv", exit_code=1)
 
     def test_bad_paths_are_one_line(self):
         with open(self.folder / "hand.csv", "w", encoding="utf-8") as file:

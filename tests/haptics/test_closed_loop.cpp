@@ -8,6 +8,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <utility>
+#include <vector>
 
 namespace esm {
 
@@ -149,12 +152,87 @@ TEST(ClosedLoop, PausingTheSimulationTakesTheForceAway)
   loop.runner.apply(command::Pause{});
   for (int i = 0; i < 51; ++i) loop.tick();
   EXPECT_TRUE(loop.bench.force().isZero(0.0));
-  EXPECT_EQ(loop.bench.status().reason, ServoReason::NoContact);
-  loop.runner.apply(command::Play{}); // and gives it back softly, armed as it is
-  loop.tick();
-  EXPECT_LT(loop.bench.force().norm(), 0.1);
-  for (int i = 0; i < 100; ++i) loop.tick();
-  EXPECT_GT(loop.bench.force().norm(), 0.1);
+  EXPECT_EQ(loop.bench.status().reason, ServoReason::NoScene);
+}
+
+// Whatever makes tissue appear around an armed hand: nothing is felt until the hand is back where nothing
+// would be, and then it comes back within the device's 0.3 s.
+TEST(ClosedLoop, TissueThatAppearsWaitsForTheHandAndFadesIn)
+{
+  const auto grab = [](ClosedLoop& loop) {
+    loop.runner.apply(command::Grab{kCentre, kNode, 5.0});
+    loop.runner.apply(command::FollowDevice{true});
+  };
+  const std::vector<std::pair<const char*, std::function<void(ClosedLoop&)>>> ways = {
+    {"play after a pause",
+     [](ClosedLoop& loop) {
+       loop.runner.apply(command::Pause{});
+       loop.runner.apply(command::Play{});
+     }},
+    {"play after a step",
+     [](ClosedLoop& loop) {
+       loop.runner.apply(command::StepOnce{});
+       loop.runner.apply(command::Play{});
+     }},
+    {"the same net anew, as an undo across nets does",
+     [&](ClosedLoop& loop) {
+       loop.runner.apply(command::Load{2, membrane(), {}, {}});
+       loop.runner.apply(command::Play{});
+       grab(loop);
+     }},
+    {"back to the start",
+     [&](ClosedLoop& loop) {
+       loop.runner.apply(command::Reset{});
+       grab(loop);
+     }},
+    {"another hold", [&](ClosedLoop& loop) { grab(loop); }},
+  };
+  for (const auto& [name, appear] : ways) {
+    bool isBack = false;
+    ClosedLoop loop({}, [&](double) {
+      return Eigen::Vector3d(isBack ? kNode : Eigen::Vector3d(kNode + Eigen::Vector3d(0.0, 0.0, 0.015)));
+    });
+    for (int i = 0; i < 1500; ++i) loop.tick();
+    ASSERT_GT(loop.bench.force().norm(), 0.1) << name;
+    appear(loop);
+    for (int i = 0; i < 70; ++i) loop.tick();
+    for (int i = 0; i < 500; ++i) {
+      loop.tick();
+      ASSERT_TRUE(loop.bench.force().isZero(0.0)) << name << ", " << i;
+    }
+    EXPECT_EQ(loop.bench.status().reason, ServoReason::ForceTooLarge) << name;
+    isBack = true;
+    for (int i = 0; i < 600; ++i) loop.tick();
+    EXPECT_EQ(loop.bench.status().state, DeviceState::Active) << name;
+    isBack = false;
+    for (int i = 0; i < 600; ++i) loop.tick();
+    EXPECT_GT(loop.bench.force().norm(), 0.1) << name;
+  }
+}
+
+// Tissue that is edited under the hand hardens: twice the stiffness come within 100 ms and some frames that
+// the net takes to settle, without ever less than before and without a jump.
+TEST(ClosedLoop, AnEditUnderTheHandIsFeltAsTissueThatHardens)
+{
+  ClosedLoop loop({}, [](double) { return Eigen::Vector3d(kNode + Eigen::Vector3d(0.0, 0.0, 0.015)); });
+  for (int i = 0; i < 2500; ++i) loop.tick();
+  const double before = loop.bench.force().norm();
+  ASSERT_GT(before, 0.1);
+  SpringNet harder = membrane();
+  harder.stiffness *= 2.0;
+  harder.anchors.stiffness *= 2.0;
+  loop.runner.apply(command::SetParameters{harder});
+  double last = before, fastest = 0.0;
+  for (int i = 0; i < 1000; ++i) {
+    loop.tick();
+    const double force = loop.bench.force().norm();
+    ASSERT_GE(force, 0.97 * before) << i; // what the hand itself gives way
+    ASSERT_EQ(loop.bench.status().state, DeviceState::Active) << i;
+    fastest = std::max(fastest, std::abs(force - last));
+    last = force;
+  }
+  EXPECT_GT(last, 1.2 * before);
+  EXPECT_LE(fastest, 0.15); // the largest change per tick that the safety rules allow where models change
 }
 
 } // namespace esm

@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 namespace esm {
@@ -83,6 +84,42 @@ TEST_F(ContactLawTest, ANewModelTakesOverWithinAQuarterOfAFrame)
   EXPECT_NEAR(largestStep, 0.25, 0.05);
 }
 
+// Another edition, or another scale, comes on a straight line over 100 ms, however many models come
+// meanwhile.
+TEST_F(ContactLawTest, AnEditTakesATenthOfASecond)
+{
+  settle(constantForce({1.0, 0.0, 0.0}));
+  ContactModel edited = constantForce({3.0, 0.0, 0.0});
+  edited.edition = 1;
+  for (int i = 1; i <= 100; ++i) {
+    if (i % 16 == 1) send(edited);
+    ASSERT_NEAR(tick().x(), 1.0 + 2.0 * i / 100.0, 1e-9) << i;
+  }
+  for (int i = 1; i <= 100; ++i) {
+    edited.sequence = ++sequence;
+    law.take(edited, now, 2.0);
+    ASSERT_NEAR(tick().x(), 3.0 + 3.0 * i / 100.0, 1e-9) << i;
+  }
+}
+
+// What ended fades out before another contact is taken, be it there at once.
+TEST_F(ContactLawTest, AnotherContactWaitsUntilTheEndedOneHasFaded)
+{
+  settle(constantForce({1.0, 0.0, 0.0}));
+  send(ContactModel{});
+  tick();
+  for (int i = 2; i <= 49; ++i) {
+    send(constantForce({-1.0, 0.0, 0.0}));
+    ASSERT_NEAR(tick().x(), 1.0 - i / 50.0, 1e-9);
+    ASSERT_EQ(law.scene(), 1u); // the same tissue all the while
+  }
+  for (int i = 0; i < 3; ++i) {
+    send(constantForce({-1.0, 0.0, 0.0}));
+    EXPECT_LE(std::abs(tick().x()), 0.05);
+  }
+  EXPECT_LT(tick().x(), 0.0);
+}
+
 TEST_F(ContactLawTest, WithoutNewModelsForATenthOfASecondItFadesWithinFiftyMilliseconds)
 {
   settle(constantForce({1.0, 0.0, 0.0}));
@@ -120,6 +157,27 @@ TEST_F(ContactLawTest, StiffnessIsCappedToWhatStaysStable)
   const Eigen::Vector3d force = tick({0.001, 0.001, 0.001});
   // The stiff axis is capped, the soft one kept, the negative one (it would push the hand away) dropped.
   EXPECT_TRUE(force.isApprox(Eigen::Vector3d(-3.0, -0.1, 0.0), 1e-6)) << force.transpose();
+}
+
+// A position of 4 ms ago counts at once: 0.5 * 2 b / (T + 2 tau) = 3 / (0.001 + 0.008) = 333 N/m.
+TEST_F(ContactLawTest, AStalePositionLowersTheCapAtOnce)
+{
+  now += kTick;
+  law.force(now, kTick, kOrigin, kOrigin, 0.004);
+  EXPECT_NEAR(law.stiffnessCap(0.0), 3.0 / 0.009, 1.0);
+}
+
+// What is touched drags with friction times push at most, and pulls not at all.
+TEST_F(ContactLawTest, ATouchedSurfaceDragsWithinItsFriction)
+{
+  ContactModel model = constantForce({3.0, 0.0, 2.0});
+  model.normal = Eigen::Vector3d::UnitZ();
+  model.friction = 0.5;
+  EXPECT_TRUE(settle(model).isApprox(Eigen::Vector3d(1.0, 0.0, 2.0), 1e-9));
+  model.force = {0.3, 0.0, 2.0}; // within the cone
+  EXPECT_TRUE(settle(model).isApprox(model.force, 1e-9));
+  model.force = {0.3, 0.0, -2.0};
+  EXPECT_TRUE(settle(model).isZero(0.0));
 }
 
 TEST_F(ContactLawTest, AModelThatIsNoNumberIsRefusedAndLeavesNoTrace)

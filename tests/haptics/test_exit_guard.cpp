@@ -103,11 +103,9 @@ protected:
     loop.start();
     for (std::uint64_t i = 1; i < 4000 && sent->largest < enough; ++i) {
       if (i == 20) loop.core().orders().give(ForceOrder::Arm); // the driver has told that it is ready
-      if (i > 100) {                                           // armed without force first
-        contact.back() = constantForce({2.0, 0.0, 0.0});
-        contact.back().sequence = i;
-        contact.publish();
-      }
+      contact.back() = i > 100 ? constantForce({2.0, 0.0, 0.0}) : ContactModel{}; // armed without force first
+      contact.back().sequence = i;
+      contact.publish();
       usleep(5000);
     }
     end();

@@ -5,7 +5,10 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <limits>
+#include <memory>
+#include <thread>
 
 namespace esm {
 
@@ -47,11 +50,11 @@ TEST(ServoLoop, ArmingFadesTheForceInOverItsTime)
 {
   ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
   bench.armWithoutForce();
-  tickUnder(bench, constantForce(kPush), 149); // the 50th quiet tick was the first of the 300
+  tickUnder(bench, constantForce(kPush), 150);
   EXPECT_EQ(bench.status().state, DeviceState::Arming);
   // Half of 0.3 s; the hand moves a little, and what damps it while the force rises is part of the force.
   EXPECT_NEAR(bench.force().x(), 0.5, 0.02);
-  tickUnder(bench, constantForce(kPush), 151);
+  tickUnder(bench, constantForce(kPush), 152);
   EXPECT_EQ(bench.status().state, DeviceState::Active);
   EXPECT_NEAR(bench.force().x(), 1.0, 1e-9);
 }
@@ -72,11 +75,10 @@ TEST(ServoLoop, ARealDeviceFadesInOverTwoSecondsAndIsDampedMeanwhile)
   bench.armWithoutForce();
   for (int tick = 1; tick < 2000; ++tick) {
     tickUnder(bench, constantForce(kPush), 1);
-    // The 50th quiet tick was the first of the 2,000; damping takes away, and what the hand gives way to the
-    // push is too slow for more than 1 mN of it.
-    ASSERT_LE(bench.force().x(), (tick + 1) / 2000.0 + 1e-12) << "after " << tick << " ms";
+    // Damping takes away, and what the hand gives way to the push is too slow for more than 1 mN of it.
+    ASSERT_LE(bench.force().x(), tick / 2000.0 + 1e-12) << "after " << tick << " ms";
     if (tick > 50) { // of the contact's own fading in
-      ASSERT_GE(bench.force().x(), (tick + 1) / 2000.0 - 1e-3) << "after " << tick << " ms";
+      ASSERT_GE(bench.force().x(), tick / 2000.0 - 1e-3) << "after " << tick << " ms";
     }
     if (tick == 1000) {
       EXPECT_NEAR(bench.force().y(), -0.2 * 20.0 * 0.05, 0.02); // the hand goes 0.05 m/s
@@ -86,6 +88,134 @@ TEST(ServoLoop, ARealDeviceFadesInOverTwoSecondsAndIsDampedMeanwhile)
   tickUnder(bench, constantForce(kPush), 2);
   EXPECT_EQ(bench.status().state, DeviceState::Active);
   EXPECT_NEAR(bench.force().x(), 1.0, 1e-9);
+}
+
+// Tissue that appears around an armed hand is felt as softly as tissue around a hand that arms: after 50
+// ticks below 0.2 N in the new scene, then from nothing to all of it within the device's time (0.3 s here).
+TEST(ServoLoop, AnotherSceneWaitsAndFadesInAnew)
+{
+  ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+  bringUp(bench);
+  ContactModel other = constantForce(-kPush);
+  other.scene = 2;
+  tickUnder(bench, other, 25);
+  EXPECT_GT(bench.force().x(), 0.0); // the old one first fades out
+  tickUnder(bench, other, 27);
+  for (int i = 0; i < 500; ++i) {
+    tickUnder(bench, other, 1);
+    ASSERT_TRUE(bench.force().isZero(0.0)); // 1 N is too much to begin with
+  }
+  EXPECT_EQ(bench.status().reason, ServoReason::ForceTooLarge);
+  ContactModel nothing;
+  nothing.scene = 2;
+  tickUnder(bench, nothing, 50 + Arming::kSafeTicks);
+  for (int tick = 1; tick <= 300; ++tick) {
+    tickUnder(bench, other, 1);
+    ASSERT_LE(bench.force().norm(), tick / 300.0 + 1e-9);
+  }
+  tickUnder(bench, other, 2);
+  EXPECT_NEAR(bench.force().x(), -1.0, 1e-9);
+}
+
+// Armed while there is no tissue: the quiet before it counts for nothing.
+TEST(ServoLoop, QuietWithoutAnyTissueIsNoReasonToBegin)
+{
+  ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+  bench.order(ForceOrder::Arm);
+  bench.tick(500); // no model ever came
+  EXPECT_EQ(bench.status().reason, ServoReason::NoScene);
+  ContactModel paused;
+  paused.scene = 0;
+  tickUnder(bench, paused, 500);
+  EXPECT_EQ(bench.status().reason, ServoReason::NoScene);
+  for (int i = 0; i < 500; ++i) {
+    tickUnder(bench, constantForce(kPush), 1);
+    ASSERT_TRUE(bench.force().isZero(0.0));
+  }
+  EXPECT_EQ(bench.status().reason, ServoReason::ForceTooLarge);
+  tickUnder(bench, {}, 100);
+  EXPECT_EQ(bench.status().reason, ServoReason::NoContact);
+}
+
+// The same scene after it was silent for longer than 100 ms is as good as another.
+TEST(ServoLoop, TissueThatComesBackAfterASilenceWaitsAndFadesInAnew)
+{
+  ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+  bringUp(bench);
+  bench.tick(110);
+  EXPECT_EQ(bench.status().reason, ServoReason::StaleModel);
+  tickUnder(bench, constantForce(kPush), 55);
+  for (int i = 0; i < 500; ++i) {
+    tickUnder(bench, constantForce(kPush), 1);
+    ASSERT_TRUE(bench.force().isZero(0.0));
+  }
+}
+
+// A contact that comes out of nothing with more than 0.2 N, long after force was let flow, fades in over the
+// device's time; one that begins with less is there after its own 50 ms.
+TEST(ServoLoop, AContactThatBeginsWithALargeForceFadesIn)
+{
+  ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+  bringUp(bench);
+  tickUnder(bench, {}, 100);
+  for (int tick = 1; tick <= 300; ++tick) {
+    tickUnder(bench, constantForce(kPush), 1);
+    ASSERT_LE(bench.force().norm(), tick / 300.0 + 1e-9);
+  }
+  tickUnder(bench, {}, 100);
+  tickUnder(bench, constantForce(0.19 * kPush), 51);
+  EXPECT_NEAR(bench.force().x(), 0.19, 1e-9);
+  tickUnder(bench, constantForce(kPush), 2); // it goes on and grows
+  EXPECT_NEAR(bench.force().x(), 1.0, 1e-9);
+}
+
+// A hand that is placed elsewhere, as another place for the workspace does, takes no contact with it: what it
+// meets there fades in.
+TEST(ServoLoop, AHandPlacedElsewhereLeavesItsContactBehind)
+{
+  class Jumping final : public HapticDevice {
+  public:
+    Jumping() { m_profile.armTime = 0.3; }
+    const DeviceProfile& profile() const noexcept override { return m_profile; }
+    DeviceLink read(double, DeviceSample& sample) noexcept override
+    {
+      sample = now;
+      return DeviceLink::Ready;
+    }
+    bool write(const Eigen::Vector3d& newForce) noexcept override
+    {
+      force = newForce;
+      return true;
+    }
+    DeviceSample now;
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();
+
+  private:
+    DeviceProfile m_profile;
+  };
+  TripleBuffer<ToolState> tool;
+  TripleBuffer<ContactModel> contact;
+  auto made = std::make_unique<Jumping>();
+  Jumping& device = *made;
+  ServoLoop loop(std::move(made), std::make_unique<VirtualClock>(), tool, contact);
+  std::uint64_t sequence = 0;
+  const auto tick = [&](ContactModel model) {
+    model.sequence = ++sequence;
+    contact.back() = model;
+    contact.publish();
+    loop.runTicks(1);
+  };
+  loop.core().orders().give(ForceOrder::Arm);
+  for (int i = 0; i < 400; ++i) tick(springTo({0.001, 0.0, 0.0}, 100.0)); // 0.1 N
+  ASSERT_NEAR(device.force.x(), 0.1, 1e-9);
+  device.now.position.x() = -0.039; // 4 N of the old spring
+  ++device.now.epoch;
+  for (int i = 1; i <= 300; ++i) {
+    tick(springTo({0.001, 0.0, 0.0}, 100.0));
+    ASSERT_LE(device.force.norm(), 4.0 * i / 300.0 + 1e-9);
+  }
+  for (int i = 0; i < 2; ++i) tick(springTo({0.001, 0.0, 0.0}, 100.0));
+  EXPECT_NEAR(device.force.x(), 4.0, 1e-9);
 }
 
 TEST(ServoLoop, DisarmingFadesToExactlyZero)
@@ -122,6 +252,22 @@ TEST(ServoLoop, AfterAnEmergencyStopTheForceIsGoneWithinFiveTicksAndStaysAway)
   EXPECT_NEAR(bench.force().norm(), 5.0, 1e-9);
 }
 
+// What was first is the reason that the user gets, until he arms again; only a device that is gone outdoes
+// it.
+TEST(ServoLoop, TheFirstFaultIsTheReason)
+{
+  ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+  bringUp(bench);
+  bench.order(ForceOrder::Stop);
+  tickUnder(bench, constantForce(kPush), 10);
+  bench.device.setLink(DeviceLink::NoReply);
+  tickUnder(bench, constantForce(kPush), 50);
+  EXPECT_EQ(bench.status().reason, ServoReason::EmergencyStop);
+  bench.device.setLink(DeviceLink::Lost);
+  tickUnder(bench, constantForce(kPush), 2);
+  EXPECT_EQ(bench.status().reason, ServoReason::DeviceLost);
+}
+
 TEST(ServoLoop, ASilentSimulationIsNotAWall)
 {
   ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
@@ -146,6 +292,74 @@ TEST(ServoLoop, AModelThatIsNoNumberIsAFaultUntilRearmed)
   tickUnder(bench, constantForce(kPush), 100);
   EXPECT_TRUE(bench.force().isZero(0.0));
   bringUp(bench);
+}
+
+// 80 N of a tissue gone mad are cut to the limit before they fade in, not after: else all of the limit would
+// be there after a sixteenth of the time.
+TEST(ServoLoop, AForceAboveTheLimitFadesInFromTheLimit)
+{
+  ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+  bench.armWithoutForce();
+  for (int tick = 1; tick <= 300; ++tick) {
+    tickUnder(bench, constantForce({80.0, 0.0, 0.0}), 1);
+    ASSERT_LE(bench.force().norm(), 5.0 * tick / 300.0 + 1e-9) << tick;
+  }
+}
+
+// A first-order filter of cut-off f forgets a step by exp(-2 pi f t): at 200 Hz a hand's speed is known to
+// 2 % after 5 ms (less with the filter's own tick), at 20 Hz half of it would be missing, and damping would
+// push where it should brake.
+TEST(ServoLoop, TheHandsSpeedIsKnownWithinFiveMilliseconds)
+{
+  SimulatedDeviceSettings free;
+  free.damping = free.coulomb = 0.0;
+  ServoBench bench(free);
+  bench.tick(10);
+  bench.device.setMotion(Eigen::Vector3d::Zero(), {0.1, 0.0, 0.0});
+  bench.tick(5);
+  EXPECT_NEAR(bench.tool.latest().velocity.x(), 0.1, 0.005);
+}
+
+// The filtered speed of a hand that has come to rest halves with each tick, through the numbers that are too
+// small for full precision unless it is dropped before; its thread drops such numbers wherever they come
+// from.
+TEST(ServoLoop, AHandAtRestHasNoSpeed)
+{
+  SimulatedDeviceSettings settings;
+  settings.coulomb = 5.0; // stops at once
+  ServoBench bench(settings);
+  bench.device.setMotion(Eigen::Vector3d::Zero(), {0.5, 0.0, 0.0});
+  bench.tick(100);
+  ASSERT_TRUE(bench.device.velocity().isZero(0.0));
+  EXPECT_TRUE(bench.tool.latest().velocity.isZero(0.0));
+}
+
+TEST(ServoLoop, ItsThreadDropsNumbersTooSmallForFullPrecision)
+{
+  class Halving final : public HapticDevice {
+  public:
+    explicit Halving(std::atomic<double>& half) : m_half(half) {}
+    const DeviceProfile& profile() const noexcept override { return m_profile; }
+    DeviceLink read(double, DeviceSample&) noexcept override
+    {
+      volatile double least = std::numeric_limits<double>::min();
+      m_half = 0.5 * least;
+      return DeviceLink::Ready;
+    }
+    bool write(const Eigen::Vector3d&) noexcept override { return true; }
+
+  private:
+    std::atomic<double>& m_half;
+    DeviceProfile m_profile;
+  };
+  std::atomic<double> half{-1.0};
+  TripleBuffer<ToolState> tool;
+  TripleBuffer<ContactModel> contact;
+  ServoLoop loop(std::make_unique<Halving>(half), std::make_unique<SteadyClock>(), tool, contact);
+  loop.start();
+  while (half < 0.0) std::this_thread::yield();
+  loop.finish();
+  EXPECT_EQ(half, 0.0);
 }
 
 TEST(ServoLoop, ADeviceThatDoesNotReplyIsAFaultAfterTwentyMilliseconds)
@@ -243,6 +457,21 @@ TEST(ServoLoop, ALateTickDoesNotEarnALargerStep)
   bench.clock.delayNextWake(0.02);
   tickUnder(bench, constantForce({4.0, 0.0, 0.0}), 1);
   EXPECT_LE(bench.force().norm(), 1.0 + 1e-12);
+}
+
+// Nor may the tick that follows a late one closely take a whole one's step: 0.4 ms are 0.4 N at 1 N/ms.
+TEST(ServoLoop, AnEarlyTickEarnsOnlyItsPart)
+{
+  ServoBench bench(firmlyHeld(), handAlong([](double) { return Eigen::Vector3d(Eigen::Vector3d::Zero()); }));
+  bench.armWithoutForce();
+  tickUnder(bench, constantForce(Eigen::Vector3d::Zero()), 400);
+  bench.clock.delayNextWake(0.0006);
+  tickUnder(bench, constantForce({4.0, 0.0, 0.0}), 1);
+  const double before = bench.force().x();
+  bench.order(ForceOrder::Stop); // falls as fast as it may
+  tickUnder(bench, constantForce({4.0, 0.0, 0.0}), 1);
+  EXPECT_NEAR(before - bench.force().x(), std::min(before, 0.4), 1e-9);
+  EXPECT_GT(before, 0.0);
 }
 
 TEST(ServoLoop, EndsWithZeroForce)

@@ -233,12 +233,72 @@ TEST_F(SimRunnerTest, NothingIsFeltWhenTheMotionEnds)
     moveDevice({0.05, 0.01, 0.0});
     frames(2);
     ASSERT_TRUE(contact.latest().active);
-    const std::uint64_t sequence = contact.latest().sequence;
+    const std::uint64_t sequence = contact.latest().sequence, scene = contact.latest().scene;
+    ASSERT_NE(scene, 0u);
     runner.apply(SimCommand(end));
     EXPECT_FALSE(contact.latest().active) << "command " << end.index();
+    const bool sameTissue =
+      std::holds_alternative<command::Release>(end) || std::holds_alternative<command::FollowDevice>(end);
+    EXPECT_EQ(contact.latest().scene, sameTissue ? scene : 0u) << "command " << end.index();
     EXPECT_GT(contact.latest().sequence, sequence);
     if (runner.wantsFrame()) frames(1);
     EXPECT_FALSE(contact.latest().active) << "command " << end.index();
+  }
+}
+
+// An edit goes on as the same scene, and the hold is as stiff as one of a net that was so from the start: the
+// chain is at rest, the hand where its node is.
+TEST_F(SimRunnerTest, AnEditUnderTheHandGoesOnWithTheNewStiffness)
+{
+  const SpringNet soft = chain(6), hard = chain(6, 400.0);
+  const auto felt = [&](const SpringNet& first, const SpringNet& then) {
+    runner.apply(command::Load{2, first, {}, {}});
+    runner.apply(command::Play{});
+    runner.apply(command::Grab{5, soft.restPosition.col(5), 5.0});
+    runner.apply(command::FollowDevice{true});
+    moveDevice(soft.restPosition.col(5));
+    frames(2);
+    const ContactModel before = contact.latest();
+    runner.apply(command::SetParameters{then});
+    EXPECT_TRUE(contact.latest().active);
+    frames(1);
+    EXPECT_TRUE(contact.latest().active);
+    EXPECT_EQ(contact.latest().scene, before.scene);
+    EXPECT_NE(contact.latest().edition, before.edition);
+    return contact.latest().stiffness(0, 0);
+  };
+  const double edited = felt(soft, hard), fromTheStart = felt(hard, hard), unedited = felt(soft, soft);
+  EXPECT_NEAR(edited, fromTheStart, 1e-6 * fromTheStart);
+  EXPECT_GT(edited, 2.0 * unedited);
+}
+
+// While it moves it has word for the servo in each frame, be it that nothing is held: silence is a fault.
+TEST_F(SimRunnerTest, AMovingNetIsNeverSilent)
+{
+  EXPECT_EQ(contact.latest().sequence, 0u);
+  runner.apply(command::Play{});
+  std::uint64_t last = 0;
+  for (int i = 0; i < 5; ++i) {
+    frames(1);
+    EXPECT_GT(contact.latest().sequence, last);
+    EXPECT_FALSE(contact.latest().active);
+    EXPECT_NE(contact.latest().scene, 0u);
+    last = contact.latest().sequence;
+  }
+}
+
+// Each time that tissue moves on it is another scene, and never one that there was before.
+TEST_F(SimRunnerTest, WhatPlaysOnIsAnotherScene)
+{
+  std::uint64_t last = 0;
+  const std::vector<SimCommand> pauses = {command::Pause{}, command::StepOnce{}, command::Reset{},
+                                          command::Touch{true, 0.003, 5.0}, command::Touch{false, 0.0, 5.0}};
+  for (const SimCommand& pause : pauses) {
+    runner.apply(command::Play{});
+    frames(1);
+    EXPECT_GT(contact.latest().scene, last) << "before command " << pause.index();
+    last = contact.latest().scene;
+    runner.apply(SimCommand(pause));
   }
 }
 

@@ -246,4 +246,40 @@ TEST(ToolTip, TheProxyNeverPassesTheMovingSurface)
   EXPECT_LT(picture.position.row(2).minCoeff(), 0.02);
 }
 
+// Other parameters under the tip, or another limit of its force, do not end the contact; it is as stiff as on
+// a net that was so from the start. The spring of a tip follows the net's stiffness around it.
+TEST(ToolTip, AnEditUnderTheTipKeepsTheContact)
+{
+  SpringNet soft = sheet(), hard = sheet();
+  hard.stiffness *= 4.0;
+  hard.anchors.stiffness *= 4.0;
+  const auto felt = [&](const SpringNet& first, const SpringNet& then) {
+    TripleBuffer<ToolState> tool;
+    TripleBuffer<ContactModel> contact;
+    SimRunner runner(60.0, tool, contact);
+    runner.apply(command::Load{1, first, {}, {}});
+    runner.apply(command::Touch{true, kRadius, 5.0});
+    runner.apply(command::FollowDevice{true});
+    runner.apply(command::Play{});
+    for (int frame = 0; frame < 90; ++frame) {
+      const double z = 0.006 - 0.001 * std::min(frame, 4); // 1 mm into the sheet
+      tool.back() = {
+        static_cast<std::uint64_t>(frame) + 1, frame / 60.0, {0.052, 0.053, z}, Eigen::Vector3d::Zero()};
+      tool.publish();
+      runner.runFrame();
+      if (frame != 30) continue;
+      EXPECT_TRUE(contact.latest().active);
+      runner.apply(command::SetParameters{then});
+      runner.apply(command::Touch{true, kRadius, 2.0}); // what the window says of another limit
+      EXPECT_TRUE(contact.latest().active);
+    }
+    EXPECT_TRUE(contact.latest().active);
+    EXPECT_EQ(contact.latest().scene, 1u);
+    return contact.latest().stiffness(2, 2);
+  };
+  const double edited = felt(soft, hard), fromTheStart = felt(hard, hard), unedited = felt(soft, soft);
+  EXPECT_NEAR(edited, fromTheStart, 0.01 * fromTheStart); // it has come to rest to a hundredth
+  EXPECT_GT(edited, 2.0 * unedited);
+}
+
 } // namespace esm

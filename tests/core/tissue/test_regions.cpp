@@ -196,6 +196,28 @@ TEST(FitEllipsoid, RecoversAKnownEllipsoid)
     << "the same axes, in the order of their length";
 }
 
+// The first two axes point to where their largest component is above zero: the next fit of a patch like it,
+// or the same after it was reordered, does not turn the handles round.
+TEST(FitEllipsoid, ItsAxesPointTheSameWayEachTime)
+{
+  std::mt19937 random(3);
+  std::normal_distribution<double> spread;
+  for (int cloud = 0; cloud < 50; ++cloud) {
+    Eigen::Matrix3d shape;
+    for (double& entry : shape.reshaped()) entry = spread(random);
+    Eigen::Matrix3Xd places(3, 40);
+    for (double& entry : places.reshaped()) entry = spread(random);
+    const Result<Ellipsoid> fit = fitEllipsoid(0.01 * shape * places, 1e-6, 0.3);
+    ASSERT_TRUE(fit);
+    const Eigen::Matrix3d axes = fit->rotation.toRotationMatrix();
+    for (int i = 0; i < 2; ++i) {
+      Eigen::Index largest = 0;
+      axes.col(i).cwiseAbs().maxCoeff(&largest);
+      EXPECT_GT(axes(largest, i), 0.0) << "cloud " << cloud << ", axis " << i;
+    }
+  }
+}
+
 TEST(FitEllipsoid, HoldsEveryPlaceInItsCore)
 {
   std::mt19937 random(8);
