@@ -73,6 +73,7 @@ void measure(const Scene& scene, int frames)
   SolverSettings settings;
   settings.tolerance = 1e-2;
   settings.effort = 1e13;
+  settings.workLimit = 0.0;
   const double begin = cpuSeconds();
   Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
   if (!simulation) return;

@@ -95,6 +95,7 @@ SolverSettings settingsOf(const std::string& solver, double tolerance, bool skip
   settings.tolerance = tolerance;
   settings.skipResting = skip;
   settings.effort = 1e12; // accuracy, whatever it costs
+  settings.workLimit = 0.0;
   return settings;
 }
 

@@ -57,6 +57,7 @@ void measure(const Scene& scene, const Reference& reference, double tolerance, C
   SolverSettings settings;
   settings.tolerance = tolerance;
   settings.effort = 1e13; // accuracy, whatever it costs
+  settings.workLimit = 0.0;
   settings.duration = scene.duration;
   ToleranceCheck check(settings);
   const Outcome outcome = verify(scene, reference, check);

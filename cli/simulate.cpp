@@ -19,7 +19,7 @@ namespace {
 struct SimulateOptions {
   std::string file, report;
   std::optional<std::string> solver;
-  std::optional<double> duration, frameRate, tolerance, fixedStep;
+  std::optional<double> duration, frameRate, tolerance, fixedStep, workLimit;
   std::optional<int> threads;
   std::optional<bool> skipResting;
   RunOutputs outputs;
@@ -75,6 +75,7 @@ void override(SimulationSettings& settings, const SimulateOptions& options)
   settings.solver.tolerance = options.tolerance.value_or(settings.solver.tolerance);
   settings.solver.fixedStep = options.fixedStep.value_or(settings.solver.fixedStep);
   settings.solver.skipResting = options.skipResting.value_or(settings.solver.skipResting);
+  settings.solver.workLimit = options.workLimit.value_or(settings.solver.workLimit);
   settings.solver.threads = options.threads.value_or(settings.solver.threads);
 }
 
@@ -139,7 +140,8 @@ Exit simulate(const SimulateOptions& options)
         " steps with " + summary->solver + " in " + formatDouble(summary->integrationSeconds, 3) +
         " s of processor time");
   else
-    say(options.file + ": stopped after " + std::to_string(summary->frames) + " frames: " + summary->reason);
+    say(options.file + ": stopped after " + std::to_string(summary->frames) + " frames, at " +
+        formatDouble(summary->steps.simulatedTime, 3) + " s: " + summary->reason);
   const double tolerance = project->simulation.solver.tolerance;
   if (summary->steps.rough)
     say(options.file + ": the tolerance of " + formatDouble(tolerance, 3) +
@@ -187,6 +189,11 @@ void addSimulate(CLI::App& program, Work& work)
                     "exit code 0, not 3, where the tolerance was given up to bound the work");
   addNumber(*command, "--step", options->fixedStep, "fixed substep [s] without error control; 0: automatic",
             NumberRange::NotNegative);
+  addNumber(
+    *command, "--work", options->workLimit,
+    "most force passes for each 1/60 s of motion, in the mean of the run (default: 2e5); beyond it the run "
+    "ends with what it has, and exit code 3",
+    NumberRange::Positive);
   command->add_flag_function(
     "--skip-resting,!--no-skip", [&skip = options->skipResting](std::int64_t count) { skip = count > 0; },
     "nodes at rest sleep and cost nothing, or not (default: the project's)");

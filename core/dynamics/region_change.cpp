@@ -14,6 +14,8 @@ constexpr Index kSmallestDivisible = 2000;            ///< nodes
 constexpr double kLargestPart = 0.6;                  ///< of the nodes; above it the whole net is as cheap
 constexpr double kLeastDecay = 0.5, kMostDecay = 8.0; ///< bounds of ratio - 8 in missedMotion()
 constexpr double kShare = 0.5;                        ///< of the tolerance that goes to sleepers
+/// Of what pulls at a node, that may be left over while it rests at the start.
+constexpr double kBalanced = 1e-3;
 
 double diagonalOf(const NodeArray& x) noexcept
 {
@@ -45,6 +47,7 @@ void RegionDriver::begin()
   m_driver.begin(m_body.system, m_body.motion);
   m_allMoved = true;
   m_moved.clear();
+  m_work = 0.0;
   if (!m_on) return;
   const std::size_t nodes = m_body.motion.x.size();
   m_region = ActiveRegion(m_body.net);
@@ -58,6 +61,7 @@ void RegionDriver::begin()
   m_playedCount = m_squareAsleep = 0.0;
   m_extent = diagonalOf(m_body.motion.x);
   m_limitText.clear();
+  m_bodiesAreKnown = false;
   m_settling.begin();
   m_stirred = m_body.motion.time;
   watchLoads();
@@ -80,19 +84,31 @@ std::vector<Index> RegionDriver::unbalancedNodes()
   m_body.system.evaluate(motion.time, motion.x, motion.v, force);
   Eigen::ArrayXd tension(net.springCount());
   m_body.system.forces().springTensions(motion.x.data(), motion.v.data(), tension.data());
+  NodeArray load(motion.x.size(), Lanes{0, 0, 0, 0});
+  m_body.system.schedule().addForces(motion.time, motion.v.data(), load.data());
   const double tiny = m_extent * std::max(1e-10 * m_settings.tolerance, 1e-15);
-  std::vector<double> bound(motion.x.size(), 0.0); // [N]
+  std::vector<double> yielding(motion.x.size(), 0.0), rounding = yielding; // [N]
   for (Index s = 0; s < net.springCount(); ++s)
-    for (const Index node : {net.ends(0, s), net.ends(1, s)})
-      bound[static_cast<std::size_t>(node)] += tiny * net.stiffness[s] + 1e-13 * std::abs(tension[s]);
+    for (const Index node : {net.ends(0, s), net.ends(1, s)}) {
+      yielding[static_cast<std::size_t>(node)] += tiny * net.stiffness[s];
+      rounding[static_cast<std::size_t>(node)] += 1e-13 * std::abs(tension[s]);
+    }
   for (Index k = 0; k < net.anchors.count(); ++k)
-    bound[static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(k)])] +=
+    yielding[static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(k)])] +=
       tiny * net.anchors.stiffness[k];
   std::vector<Index> nodes;
   for (std::size_t i = 0; i < force.size(); ++i) {
     if (!m_body.system.isFree(i)) continue;
-    if (squareOf(motion.v[i]) > 0.0 || !(squareOf(force[i]) <= bound[i] * bound[i]))
+    const double pull = std::sqrt(squareOf(load[i] + m_body.system.forces().weight(i)));
+    // Springs too stiff for their stretch to be seen need not be in the way of what pulls.
+    const double bound = rounding[i] + (pull > 0.0 ? std::min(yielding[i], kBalanced * pull) : yielding[i]);
+    if (squareOf(motion.v[i]) > 0.0 || !(squareOf(force[i]) <= bound * bound))
       nodes.push_back(static_cast<Index>(i));
+  }
+  for (std::size_t body = 0; body < bodies().count(); ++body) {
+    const std::span<const Index> all = bodies().nodesOf(body);
+    if (movesAsOne(body))
+      nodes.insert(nodes.end(), all.begin(), bodies().isHeavy(body) ? all.end() : all.begin() + 1);
   }
   return nodes;
 }
@@ -165,7 +181,7 @@ void RegionDriver::enterWhole()
   m_squareAsleep = 0.0;
   m_tensions.prepare(static_cast<std::size_t>(m_body.net.springCount()));
   if (m_driverHasWhole)
-    m_driver.restart(); // velocities may have been cleared
+    m_driver.restart(m_body.system, m_body.motion); // velocities may have been cleared
   else
     m_driver.partChanged(m_body.system, m_body.motion, {{}, m_origin, m_body.motion.x.size(), 0.0});
   m_driverHasWhole = true;

@@ -27,7 +27,9 @@ StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
   MotionState& motion = m_body.motion;
   if (!m_on) {
     m_allMoved = true;
-    StepReport report = m_driver.advance(m_body.system, motion, interval, maxSteps);
+    StepReport report =
+      m_driver.advance(m_body.system, motion, interval, maxSteps, workLeft(motion.time + interval));
+    m_work += m_driver.workDone(m_body.system, report);
     report.nodesAwake = static_cast<std::int64_t>(motion.x.size());
     return report;
   }
@@ -105,6 +107,7 @@ void RegionDriver::takeOver(double target)
   m_body.motion.time = target;
   if (!isEvent) return;
   m_body.system.enter(m_body.motion, true); // the part has counted the work
+  m_bodiesAreKnown = false;
   watchLoads();
 }
 
@@ -112,11 +115,16 @@ bool RegionDriver::stretchWhole(double target, std::int64_t maxSteps, StepReport
 {
   MotionState& motion = m_body.motion;
   const double event = m_body.system.nextEvent(motion.time);
-  const StepReport whole = m_driver.advance(m_body.system, motion, target - motion.time, maxSteps);
+  const StepReport whole =
+    m_driver.advance(m_body.system, motion, target - motion.time, maxSteps, workLeft(target));
+  m_work += m_driver.workDone(m_body.system, whole);
   report.add(whole);
   m_settling.countWork(whole.springsEvaluated);
   m_allMoved = true;
-  if (motion.time >= event) watchLoads();
+  if (motion.time >= event) {
+    watchLoads();
+    m_bodiesAreKnown = false;
+  }
   return report.good();
 }
 
@@ -124,7 +132,9 @@ bool RegionDriver::stretchPart(double target, std::int64_t maxSteps, StepReport&
 {
   MotionState& motion = m_body.motion;
   const ErrorScale scale = m_driver.errorScale();
-  const StepReport part = m_driver.advance(m_partSystem, m_partMotion, target - motion.time, maxSteps);
+  const StepReport part =
+    m_driver.advance(m_partSystem, m_partMotion, target - motion.time, maxSteps, workLeft(target));
+  m_work += m_driver.workDone(m_partSystem, part);
   report.add(part);
   if (part.good()) m_partMotion.time = target; // no rounding
   const double allowed = budget(), missed = missedMotion(nullptr);
@@ -158,6 +168,7 @@ void RegionDriver::look(StepReport& report)
   }
   m_watch.look(awake, motion, limit);
   m_watch.pin(m_loads.moving());
+  keepBodiesAwake();
   const std::size_t all = awake.size();
   if (m_watch.calmCount() == all || settles(report)) {
     letSleep(std::vector<Index>(awake));
@@ -167,7 +178,7 @@ void RegionDriver::look(StepReport& report)
     const std::size_t count = watched ? m_watch.slowCount() : m_watch.calmCount();
     if (count * (m_mode == Mode::Whole ? 2 : 4) < all) return;
     const std::vector<Index> sleepers =
-      m_region.inside(watched ? m_watch.slow() : m_watch.calm(), std::max(4, edgeDepth()));
+      wholeBodies(m_region.inside(watched ? m_watch.slow() : m_watch.calm(), std::max(4, edgeDepth())));
     if (sleepers.size() * 5 >= all) letSleep(sleepers);
   }
   applyChange();
@@ -177,15 +188,24 @@ void RegionDriver::look(StepReport& report)
 bool RegionDriver::settles(StepReport& report)
 {
   if (isMoved()) return false;
-  const bool isPart = m_mode == Mode::Part;
+  for (std::size_t body = 0; body < bodies().count(); ++body)
+    if (movesAsOne(body)) return false;
   const ErrorScale& scale = m_driver.errorScale();
   const double erring = scale.spent * scale.spent * static_cast<double>(m_body.motion.x.size());
   const SettlingBudget missable{settlingBudget(), undisturbed(), fadingTime(scale), dampersPower(scale),
                                 erring};
+  return settleWithin(missable, report);
+}
+
+bool RegionDriver::settleWithin(const SettlingBudget& missable, StepReport& report)
+{
+  const bool isPart = m_mode == Mode::Part;
+  bodies().begin(m_body.system, m_body.motion);
   if (!m_settling.settleIfDue(isPart ? m_partSystem : m_body.system, isPart ? m_partMotion : m_body.motion,
                               missable, m_settings.effort, report))
     return false;
   if (isPart) scatter();
+  bodies().keep(m_body.system, m_body.motion, 0.0); // a place that is found by iterations may be beside it
   return true;
 }
 
@@ -209,6 +229,15 @@ double RegionDriver::undisturbed() const
   if (!std::isfinite(end) || !(mean > 0.0)) return since;
   const double now = scale.displacement * scale.displacement;
   return std::max(since, (scale.squareOverTime + now * (end - time)) / mean);
+}
+
+/// Up to `end` or, where it is later and known, that of the motion [spring evaluations].
+double RegionDriver::workLeft(double end) const noexcept
+{
+  if (!(m_settings.workLimit > 0.0)) return StepDriver::kInfinity;
+  const double springs = std::max<double>(static_cast<double>(m_body.system.forces().activeSprings()), 1.0);
+  const double frames = std::max({m_settings.duration, end, kFrame}) / kFrame;
+  return m_settings.workLimit * springs * frames - m_work;
 }
 
 FastestMode RegionDriver::fastestMode()

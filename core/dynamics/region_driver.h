@@ -44,6 +44,9 @@ struct Body {
 /// (Settling), which ends its motion long before each of its nodes is slow. Nets of less than two thousand
 /// nodes sleep as a whole or not at all: there a part would hardly be cheaper. So do nets with pressure,
 /// which acts on all at once.
+///
+/// **Free bodies.** What is awake of a part that nothing holds falls asleep as one, and not while it moves as
+/// one or is pushed: no look at its nodes tells that such a motion would go on for good.
 class RegionDriver {
 public:
   /// @param body  not owned, outlives this.
@@ -84,12 +87,18 @@ private:
   void look(StepReport& report);
   bool settles(StepReport& report);
   bool isMoved() const;
+  bool settleWithin(const SettlingBudget& missable, StepReport& report);
   double undisturbed() const;
+  double workLeft(double end) const noexcept;
 
   // Who is awake (region_change.cpp)
   bool isDivisible() const noexcept; ///< into a part that moves and one that rests
   std::vector<Index> unbalancedNodes();
   void wakeForLoads(bool eventIsReached);
+  FreeBodies& bodies();
+  bool movesAsOne(std::size_t body);
+  void keepBodiesAwake();
+  std::vector<Index> wholeBodies(std::vector<Index> sleepers);
   void wake(std::span<const Index> seeds, int layers);
   void applyChange();
   void enterWhole();
@@ -119,6 +128,8 @@ private:
   Settling m_settling;
   SubNetCutter m_cutter;
   StepBound m_wholeBound;
+  FreeBodies m_bodies; ///< of the whole net, see bodies()
+  bool m_bodiesAreKnown = false;
 
   SubNet m_part; ///< of mode Part
   System m_partSystem;
@@ -134,6 +145,7 @@ private:
   double m_playedCount = 0.0;
   double m_squareAsleep = 0.0; ///< sum of squared displacements of sleepers [m^2]
   double m_extent = 1.0;       ///< [m]
+  double m_work = 0.0;         ///< since begin() [spring evaluations]
   double m_stirred = 0.0;      ///< when parameters or tools changed last, or the whole net woke [s]
   std::vector<Index> m_moved;
   bool m_allMoved = true;

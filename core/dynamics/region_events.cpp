@@ -42,6 +42,7 @@ bool flagTouched(const SpringNet& before, const SpringNet& now, std::vector<std:
 void RegionDriver::parametersChanged(const SpringNet& before)
 {
   m_allMoved = true; // fixed nodes have lost their velocity
+  m_bodiesAreKnown = false;
   m_settling.forget();
   m_stirred = m_body.motion.time;
   if (m_on) {
@@ -73,6 +74,7 @@ void RegionDriver::toolsChanged(const std::vector<ToolSpring>& before)
     return a.node == b.node && a.stiffness == b.stiffness && a.viscosity == b.viscosity;
   };
   const bool sameNodes = std::equal(now.begin(), now.end(), before.begin(), before.end(), sameSpring);
+  m_bodiesAreKnown = m_bodiesAreKnown && sameNodes;
   if (m_mode != Mode::Whole) {
     std::vector<Index> seeds;
     for (std::size_t i = 0; i < std::max(now.size(), before.size()); ++i) {

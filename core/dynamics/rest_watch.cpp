@@ -93,7 +93,7 @@ void RestWatch::glance(const std::vector<Index>& nodes, const MotionState& motio
   }
 }
 
-void RestWatch::pin(const std::vector<Index>& nodes)
+void RestWatch::pin(std::span<const Index> nodes)
 {
   for (const Index node : nodes) {
     const auto i = static_cast<std::size_t>(node);

@@ -31,7 +31,7 @@ public:
   /// still at every full look.
   void glance(const std::vector<Index>& nodes, const MotionState& motion, double limit);
   /// These nodes are neither slow nor calm, whatever they do: a load moves them.
-  void pin(const std::vector<Index>& nodes);
+  void pin(std::span<const Index> nodes);
   bool lookIsDue(double time) const noexcept;
 
   // At the last look

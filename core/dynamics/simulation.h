@@ -33,6 +33,11 @@ struct SolverSettings {
   /// and why() says so. The default is half a second of one core; whoever keeps time with a clock asks for
   /// less.
   double effort = 1e8;
+  /// Most force passes over the net for each sixtieth of a second of a run, in the mean up to the end of
+  /// advance() or of `duration`, whichever is later; a step counts as one at least. At the limit advance()
+  /// ends before its time (StepReport::stepLimit). `auto` plans to stay below. 0: none, for whoever keeps
+  /// time with a clock and asks for little effort.
+  double workLimit = 2e5;
   /// How long the motion will be looked at, from t = 0 [s]; 0 = unknown, as in a window that runs on. Errors
   /// of a short run have less time to add up, so each step may err more; beyond it the tolerance is kept as
   /// if it had never been known.

@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace esm {
 namespace {
 
-constexpr int kLooksBetween = 2; ///< two measurements, see StepBound::sharpen()
+constexpr int kLooksBetween = 2;  ///< two measurements, see StepBound::sharpen()
+constexpr std::size_t kHub = 128; ///< springs of a node, see StepBound::sumHub()
 
 /// y = factor y + diagonal z
 ESM_CPU_CLONES void addDiagonal(std::size_t count, const double* factor, const double* diagonal,
@@ -119,6 +121,11 @@ void StepBound::sumSprings(const System& system)
   for (std::size_t i = 0; i < m_nodes.size(); ++i) {
     if (inverseMass[i] == 0.0) continue;
     const std::span<const std::uint32_t> springs = m_springsOf[i];
+    if (springs.size() > kHub) {
+      sumHub(springs, m_rootStiffness, inverseMass[i], m_rowStiffness);
+      sumHub(springs, m_rootViscosity, inverseMass[i], m_rowViscosity);
+      continue;
+    }
     for (std::size_t p = 0; p < springs.size(); ++p)
       for (std::size_t q = 0; q <= p; ++q) {
         const std::uint32_t e = springs[p], f = springs[q];
@@ -131,6 +138,23 @@ void StepBound::sumSprings(const System& system)
         m_rowStiffness[f] += k;
         m_rowViscosity[f] += c;
       }
+  }
+}
+
+/// The rows of a node with many springs, which pair by pair took the square of their number: with weights w
+/// the sum of w |u_e.u_f| over f is at most the root of (sum of w) (u_e.A u_e), A the sum of w u u^T.
+void StepBound::sumHub(std::span<const std::uint32_t> springs, const std::vector<double>& weight,
+                       double inverseMass, std::vector<double>& rows) const
+{
+  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
+  double sum = 0.0;
+  for (const std::uint32_t f : springs) {
+    directions += weight[f] * m_tangents[f].direction * m_tangents[f].direction.transpose();
+    sum += weight[f];
+  }
+  for (const std::uint32_t e : springs) {
+    const Eigen::Vector3d& u = m_tangents[e].direction;
+    rows[e] += inverseMass * weight[e] * std::sqrt(sum * std::max(u.dot(directions * u), 0.0));
   }
 }
 

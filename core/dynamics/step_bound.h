@@ -58,6 +58,8 @@ public:
 private:
   void sumNodes(const System& system);
   void sumSprings(const System& system);
+  void sumHub(std::span<const std::uint32_t> springs, const std::vector<double>& weight, double inverseMass,
+              std::vector<double>& rows) const;
   void sumPressure(const System& system, const NodeArray& x);
   void weighDamping(const System& system, FastestMode& mode);
   void sharpen(const System& system, FastestMode& mode);

@@ -92,6 +92,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_onset.longest = 0.0;
   m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
+  findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
   setBound(system, state);
   guessSteps();
@@ -129,7 +130,19 @@ void StepDriver::guessStepAtLeast(Candidate& candidate) const noexcept
   if (candidate.accurateStep < known.accurateStep) static_cast<Knowledge&>(candidate) = known;
 }
 
-void StepDriver::restart() noexcept
+void StepDriver::findBodies(const System& system, const MotionState& state)
+{
+  m_bodies.find(system);
+  m_bodies.begin(system, state);
+}
+
+void StepDriver::restart(const System& system, const MotionState& state)
+{
+  forget();
+  findBodies(system, state);
+}
+
+void StepDriver::forget() noexcept
 {
   for (Candidate& candidate : m_candidates)
     if (candidate.prepared) candidate.integrator->restart();
@@ -143,7 +156,8 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
       if (candidate.prepared) candidate.integrator->toolsMoved();
     return;
   }
-  restart();
+  forget();
+  findBodies(system, state);
   setBound(system, state);
   m_untilCheck = 0;
   m_checkGap = 1;
@@ -156,6 +170,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_onset.longest = 0.0;
   m_grown = 0.0; // what a larger part had gained could be more than all that this one has
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
+  findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
   setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));

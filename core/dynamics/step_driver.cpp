@@ -35,14 +35,16 @@ double relativeChange(const FastestMode& before, const FastestMode& after)
 
 } // namespace
 
-StepReport StepDriver::advance(System& system, MotionState& state, double interval, std::int64_t maxSteps)
+StepReport StepDriver::advance(System& system, MotionState& state, double interval, std::int64_t maxSteps,
+                               double mostWork)
 {
   StepReport report;
   m_limitText.clear();
   system.springsEvaluated = 0;
   system.solverWork = 0.0;
-  system.workLimit = kInfinity;
+  system.workLimit = mostWork;
   m_maxSteps = maxSteps;
+  m_mostWork = mostWork;
   const double begin = state.time;
   double end = begin + interval;
   while (state.time < end) {
@@ -52,6 +54,10 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     if (std::abs(event - end) <= 1e-9 * interval) end = event;
     const double target = std::min(event, end);
     const bool isFixed = m_settings.fixedStep > 0.0;
+    if (!(workDone(system, report) < m_mostWork)) {
+      giveUp(Run::Limit, report);
+      break;
+    }
     continueOnset(system);
     const double longest = m_onset.longest > 0.0 ? m_onset.longest
                            : m_untilCheck <= 0   ? longestCheck()
@@ -67,10 +73,12 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     if (system.enter(state, false)) {
       for (Candidate& candidate : m_candidates)
         if (candidate.prepared) candidate.integrator->constraintsChanged(system);
+      findBodies(system, state);
       m_checkGap = 1;
       m_sinceBound = kInfinity;
     } else {
       current().restart();
+      m_bodies.enter(system, state.time);
     }
     m_untilCheck = 0;
     m_gauge.markEvent();
@@ -79,23 +87,6 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
   report.springsEvaluated = system.springsEvaluated;
   report.largestForce = system.forces().largestTension(state.x.data(), state.v.data());
   return report;
-}
-
-StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, std::int64_t steps,
-                                StepReport& report)
-{
-  const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
-  const std::int64_t allowed = m_maxSteps > 0 ? std::max<std::int64_t>(m_maxSteps - report.steps, 0) : steps;
-  const bool isLimited = allowed < steps;
-  if (isLimited && allowed == 0) return Run::Limit;
-  const double runEnd = isLimited ? begin + static_cast<double>(allowed) * h : end;
-  const StepResult result = current().run(system, state, runEnd, std::min(allowed, steps), report);
-  if (result == StepResult::NonFinite) return Run::NonFinite;
-  if (result == StepResult::NotConverged) return Run::NotConverged;
-  if (isLimited) return Run::Limit;
-  report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
-  m_sinceBound += static_cast<double>(steps) * passesOf(system, h);
-  return Run::Done;
 }
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
@@ -156,7 +147,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const double usual =
       kMostEffort * std::max(m_settings.effort, 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
     if (m_onset.longest <= 0.0) m_onset.affordable = usual; // it may begin here
-    system.workLimit = system.workDone() + std::clamp(m_onset.affordable, kLeastOnsetShare * usual, usual);
+    system.workLimit = std::min(
+      m_mostWork, system.workDone() + std::clamp(m_onset.affordable, kLeastOnsetShare * usual, usual));
   }
   Run failure = Run::NotConverged;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
@@ -273,7 +265,7 @@ bool StepDriver::fallBackToLeapfrog(System& system, double length)
 bool StepDriver::stretchByDescent(System& system, MotionState& state, double end, StepReport& report)
 {
   const double length = end - state.time;
-  system.workLimit = kInfinity;
+  system.workLimit = m_mostWork;
   const Method other = m_method;
   layOut(m_descent, system);
   m_method = m_descent;

@@ -4,6 +4,7 @@
 
 #include "core/dynamics/error_gauge.h"
 #include "core/dynamics/frame.h"
+#include "core/dynamics/free_bodies.h"
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/simulation.h"
 
@@ -45,6 +46,7 @@ struct NetPart {
 /// time.
 class StepDriver {
 public:
+  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   explicit StepDriver(SolverSettings settings);
 
   /// After creation and reset.
@@ -54,7 +56,7 @@ public:
   /// Tools have come, moved or gone.
   void toolsChanged(System& system, const MotionState& state, bool sameNodes);
   /// The state has been changed from outside.
-  void restart() noexcept;
+  void restart(const System& system, const MotionState& state);
   /// The next calls are about this part of the net, in motion as before: what was learned stays.
   void partChanged(System& system, const MotionState& state, NetPart part);
   /// Another accuracy from the next stretch on. The motion, what was learned and what was prepared stay.
@@ -64,7 +66,11 @@ public:
   double knownEnd(double time) const noexcept { return m_gauge.knownEnd(time); } ///< see ErrorGauge
   void setErrorScale(const ErrorScale& scale) noexcept { m_gauge.setScale(scale); }
 
-  StepReport advance(System& system, MotionState& state, double interval, std::int64_t maxSteps);
+  /// @param mostWork  that may be done [spring evaluations]; the report's stepLimit says that it was
+  StepReport advance(System& system, MotionState& state, double interval, std::int64_t maxSteps,
+                     double mostWork = kInfinity);
+  /// Of the last advance() [spring evaluations]; a step is a force pass at least.
+  double workDone(const System& system, const StepReport& report) const noexcept;
 
   /// Where the net is stiffest now, and the largest explicit step there.
   FastestMode fastestMode(const System& system, const MotionState& state);
@@ -76,7 +82,6 @@ public:
 
 private:
   using Method = std::size_t; ///< place in integratorTable()
-  static constexpr double kInfinity = std::numeric_limits<double>::infinity();
   /// Energy may grow by this much in a stretch without cause: explicit steps stir up the fastest modes a
   /// little at their limit.
   static constexpr double kCoarseGrowth = 0.05;
@@ -178,6 +183,9 @@ private:
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
   enum class Run { Done, Limit, NonFinite, NotConverged };
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  StepResult runInFrames(System& system, MotionState& state, double end, std::int64_t steps,
+                         StepReport& report);
+  std::int64_t stepsLeft(const System& system, double step, const StepReport& report);
   Run runWithLook(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   Run runAgain(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   bool fallBackToLeapfrog(System& system, double length);
@@ -220,6 +228,8 @@ private:
   void keep(const System& system, const MotionState& state, double error) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(Run failure, StepReport& report);
+  void findBodies(const System& system, const MotionState& state);
+  void forget() noexcept;
   void explain(const System& system);
 
   SolverSettings m_settings;
@@ -231,6 +241,7 @@ private:
   std::string m_name, m_why;
   std::string m_limitText;             ///< of the last advance(), if its work limit ended it
   std::vector<Candidate> m_candidates; ///< in the table's order
+  FreeBodies m_bodies;
   StepBound m_bound;
   FastestMode m_mode;
   double m_sinceBound = 0.0;    ///< work since m_mode was found, see refreshBound() [force passes]
@@ -254,7 +265,8 @@ private:
   double m_checkedShare = 0.0;                  ///< of the budget, that the last check found
   double m_checkedTime = 0.0;                   ///< when the last check that passed began [s]
   Onset m_onset;
-  std::int64_t m_maxSteps = 0;
+  std::int64_t m_maxSteps = 0;   ///< of this advance(); 0: any number
+  double m_mostWork = kInfinity; ///< of this advance() [spring evaluations]
 
   std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
   ErrorGauge m_gauge;

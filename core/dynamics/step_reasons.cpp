@@ -66,9 +66,12 @@ void StepDriver::giveUp(Run failure, StepReport& report)
     m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(nameOf(m_mode.node)) + ")";
   if (failure == Run::Limit) {
     report.stepLimit = true;
-    m_limitText =
-      "the work limit of " + std::to_string(m_maxSteps) +
-      " steps was reached before the end of the interval; allow more steps or a larger tolerance" + place;
+    const bool isOfSteps = m_maxSteps > 0 && report.steps >= m_maxSteps;
+    m_limitText = (isOfSteps ? "the work limit of " + std::to_string(m_maxSteps) +
+                                 " steps was reached before the end of the interval; allow more steps"
+                             : "the work limit of " + formatDouble(m_settings.workLimit, 3) +
+                                 " force passes for each sixtieth of a second was reached; allow more work") +
+                  " or a larger tolerance" + place;
   } else if (failure == Run::NonFinite) {
     report.nonFinite = true;
     m_why = std::string("numbers became infinite") + place + "; the last good state is kept: " +

@@ -67,6 +67,7 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
   rates.heat = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers,
                                       placesFirst ? NodeSweep{} : before);
   springsEvaluated += m_forces.activeSprings();
+  if (m_frame != nullptr) advanceNodes(force.size(), 1.0, force.data(), m_frame, force.data());
   rates.work = m_schedule.addForces(t, v.data(), force.data());
   for (std::size_t i = 0; i < m_tools.size(); ++i) {
     const ToolSpring& tool = m_tools[i];
@@ -185,7 +186,10 @@ double System::elasticEnergy(const NodeArray& x) const noexcept
 
 double System::storedEnergy(const NodeArray& x) const noexcept
 {
-  return elasticEnergy(x) + m_forces.gravityEnergy(x.data());
+  if (m_frame == nullptr) return elasticEnergy(x) + m_forces.gravityEnergy(x.data());
+  double energy = 0.0; // of what is left of the weight: both apart could hide the springs by rounding
+  for (std::size_t i = 0; i < x.size(); ++i) energy -= dot(m_forces.weight(i) + m_frame[i], x[i]);
+  return elasticEnergy(x) + energy;
 }
 
 Eigen::Vector3d System::toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept

@@ -100,6 +100,10 @@ public:
   /// Prescribed nodes to their place.
   void place(double t, NodeArray& x, NodeArray& v) const noexcept { m_schedule.place(t, x.data(), v.data()); }
 
+  /// Forces of an accelerating frame of reference on the nodes [N], a part of evaluate() and storedEnergy()
+  /// as a weight would be; null: none. Not owned.
+  void setFrame(const Lanes* forces) noexcept { m_frame = forces; }
+
   double kineticEnergy(const NodeArray& v) const noexcept;
   double elasticEnergy(const NodeArray& x) const noexcept; ///< springs, anchors, tools [J]
   double storedEnergy(const NodeArray& x) const noexcept;  ///< elastic and of weight [J]
@@ -117,6 +121,7 @@ private:
 
   ForceModel m_forces;
   WorkerPool* m_workers = nullptr;
+  const Lanes* m_frame = nullptr;
   LoadSchedule m_schedule;
   std::vector<ToolSpring> m_tools;
   std::vector<double> m_mass, m_inverseMass;

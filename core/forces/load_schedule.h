@@ -48,6 +48,17 @@ public:
   /// Adds the nodal forces at t. @return their power [W] at the velocities v.
   double addForces(double t, const Lanes* v, Lanes* force) const noexcept;
   double power(double t, const Lanes* v) const noexcept; ///< of the nodal forces, at other velocities [W]
+  /// visit(node, force at t [N], its slope [N/s]) for each node of each nodal force.
+  template <class Visit>
+  void forEachForce(double t, const Visit& visit) const noexcept
+  {
+    for (const Force& load : m_forces) {
+      if (load.absent) continue;
+      const Lanes value = load.line.value + load.line.slope * (t - m_begin);
+      for (const NodeRun& run : load.nodes)
+        for (std::size_t i = run.first; i < run.first + run.count; ++i) visit(i, value, load.line.slope);
+    }
+  }
 
 private:
   struct Line { ///< value at m_begin, slope

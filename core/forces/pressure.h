@@ -47,6 +47,8 @@ public:
   double volume(std::size_t body, const Lanes* x) const noexcept; ///< [m^3]
   double restVolume(std::size_t body) const noexcept { return m_bodies[body].restVolume; }
   double pressure(std::size_t body, const Lanes* x) const noexcept; ///< p [Pa]
+  /// Nodes of its triangles, three by three.
+  const std::vector<Index>& corners(std::size_t body) const noexcept { return m_bodies[body].corners; }
   /// K/V0 of g g^T [Pa/m^3].
   double stiffness(std::size_t body) const noexcept
   {

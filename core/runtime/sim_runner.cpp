@@ -58,6 +58,7 @@ void SimRunner::carryOut(command::Load&& load)
   ladder.start(load.settings);
   load.settings.tolerance = ladder.tolerance();
   load.settings.effort = ladder.effort();
+  load.settings.workLimit = 0.0; // the clock and the effort bound it
   const bool isAuto = load.settings.solver == "auto";
   Result<Simulation> fresh =
     Simulation::create(std::move(load.net), std::move(load.loads), std::move(load.settings));

@@ -28,6 +28,7 @@ inline SolverSettings fixedSteps(const std::string& solver, double step)
   SolverSettings settings;
   settings.solver = solver;
   settings.fixedStep = step;
+  settings.workLimit = 0.0; // convergence is shown by steps as small as it takes
   return settings;
 }
 

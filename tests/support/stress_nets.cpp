@@ -2,37 +2,16 @@
 // SPDX-License-Identifier: MIT
 #include "tests/support/stress_nets.h"
 
+#include "tests/support/dice.h"
 #include "tests/support/nets.h"
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 namespace esm::test {
 namespace {
 
 constexpr double kFrame = 1.0 / 60.0; // [s]
-
-/// Draws from raw bits only, so that every standard library draws the same.
-class Dice {
-public:
-  explicit Dice(std::uint32_t seed) : m_random(seed) {}
-  double uniform(double low, double high)
-  {
-    return low + (high - low) * (static_cast<double>(m_random()) / 4294967296.0);
-  }
-  double decades(double low, double high) { return std::pow(10.0, uniform(low, high)); }
-  Index below(Index count) { return static_cast<Index>(m_random() % static_cast<std::uint32_t>(count)); }
-  bool oneIn(Index count) { return below(count) == 0; }
-  Eigen::Vector3d vector(double size)
-  {
-    const double x = uniform(-size, size), y = uniform(-size, size), z = uniform(-size, size);
-    return {x, y, z};
-  }
-
-private:
-  std::mt19937 m_random;
-};
 
 /// Stiffness and viscosity are drawn later.
 void join(SpringNet& net, Index a, Index b)

@@ -16,6 +16,7 @@ SolverSettings windowSettings()
   SolverSettings settings;
   settings.tolerance = 1e-2;
   settings.effort = 5e5; // a frame of a display, 4 ms
+  settings.workLimit = 0.0;
   return settings;
 }
 
