@@ -129,17 +129,17 @@ class OutputsAndTerminal(ProgramTest):
         self.write("twice.json", text[:-1] + ', "duration": 9.0}')
         self.assertIn('"duration" occurs twice', self.refused("validate", "twice.json"))
 
+    @unittest.skipIf(b"__asan_init" in pathlib.Path(PROGRAM).read_bytes(), "the sanitizer reserves terabytes")
     def test_too_little_memory_is_said(self):
         count = 400_000
         net = {**OSCILLATOR, "nodes": {"position": [0.125] * 3 * count, "mass": [1.5] * count, "fixed": [0]}}
         self.write("big.json", json.dumps(net))
-        for megabytes in (40, 60, 80, 100, 120, 150, 200):
+        for megabytes in (40, 60, 80, 100, 120):  # below what the text and its tree take
             with self.subTest(megabytes):
                 done = subprocess.run(["prlimit", f"--as={megabytes * 1000 * 1000}", PROGRAM, "validate", "big.json"],
                                       cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
-                if done.returncode != 0:
-                    self.assertEqual(done.returncode, 4, done.stderr)
-                    self.assertIn("not enough memory", done.stderr)
+                self.assertEqual(done.returncode, 4, done.stderr)
+                self.assertIn("not enough memory", done.stderr)
 
     def test_the_next_run_sweeps_what_a_killed_one_left(self):
         running = subprocess.Popen([PROGRAM, "simulate", "osc.json", "--step", "1e-13", "--duration", "1000",
