@@ -36,6 +36,8 @@ const char* leadOf(ErrorCode code)
     return QT_TRANSLATE_NOOP("esm::ErrorText", "The computation could not be carried out.");
   case ErrorCode::NoDevice:
     return QT_TRANSLATE_NOOP("esm::ErrorText", "The device is not available.");
+  case ErrorCode::OutOfMemory:
+    return QT_TRANSLATE_NOOP("esm::ErrorText", "There is not enough memory.");
   case ErrorCode::Cancelled:
     return QT_TRANSLATE_NOOP("esm::ErrorText", "The task was cancelled.");
   case ErrorCode::Internal:

@@ -83,7 +83,7 @@ std::filesystem::path folderOf(const std::filesystem::path& file)
 
 CLI::Option* addJsonFlag(CLI::App& command, bool& json)
 {
-  return command.add_flag("--json", json, "print one JSON object as the last line on stdout");
+  return command.add_flag("--json", json, "print one JSON object as the last line on stdout, on errors too");
 }
 
 } // namespace esm::cli

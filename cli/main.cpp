@@ -1,11 +1,17 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "cli/commands.h"
+#include "cli/suggestion.h"
 #include "core/base/large_pages.h"
 
 #include <CLI/CLI.hpp>
 
+#include <algorithm>
+#include <cstdlib>
+#include <exception>
 #include <iostream>
+#include <string_view>
+#include <unistd.h>
 
 namespace {
 
@@ -20,7 +26,7 @@ constexpr const char* kFooter =
   "  esm export soft.esm -o soft.ply\n"
   "\n"
   "Exit codes: 0 done, 1 the input is bad, 2 wrong usage, 3 the numerics failed or the tolerance was\n"
-  "given up, 4 internal.\n"
+  "given up, 4 internal, or out of memory.\n"
   "Lengths are metres, forces newtons, times seconds; numbers take a point in every locale.";
 
 Exit run(int argc, char** argv)
@@ -38,11 +44,39 @@ Exit run(int argc, char** argv)
   } catch (const CLI::ParseError& fault) {
     if (fault.get_exit_code() == 0) return static_cast<Exit>(program.exit(fault)); // --help, --version
     const auto chosen = program.get_subcommands();
-    say(std::string(fault.what()) + "; see esm " + (chosen.empty() ? "" : chosen.front()->get_name() + " ") +
-        "--help");
+    const std::string meant = nearestName(program, argc, argv);
+    say(std::string(fault.what()) + (meant.empty() ? "" : "; did you mean " + meant + "?") + "; see esm " +
+        (chosen.empty() ? "" : chosen.front()->get_name() + " ") + "--help");
     return Exit::WrongUsage;
   }
   return work();
+}
+
+/// Where no handler can be reached, in a destructor or another thread: a message and an exit code all the
+/// same.
+[[noreturn]] void endUncaught()
+{
+  try {
+    if (const auto thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    constexpr std::string_view kMessage = "esm: not enough memory\n";
+    if (::write(STDERR_FILENO, kMessage.data(), kMessage.size()) >= 0)
+      ::_exit(static_cast<int>(Exit::Internal));
+  } catch (...) { // a fault of ours: a core to look at
+  }
+  std::abort();
+}
+
+Exit guardedRun(int argc, char** argv)
+{
+  try {
+    return run(argc, argv);
+  } catch (const std::bad_alloc&) {
+    say("not enough memory");
+  } catch (const std::exception& fault) {
+    say(std::string("internal error: ") + fault.what());
+  }
+  return Exit::Internal;
 }
 
 } // namespace
@@ -50,15 +84,12 @@ Exit run(int argc, char** argv)
 int main(int argc, char** argv)
 {
   esm::keepBigArraysInHeap();
-  try {
-    const Exit exit = run(argc, argv);
-    if (std::cout.flush()) return static_cast<int>(exit);
-    say("the standard output cannot be written");
-    return static_cast<int>(exit == Exit::Done ? Exit::BadInput : exit);
-  } catch (const std::bad_alloc&) {
-    say("not enough memory");
-  } catch (const std::exception& fault) {
-    say(std::string("internal error: ") + fault.what());
-  }
-  return static_cast<int>(Exit::Internal);
+  std::set_terminate(endUncaught);
+  const Exit exit = guardedRun(argc, argv);
+  const bool json =
+    std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });
+  if (json && exit != Exit::Done) printFailure(exit);
+  if (std::cout.flush()) return static_cast<int>(exit);
+  say("the standard output cannot be written");
+  return static_cast<int>(exit == Exit::Done ? Exit::BadInput : exit);
 }

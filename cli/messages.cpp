@@ -2,29 +2,46 @@
 // SPDX-License-Identifier: MIT
 #include "cli/messages.h"
 
+#include "core/base/json_line.h"
+#include "core/base/text_encoding.h"
+
 #include <algorithm>
 #include <iostream>
+#include <string_view>
 #include <unistd.h>
 
 namespace esm::cli {
 
 namespace {
 
+std::string lastSaid;
+bool objectPrinted = false;
+
 /// Names in files may hold line breaks and escape sequences, which would steer the terminal.
-std::string masked(std::string line, bool keepLines)
+std::string masked(std::string_view line, bool keepLines)
 {
-  const auto steers = [&](char c) {
-    return (static_cast<unsigned char>(c) < 0x20 && !(keepLines && (c == '\n' || c == '\t'))) || c == 0x7f;
-  };
-  for (char& c : line)
-    if (steers(c)) c = c == '\n' || c == '\r' || c == '\t' ? ' ' : '?';
-  return line;
+  std::string out;
+  while (!line.empty()) {
+    const std::size_t length = utf8Length(line);
+    const std::string_view character = line.substr(0, length);
+    const char c = line.front();
+    const bool blank = c == '\n' || c == '\r' || c == '\t';
+    if (keepLines && (c == '\n' || c == '\t'))
+      out += c;
+    else if (length == 0 || isControlCharacter(character))
+      out += blank ? ' ' : '?';
+    else
+      out += character;
+    line.remove_prefix(std::max<std::size_t>(length, 1));
+  }
+  return out;
 }
 
 } // namespace
 
 void say(const std::string& message)
 {
+  lastSaid = message;
   std::cerr << "esm: " + masked(message, false) + "\n" << std::flush;
 }
 
@@ -34,6 +51,7 @@ Exit fail(const Error& error)
   switch (error.code) {
   case ErrorCode::Numerics:
     return Exit::Numerics;
+  case ErrorCode::OutOfMemory:
   case ErrorCode::Internal:
     return Exit::Internal;
   default:
@@ -43,7 +61,17 @@ Exit fail(const Error& error)
 
 void print(const std::string& line)
 {
+  objectPrinted |= line.starts_with('{');
   std::cout << masked(line, true) + "\n" << std::flush;
+}
+
+void printFailure(Exit exit)
+{
+  if (objectPrinted) return;
+  JsonLine object;
+  object.add("error", lastSaid);
+  object.add("exit_code", static_cast<int>(exit));
+  print(object.text());
 }
 
 Progress::Progress(std::string what) : m_what(std::move(what)), m_terminal(::isatty(STDERR_FILENO) == 1) {}

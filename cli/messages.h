@@ -15,8 +15,11 @@ enum class Exit { Done = 0, BadInput = 1, WrongUsage = 2, Numerics = 3, Internal
 void say(const std::string& message);
 /// Says why, and returns the exit code for this kind of fault.
 Exit fail(const Error& error);
-/// One line on stdout: results for people, or the JSON object.
+/// One line on stdout: results for people, or the JSON object, which begins with a brace.
 void print(const std::string& line);
+/// For a command with --json that failed before it printed its object: prints one with what was said last and
+/// the exit code, so that a caller always has an object to read.
+void printFailure(Exit exit);
 
 /// Per cent of a long work on stderr, if that is a terminal; gone when the work ends.
 class Progress {

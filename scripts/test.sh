@@ -24,11 +24,15 @@ export XDG_CONFIG_HOME=$home/config XDG_STATE_HOME=$home/state XDG_CACHE_HOME=$h
 export XDG_DATA_HOME=$home/data XDG_RUNTIME_DIR=$home/runtime QT_QPA_PLATFORMTHEME= LC_ALL=C.UTF-8
 
 esm_say "Testing ($preset)"
-ctest --preset "$preset" "$@"
+ctest --preset "$preset" "$@" | tee "$home/run.log"
 
 # A locale of our own, so that nothing is changed on the machine.
 esm_say "Testing in German ($preset)"
 mkdir "$home/locale"
 localedef -i de_DE -f UTF-8 "$home/locale/de_DE.UTF-8"
 localedef -i C -f UTF-8 "$home/locale/C.UTF-8" 2>/dev/null || true
-LOCPATH=$home/locale LC_ALL=de_DE.UTF-8 ctest --preset "$preset" -LE slow "$@"
+LOCPATH=$home/locale LC_ALL=de_DE.UTF-8 ctest --preset "$preset" -LE slow "$@" | tee -a "$home/run.log"
+
+esm_say "What took how long (both runs, seconds of all processes)"
+awk '$2 == "=" && $4 == "sec*proc" { seconds[$1] += $3 } END { for (l in seconds) printf "%8.1f  %s\n", seconds[l], l }' \
+  "$home/run.log" | sort -rn

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/file_io.h"
 
+#include "core/base/temporary_beside.h"
+
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
@@ -12,12 +14,6 @@
 namespace esm {
 
 namespace {
-
-Error unwritable(const std::filesystem::path& path, int errorNumber)
-{
-  return {ErrorCode::FileUnwritable,
-          path.string() + ": cannot be written (" + std::generic_category().message(errorNumber) + ")"};
-}
 
 bool writeAll(int file, std::string_view bytes)
 {
@@ -45,12 +41,12 @@ std::string specialKind(mode_t mode)
 Status writeInto(const std::filesystem::path& path, std::string_view bytes)
 {
   const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
-  if (file < 0) return unwritable(path, errno);
+  if (file < 0) return fileUnwritable(path, errno);
   ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
   const bool written = writeAll(file, bytes);
   const int reason = errno;
-  if (::close(file) != 0 && written) return unwritable(path, errno);
-  return written ? Status{} : unwritable(path, reason);
+  if (::close(file) != 0 && written) return fileUnwritable(path, errno);
+  return written ? Status{} : fileUnwritable(path, reason);
 }
 
 /// Makes a rename in this folder survive a power cut; a file system that refuses it loses only that.
@@ -85,6 +81,10 @@ Result<std::string> readFile(const std::filesystem::path& path)
   if (file < 0)
     return Error{ErrorCode::FileUnreadable,
                  path.string() + ": cannot be read (" + std::generic_category().message(errno) + ")"};
+  const struct Closing {
+    int file;
+    ~Closing() { ::close(file); }
+  } closing{file};
   std::string bytes;
   struct stat info = {};
   const bool isKnown = ::fstat(file, &info) == 0;
@@ -97,16 +97,12 @@ Result<std::string> readFile(const std::filesystem::path& path)
   for (;;) {
     const ssize_t count = ::read(file, buffer, sizeof buffer);
     if (count < 0 && errno == EINTR) continue;
-    if (count < 0) {
-      const int reason = errno;
-      ::close(file);
+    if (count < 0)
       return Error{ErrorCode::FileUnreadable,
-                   path.string() + ": cannot be read (" + std::generic_category().message(reason) + ")"};
-    }
+                   path.string() + ": cannot be read (" + std::generic_category().message(errno) + ")"};
     if (count == 0) break;
     bytes.append(buffer, static_cast<std::size_t>(count));
   }
-  ::close(file);
   return bytes;
 }
 
@@ -126,28 +122,15 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
     const auto resolved = std::filesystem::weakly_canonical(path, code);
     if (!code) target = resolved;
   }
-  std::string temporary = target.string() + ".XXXXXX";
-  const int file = ::mkostemp(temporary.data(), O_CLOEXEC);
-  if (file < 0) return unwritable(path, errno);
-  const auto failed = [&](int reason) {
-    ::unlink(temporary.c_str());
-    return unwritable(path, reason);
-  };
+  Result<TemporaryBeside> temporary = TemporaryBeside::create(target, TemporaryBeside::Kind::File);
+  if (!temporary) return temporary.error();
 
   struct stat old = {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
-  mode_t mode = old.st_mode & 07777;
-  if (!exists) {
-    const mode_t mask = ::umask(0);
-    ::umask(mask);
-    mode = 0666 & ~mask;
-  }
-  if (!writeAll(file, bytes) || ::fchmod(file, mode) != 0 || ::fsync(file) != 0) {
-    const int reason = errno;
-    ::close(file);
-    return failed(reason);
-  }
-  if (::close(file) != 0) return failed(errno);
+  const int file = temporary->descriptor();
+  if (!writeAll(file, bytes) || ::fchmod(file, exists ? old.st_mode & 07777 : creationMode(0666)) != 0 ||
+      ::fsync(file) != 0)
+    return fileUnwritable(path, errno);
 
   if (exists && keepBackup) {
     // A hard link keeps the old bytes under the new name without a moment in which `path` is absent.
@@ -155,10 +138,10 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
     ::unlink(backup.c_str());
     if (::link(target.c_str(), backup.c_str()) != 0) {
       std::filesystem::copy_file(target, backup, std::filesystem::copy_options::overwrite_existing, code);
-      if (code) return failed(code.value());
+      if (code) return fileUnwritable(path, code.value());
     }
   }
-  if (::rename(temporary.c_str(), target.c_str()) != 0) return failed(errno);
+  if (const Status status = temporary->takeName(); !status) return status;
   syncFolder(target.has_parent_path() ? target.parent_path() : std::filesystem::path("."));
   return {};
 }

@@ -2,8 +2,10 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/json_line.h"
 
+#include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
@@ -23,14 +25,17 @@ std::string JsonLine::quoted(std::string_view value)
 {
   constexpr char kHex[] = "0123456789abcdef";
   std::string out = "\"";
-  for (const char c : value) {
-    const auto byte = static_cast<unsigned char>(c);
-    if (c == '"' || c == '\\')
-      out.append(1, '\\').append(1, c);
-    else if (byte < 0x20)
-      out.append("\\u00").append(1, kHex[byte >> 4]).append(1, kHex[byte & 15]);
+  while (!value.empty()) {
+    const std::size_t length = utf8Length(value);
+    const std::string_view character = value.substr(0, length);
+    const auto last = static_cast<unsigned char>(value[length > 0 ? length - 1 : 0]);
+    if (length == 0) // names of files are bytes
+      out += "\uFFFD";
+    else if (isControlCharacter(character)) // the last byte holds its number
+      out.append("\\u00").append(1, kHex[last >> 4]).append(1, kHex[last & 15]);
     else
-      out += c;
+      out.append(character == "\"" || character == "\\" ? "\\" : "").append(character);
+    value.remove_prefix(std::max<std::size_t>(length, 1));
   }
   return out + "\"";
 }

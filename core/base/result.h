@@ -22,6 +22,7 @@ enum class ErrorCode {
   EmptyResult,    ///< read well, but nothing of use in it
   Numerics,       ///< the computation could not be carried out
   NoDevice,       ///< device absent, busy or not permitted
+  OutOfMemory,    ///< the allocator gave up
   Cancelled,
   Internal
 };

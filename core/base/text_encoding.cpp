@@ -63,23 +63,33 @@ std::string fromUtf16(std::string_view bytes, bool bigEnd)
 
 } // namespace
 
+std::size_t utf8Length(std::string_view text) noexcept
+{
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
+  if (text.empty()) return 0;
+  if (byte(0) < 0x80) return 1;
+  const std::size_t length = byte(0) >= 0xF0 ? 4 : byte(0) >= 0xE0 ? 3 : 2;
+  if (byte(0) < 0xC2 || byte(0) > 0xF4 || text.size() < length) return 0;
+  for (std::size_t i = 1; i < length; ++i)
+    if ((byte(i) & 0xC0) != 0x80) return 0;
+  const bool outside = (byte(0) == 0xE0 && byte(1) < 0xA0) || (byte(0) == 0xED && byte(1) > 0x9F) ||
+                       (byte(0) == 0xF0 && byte(1) < 0x90) || (byte(0) == 0xF4 && byte(1) > 0x8F);
+  return outside ? 0 : length;
+}
+
+bool isControlCharacter(std::string_view character) noexcept
+{
+  const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  return (character.size() == 1 && (byte(0) < 0x20 || byte(0) == 0x7F)) ||
+         (character.size() == 2 && byte(0) == 0xC2 && byte(1) < 0xA0);
+}
+
 bool isUtf8(std::string_view bytes) noexcept
 {
-  for (std::size_t i = 0; i < bytes.size();) {
-    const std::uint32_t first = byteAt(bytes, i++);
-    if (first < 0x80) continue;
-    const int more = first >= 0xC2 && first < 0xE0   ? 1
-                     : (first & 0xF0U) == 0xE0U      ? 2
-                     : first >= 0xF0 && first < 0xF5 ? 3
-                                                     : 0;
-    if (more == 0) return false;
-    std::uint32_t code = first & (0x3FU >> static_cast<unsigned>(more));
-    for (int k = 0; k < more; ++k, ++i) {
-      if (i >= bytes.size() || (byteAt(bytes, i) & 0xC0U) != 0x80U) return false;
-      code = code << 6U | (byteAt(bytes, i) & 0x3FU);
-    }
-    if ((more == 2 && code < 0x800) || (code >= 0xD800 && code < 0xE000)) return false;
-    if (more == 3 && (code < 0x10000 || code > 0x10FFFF)) return false;
+  while (!bytes.empty()) {
+    const std::size_t length = utf8Length(bytes);
+    if (length == 0) return false;
+    bytes.remove_prefix(length);
   }
   return true;
 }

@@ -2,10 +2,18 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace esm {
+
+/// How many bytes the character at the beginning of `text` takes as UTF-8 (RFC 3629); 0 if it is none: a byte
+/// out of place, an overlong form, a surrogate, beyond U+10FFFF, or `text` is empty.
+std::size_t utf8Length(std::string_view text) noexcept;
+
+/// Whether a character of utf8Length() bytes steers a terminal: U+0000 ... U+001F, U+007F ... U+009F.
+bool isControlCharacter(std::string_view character) noexcept;
 
 /// Whether the bytes are well-formed UTF-8 (no overlong forms, no surrogates).
 bool isUtf8(std::string_view bytes) noexcept;

@@ -12,9 +12,10 @@ namespace esm {
 /// from v to P(h g) v, where exp(-h g) would be exact. P is a shifted and damped Chebyshev polynomial T_s, so
 /// that stages pay quadratically (van der Houwen and Sommeijer 1980; Verwer, Hundsdorfer and Sommeijer 1990):
 ///
-///     order 1   P(z) = T_s(w0 - w1 z)/T_s(w0),    |P| <= 0.54 up to z ~ 1.4 s^2: 2, 5.7, 12.6, 22 for 1, 2,
-///     3, 4 order 2   P(z) = a + b T_s(w0 - w1 z),      -1/3 < P < 1 up to z ~ 2/3 (s^2 - 1): 2, 5.2, 9.8 for
-///     2, 3, 4
+///     order 1   P(z) = T_s(w0 - w1 z)/T_s(w0),   |P| <= 0.54 up to z ~ 1.4 s^2
+///                                                (2, 5.7, 12.6, 22 for 1, 2, 3, 4 stages)
+///     order 2   P(z) = a + b T_s(w0 - w1 z),     -1/3 < P < 1 up to z ~ 2/3 (s^2 - 1)
+///                                                (2, 5.2, 9.8 for 2, 3, 4 stages)
 ///
 /// One stage of order 1 is the plain explicit Euler step. With order 1 slow modes lose up to half of h g of
 /// their damping, with order 2 about (h g)^2/6.

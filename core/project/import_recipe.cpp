@@ -60,8 +60,8 @@ Result<ImportRecipe> parseRecipe(std::string_view bytes, const std::string& orig
     if (const Status status = checkRecipe(recipe); !status)
       return Error{status.error().code, origin + ": " + status.error().detail};
     return recipe;
-  } catch (const std::exception& fault) {
-    return Error{ErrorCode::BadFormat, origin + ": cannot be read (" + fault.what() + ")"};
+  } catch (...) {
+    return json::thrownWhileReading(origin);
   }
 }
 

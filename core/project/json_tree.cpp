@@ -6,6 +6,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <set>
 #include <vector>
 
 namespace esm::json {
@@ -30,7 +32,9 @@ public:
   bool start_object(std::size_t size) override { return enter() && m_builder.start_object(size); }
   bool key(string_t& name) override
   {
-    if (++m_keys.back() > kMaxKeys) return refuse("an object has more than 1000 keys");
+    std::set<std::string>& names = m_keys.back();
+    if (names.size() == kMaxKeys) return refuse("an object has more than 1000 keys");
+    if (!names.insert(name).second) return refuse("the key \"" + name + "\" occurs twice in one object");
     return m_builder.key(name);
   }
   bool end_object() override { return leave() && m_builder.end_object(); }
@@ -46,7 +50,7 @@ public:
 private:
   bool enter()
   {
-    m_keys.push_back(0);
+    m_keys.emplace_back();
     return m_keys.size() <= kMaxDepth || refuse("nested deeper than 32 levels");
   }
   bool leave()
@@ -61,7 +65,7 @@ private:
   }
 
   nlohmann::detail::json_sax_dom_parser<Json> m_builder;
-  std::vector<std::size_t> m_keys; ///< of every open object or list
+  std::vector<std::set<std::string>> m_keys; ///< of every open object; of a list: none
   std::string m_fault;
 };
 
@@ -87,8 +91,8 @@ Result<Json> parse(std::string_view bytes, const std::string& origin, Json::inpu
     if (!Json::sax_parse(bytes.begin(), bytes.end(), &handler, format))
       return bad(handler.fault().empty() ? "cannot be read" : handler.fault());
     return tree;
-  } catch (const std::exception& fault) { // lengths beyond memory, a number beyond double
-    return bad(fault.what());
+  } catch (...) { // lengths beyond memory, a number beyond double
+    return thrownWhileReading(origin);
   }
 }
 
@@ -234,6 +238,17 @@ std::optional<std::string> findNonFinite(const Json& tree)
     ++place;
   }
   return std::nullopt;
+}
+
+Error thrownWhileReading(const std::string& origin)
+{
+  try {
+    throw;
+  } catch (const std::bad_alloc&) {
+    return {ErrorCode::OutOfMemory, origin + ": there is not enough memory to read it"};
+  } catch (const std::exception& fault) {
+    return {ErrorCode::BadFormat, origin + ": cannot be read (" + oneLine(fault.what()) + ")"};
+  }
 }
 
 std::string validUtf8(const std::string& text)

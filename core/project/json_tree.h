@@ -38,6 +38,10 @@ std::string writeCbor(const Json& tree);
 /// Where the tree holds a NaN or an infinity: "/net/springs/stiffness/17"; none if it can be written.
 std::optional<std::string> findNonFinite(const Json& tree);
 
+/// Called in `catch (...)` of a reader: what a library or the allocator threw, as an Error about `origin`.
+/// OutOfMemory, or BadFormat for the rest.
+Error thrownWhileReading(const std::string& origin);
+
 /// Text as JSON can hold it: bytes that are no UTF-8 become U+FFFD.
 std::string validUtf8(const std::string& text);
 

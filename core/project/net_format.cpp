@@ -182,8 +182,8 @@ Result<Project> parseNetFormat(std::string_view bytes, const std::string& origin
     const Result<Json> tree = json::parseJson(bytes, origin);
     if (!tree) return tree.error();
     return json::readPlainNet(*tree, origin);
-  } catch (const std::exception& fault) {
-    return Error{ErrorCode::BadFormat, origin + ": cannot be read (" + fault.what() + ")"};
+  } catch (...) {
+    return json::thrownWhileReading(origin);
   }
 }
 

@@ -265,16 +265,20 @@ Result<Project> parseProject(std::string_view bytes, const std::string& origin)
 {
   try {
     return parseTree(bytes, origin);
-  } catch (const std::exception& fault) { // memory, and what the JSON library may still throw
-    return Error{ErrorCode::BadFormat, origin + ": cannot be read (" + fault.what() + ")"};
+  } catch (...) {
+    return json::thrownWhileReading(origin);
   }
 }
 
 Result<Project> loadProject(const std::filesystem::path& path)
 {
-  const Result<std::string> bytes = readFile(path);
-  if (!bytes) return bytes.error();
-  return parseProject(*bytes, path.string());
+  try {
+    const Result<std::string> bytes = readFile(path);
+    if (!bytes) return bytes.error();
+    return parseTree(*bytes, path.string());
+  } catch (...) {
+    return json::thrownWhileReading(path.string());
+  }
 }
 
 Status saveProject(const Project& project, const std::filesystem::path& path)
@@ -290,6 +294,8 @@ Status saveProject(const Project& project, const std::filesystem::path& path)
       return refuse(ErrorCode::Numerics, *place + " is not a finite number");
     return writeFileAtomically(path, path.extension() == ".esmb" ? json::writeCbor(tree) : json::write(tree),
                                true);
+  } catch (const std::bad_alloc&) {
+    return refuse(ErrorCode::OutOfMemory, "there is not enough memory");
   } catch (const std::exception& fault) {
     return refuse(ErrorCode::Internal, fault.what());
   }

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/base/result.h"
+#include "core/base/temporary_beside.h"
 
 #include <filesystem>
 #include <string>
@@ -15,21 +15,17 @@ namespace esm {
 class TemporaryFile {
 public:
   static Result<TemporaryFile> create(const std::filesystem::path& path);
-  TemporaryFile(TemporaryFile&& other) noexcept;
-  TemporaryFile& operator=(TemporaryFile&&) = delete;
-  ~TemporaryFile();
 
   Status append(std::string_view bytes); ///< kept in memory up to a megabyte, then written
   Status commit();                       ///< fsync and rename; once, at the end
 
 private:
-  TemporaryFile(std::filesystem::path path, std::string temporary, int descriptor);
+  TemporaryFile(std::filesystem::path path, TemporaryBeside temporary);
   Status flush();
-  Error unwritable() const;
 
   std::filesystem::path m_path;
-  std::string m_temporary, m_buffer;
-  int m_descriptor; ///< -1 once closed
+  TemporaryBeside m_temporary;
+  std::string m_buffer;
 };
 
 /// The same for a folder of files. A folder of the name from an earlier run is replaced, but only if it
@@ -37,18 +33,16 @@ private:
 class TemporaryFolder {
 public:
   static Result<TemporaryFolder> create(const std::filesystem::path& path, const std::string& ending);
-  TemporaryFolder(TemporaryFolder&& other) noexcept;
-  TemporaryFolder& operator=(TemporaryFolder&&) = delete;
-  ~TemporaryFolder();
 
   std::string name() const { return m_path.filename().string(); } ///< after commit()
   Status write(const std::string& file, std::string_view bytes);
   Status commit();
 
 private:
-  TemporaryFolder(std::filesystem::path path, std::filesystem::path temporary);
+  TemporaryFolder(std::filesystem::path path, TemporaryBeside temporary);
 
-  std::filesystem::path m_path, m_temporary; ///< m_temporary is empty once committed
+  std::filesystem::path m_path;
+  TemporaryBeside m_temporary;
 };
 
 } // namespace esm

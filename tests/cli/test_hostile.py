@@ -8,6 +8,7 @@ import pathlib
 import random
 import stat
 import subprocess
+import time
 import unittest
 
 from program import OSCILLATOR, PROGRAM, ProgramTest
@@ -87,8 +88,10 @@ class OutputsAndTerminal(ProgramTest):
         self.write("escape.json", json.dumps({**OSCILLATOR, "name": "a\x1b[2Jb"}))
         done = self.run_program("info", "escape.json")
         self.assertNotIn("\x1b", done.stdout + done.stderr)
-        done = self.run_anyhow("info", "no\x1b[2J.esm")
-        self.assertNotIn("\x1b", done.stderr)
+        for name in ("no\x1b[2J.esm", "no\x9b2J.esm", b"no\x9b2J.esm"):  # CSI in 7 bits, as UTF-8, in 8 bits
+            done = subprocess.run([PROGRAM, "info", name, "--json"], cwd=self.folder, capture_output=True, check=False)
+            self.assertNotRegex((done.stdout + done.stderr).decode(), "[\x00-\x09\x0b-\x1f\x7f-\x9f]")
+            self.assertIn("error", json.loads(done.stdout))
 
     def test_a_full_standard_output_is_a_failure(self):
         with open("/dev/full", "w", encoding="utf-8") as full:
@@ -96,6 +99,62 @@ class OutputsAndTerminal(ProgramTest):
                                   stderr=subprocess.PIPE, text=True, timeout=60, check=False)
         self.assertEqual(done.returncode, 1)
         self.assertIn("standard output", done.stderr)
+
+    def test_with_json_an_error_is_an_object_too(self):
+        for arguments, exit_code in ((("info", "absent.esm"), 1), (("export", "osc.json", "-o", "x.nothing"), 1),
+                                     (("simulate", "osc.json", "--duration", "long"), 2), (("inform", "osc.json"), 2),
+                                     (("fuzzy", "check", "absent.fll"), 1), (("inspect", "absent.obj"), 1),
+                                     (("import", "absent.obj", "-o", "x.esm"), 1), (("validate", "absent.esm"), 1)):
+            with self.subTest(arguments):
+                done = self.run_anyhow(*arguments, "--json")
+                self.assertEqual(done.returncode, exit_code, done.stderr)
+                answer = json.loads(done.stdout)
+                self.assertEqual(answer["exit_code"], exit_code)
+                self.assertIn(answer["error"], done.stderr)
+
+    def test_a_mistyped_name_gets_the_nearest(self):
+        for arguments, meant in ((("simlate", "osc.json"), "simulate"), (("exprot", "osc.json"), "export"),
+                                 (("simulate", "osc.json", "--tolerence", "1e-3"), "--tolerance"),
+                                 (("simulate", "osc.json", "--durat=1"), "--duration"),
+                                 (("fuzzy", "eval", "x.fll", "--inn", "y"), "--in"),
+                                 (("haptics", "slftest"), "selftest"), (("insp", "tet.obj"), "inspect")):
+            with self.subTest(arguments):
+                self.assertIn("did you mean " + meant + "?", self.refused(*arguments, exit_code=2))
+        for arguments in (("zebra", "osc.json"), ("simulate", "osc.json", "--zebra")):
+            with self.subTest(arguments):
+                self.assertNotIn("did you mean", self.refused(*arguments, exit_code=2))
+
+    def test_a_key_that_occurs_twice_is_refused(self):
+        text = json.dumps(OSCILLATOR)
+        self.write("twice.json", text[:-1] + ', "duration": 9.0}')
+        self.assertIn('"duration" occurs twice', self.refused("validate", "twice.json"))
+
+    @unittest.skipIf(b"__asan_init" in pathlib.Path(PROGRAM).read_bytes(), "the sanitizer reserves terabytes")
+    def test_too_little_memory_is_said(self):
+        count = 400_000
+        net = {**OSCILLATOR, "nodes": {"position": [0.125] * 3 * count, "mass": [1.5] * count, "fixed": [0]}}
+        self.write("big.json", json.dumps(net))
+        for megabytes in (40, 60, 80, 100, 120):  # below what the text and its tree take
+            with self.subTest(megabytes):
+                done = subprocess.run(["prlimit", f"--as={megabytes * 1000 * 1000}", PROGRAM, "validate", "big.json"],
+                                      cwd=self.folder, capture_output=True, text=True, timeout=60, check=False)
+                self.assertEqual(done.returncode, 4, done.stderr)
+                self.assertIn("not enough memory", done.stderr)
+
+    def test_the_next_run_sweeps_what_a_killed_one_left(self):
+        running = subprocess.Popen([PROGRAM, "simulate", "osc.json", "--step", "1e-13", "--duration", "1000",
+                                    "-o", "m.csv"], cwd=self.folder, stderr=subprocess.DEVNULL)
+        self.addCleanup(running.wait)
+        self.addCleanup(running.kill)
+        while not any("esm-tmp" in name for name in os.listdir(self.folder)):
+            self.assertIsNone(running.poll())
+            time.sleep(0.01)
+        self.run_program("simulate", "osc.json", "-o", "n.csv")
+        self.assertTrue(any("esm-tmp" in name for name in os.listdir(self.folder)), "it still runs")
+        running.kill()
+        running.wait()
+        self.run_program("simulate", "osc.json", "-o", "n.csv")
+        self.assertEqual(sorted(os.listdir(self.folder)), ["n.csv", "osc.json", "tet.obj"])
 
 
 if __name__ == "__main__":

@@ -1,12 +1,14 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/base/file_io.h"
+#include "core/base/temporary_beside.h"
 
 #include <gtest/gtest.h>
 
 #include <csignal>
 #include <fcntl.h>
 #include <filesystem>
+#include <fstream>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -102,6 +104,46 @@ TEST_F(FileIo, DevicesAndPipesAreNoInput)
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0); // would wait for ever
   EXPECT_EQ(readFile(pipe).error().detail, pipe.string() + ": is a pipe, not a file");
   EXPECT_EQ(readFile("/dev/zero").error().detail, "/dev/zero: is a device, not a file"); // would never end
+}
+
+// What a killed program left is known by its free lock; what a living one writes is not touched.
+TEST_F(FileIo, TheNextWriteSweepsWhatKilledWritersLeft)
+{
+  const auto alive = TemporaryBeside::create(folder / "alive.csv", TemporaryBeside::Kind::File);
+  const auto aliveFolder = TemporaryBeside::create(folder / "alive", TemporaryBeside::Kind::Folder);
+  ASSERT_TRUE(alive);
+  ASSERT_TRUE(aliveFolder);
+  for (const char* name : {"run.csv.esm-tmp-a1B2c3", "mine.esm-tmp-", "x.esm-tmp-12345!"})
+    std::ofstream(folder / name) << "half";
+  std::filesystem::create_directories(folder / "motion.esm-tmp-AAAAAA");
+  std::ofstream(folder / "motion.esm-tmp-AAAAAA" / "0.vtu") << "half";
+  std::filesystem::create_directories(folder / "kept.esm-tmp-BBBBBB" / "of somebody");
+
+  ASSERT_TRUE(writeFileAtomically(folder / "a.esm", "new"));
+
+  EXPECT_FALSE(std::filesystem::exists(folder / "run.csv.esm-tmp-a1B2c3"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "motion.esm-tmp-AAAAAA"));
+  EXPECT_TRUE(std::filesystem::exists(folder / "kept.esm-tmp-BBBBBB" / "of somebody")) << "no folder of ours";
+  EXPECT_TRUE(std::filesystem::exists(folder / "mine.esm-tmp-")) << "no name of ours";
+  EXPECT_TRUE(std::filesystem::exists(folder / "x.esm-tmp-12345!")) << "no name of ours";
+  EXPECT_TRUE(std::filesystem::exists(alive->path()));
+  EXPECT_TRUE(std::filesystem::exists(aliveFolder->path()));
+}
+
+// rename() cannot put a folder in the place of one that holds files, so the two change places.
+TEST_F(FileIo, AFolderTakesThePlaceOfAnother)
+{
+  std::filesystem::create_directories(folder / "motion");
+  std::ofstream(folder / "motion" / "old.vtu") << "old";
+  {
+    auto temporary = TemporaryBeside::create(folder / "motion", TemporaryBeside::Kind::Folder);
+    ASSERT_TRUE(temporary);
+    std::ofstream(temporary->path() / "new.vtu") << "new";
+    ASSERT_TRUE(temporary->takeName());
+  }
+  EXPECT_TRUE(std::filesystem::exists(folder / "motion" / "new.vtu"));
+  EXPECT_FALSE(std::filesystem::exists(folder / "motion" / "old.vtu"));
+  EXPECT_EQ(fileCount(), 1u) << "no temporary folder stays behind";
 }
 
 } // namespace esm
