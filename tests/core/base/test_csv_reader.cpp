@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <random>
+
 namespace esm {
 
 namespace {
@@ -108,6 +110,29 @@ TEST(CsvReader, CellsAreWrittenSoThatTheyAreReadBack)
       const Rows rows = rowsOf("a" + sign + "b\n" + csvCell(cell, separator) + sign + "1\n");
       EXPECT_EQ(rows.at(1), (std::vector<std::string>{cell, "1"})) << cell;
     }
+}
+
+// Whatever the bytes are, reading ends, and every row is as wide as the header.
+TEST(CsvReader, AnyBytesEndInRowsOrAnError)
+{
+  std::mt19937 random(5);
+  constexpr std::string_view kBits = "\"\"\"ab12.;,,\t\r\n\n -e\xE4\xC3\xFF";
+  int read = 0;
+  for (int i = 0; i < 4000; ++i) {
+    std::string text = i % 3 == 0 ? "a;b\n" : i % 3 == 1 ? "a,b\n" : "";
+    for (auto length = random() % 60; length > 0; --length) text += kBits[random() % kBits.size()];
+    Result<CsvReader> reader = CsvReader::open(text, "t.csv");
+    if (!reader) continue;
+    CsvRow row;
+    for (Result<bool> more = reader->next(row); more && *more; more = reader->next(row), ++read) {
+      ASSERT_EQ(row.cells.size(), reader->header().cells.size()) << text;
+      for (const std::string& cell : row.cells) {
+        EXPECT_TRUE(isUtf8(cell));
+        (void)reader->number(cell);
+      }
+    }
+  }
+  EXPECT_GT(read, 300);
 }
 
 // The euro sign, an umlaut and a clef beyond 16 bits, as each encoding has them.
