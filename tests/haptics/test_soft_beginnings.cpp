@@ -143,7 +143,11 @@ public:
     m_leap.reset();
   }
   /// A contact comes to where the hand is already: what it has at once is small, the rest fades in.
-  void leaps(double now, const Eigen::Vector3d& hand, double force) { m_leap = Event{now, hand, force}; }
+  /// @param gone after which the old force is [s].
+  void leaps(double now, const Eigen::Vector3d& hand, double force, double gone)
+  {
+    m_leap = Event{now, hand, force, gone};
+  }
 
   double most(double now, const Eigen::Vector3d& hand, double limit, double armTime, double speed) const
   {
@@ -157,7 +161,7 @@ public:
       most = std::min(most, (age - kWait) / armTime * limit + damping);
     if (m_leap) {
       const double since = now - m_leap->time, way = (hand - m_leap->hand).norm();
-      most = std::min(most, std::max(0.0, m_leap->force - kSlew * since) + kSmall + kStiffest * way +
+      most = std::min(most, (since < m_leap->gone ? m_leap->force : 0.0) + kSmall + kStiffest * way +
                               (since + kTick) / armTime * limit + damping);
     }
     return most;
@@ -168,6 +172,7 @@ private:
     double time;
     Eigen::Vector3d hand;
     double force;
+    double gone = 0.0;
   };
   Event m_begin{-10.0, Eigen::Vector3d::Zero(), 0.0};
   std::optional<Event> m_leap;
@@ -350,7 +355,7 @@ private:
     case Deed::Place:
       ++m_epoch;
       m_hand.phase += 0.5 * unit();
-      m_bound.leaps(m_now, m_hand.at(m_now), force());
+      m_bound.leaps(m_now, m_hand.at(m_now), force(), 5.5 / kSlew); // 5 N at the slew rate
       break;
     case Deed::Tool: {
       if (!m_loaded) break;
@@ -368,7 +373,7 @@ private:
       if (isFelt || !m_held)
         begins();
       else
-        m_bound.leaps(m_now, m_hand.at(m_now), 0.0);
+        m_bound.leaps(m_now, m_hand.at(m_now), force(), kFadeOut);
       break;
     }
     case Deed::Gain:

@@ -6,6 +6,8 @@
 #include "tests/meshimport/dxf_text.h"
 #include "tests/meshimport/import_bytes.h"
 
+#include <Eigen/Geometry>
+
 #include <gmock/gmock.h>
 
 #include <cmath>
@@ -51,6 +53,27 @@ TEST(Vtk, aBinaryPolyDataIsBigEndian)
   bytes += "\nLINES 1 4\n";
   for (const int i : {3, 2, 3, 0}) bytes += bytesOf(i, std::endian::big);
   EXPECT_EQ(contents(importBytes("poly.vtk", bytes)), "4 vertices, 2 segments, 1 triangles, 0 tetrahedra");
+}
+
+// A strip turns every other triangle round, a pixel counts its corners in rows: the unit square, seen from
+// above, is 1 m^2 upwards whichever of the three says it.
+TEST(Vtk, stripsAndPixelsFaceTheSameWayAsQuads)
+{
+  for (const char* cell :
+       {"4 0 1 2 3\nCELL_TYPES 1\n6\n", "4 0 1 2 3\nCELL_TYPES 1\n8\n", "4 0 1 3 2\nCELL_TYPES 1\n9\n"}) {
+    const auto imported = importBytes("square.vtk", "# vtk DataFile Version 3.0\nx\nASCII\n"
+                                                    "DATASET UNSTRUCTURED_GRID\nPOINTS 4 float\n"
+                                                    "0 0 0 1 0 0 0 1 0 1 1 0\nCELLS 1 5\n" +
+                                                      std::string(cell));
+    ASSERT_TRUE(imported) << cell;
+    const Mesh& mesh = imported->mesh;
+    ASSERT_EQ(mesh.triangleCount(), 2) << cell;
+    for (const auto& triangle : mesh.triangles.colwise()) {
+      const Eigen::Vector3d a = mesh.position.col(triangle[0]), b = mesh.position.col(triangle[1]),
+                            c = mesh.position.col(triangle[2]);
+      EXPECT_NEAR((b - a).cross(c - a).z(), 1.0, 1e-12) << cell; // twice half of the square
+    }
+  }
 }
 
 TEST(Vtk, aHexahedronBecomesItsTwelveEdgesAndQuadraticCellsTheirCorners)

@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/triangulate.h"
 
+#include "core/net/net_builder.h"
+#include "meshimport/polygon_springs.h"
+
 #include <Eigen/Geometry>
 #include <gmock/gmock.h>
 
@@ -115,6 +118,28 @@ TEST(Triangulate, repeatedCornersCountOnce)
   std::vector<Index> triangles;
   triangulate(p, std::vector<Index>{0, 0, 1, 2, 2, 0}, triangles);
   EXPECT_THAT(triangles, ::testing::UnorderedElementsAre(0, 1, 2));
+}
+
+// A cut through a polygon is no spring, unless a face of its own has its side there: two faces of the quad
+// and none else beside its diagonal, or a fin that stands on it.
+TEST(PolygonSprings, aCutOnWhichAnotherFaceStandsStays)
+{
+  for (const bool fin : {false, true}) {
+    Mesh mesh;
+    mesh.position.resize(3, 5);
+    mesh.position << 0, 1, 1, 0, 0.5, 0, 0, 1, 1, 0.5, 0, 0, 0, 0, 1;
+    mesh.triangles.resize(3, fin ? 3 : 2);
+    mesh.triangles.col(0) << 0, 1, 2;
+    mesh.triangles.col(1) << 0, 2, 3;
+    if (fin) mesh.triangles.col(2) << 0, 2, 4;
+    mesh.diagonals.resize(2, 1);
+    mesh.diagonals << 0, 2;
+    std::vector<Index> nodeOfVertex;
+    Result<SpringNet> net = buildNet(mesh, &nodeOfVertex);
+    ASSERT_TRUE(net);
+    dropDiagonals(*net, mesh, nodeOfVertex);
+    EXPECT_EQ(net->springCount(), fin ? 7 : 4); // outline, and with the fin its three sides
+  }
 }
 
 } // namespace

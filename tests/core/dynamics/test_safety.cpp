@@ -36,6 +36,17 @@ VectorCurve constant(const Eigen::Vector3d& value)
 
 } // namespace
 
+// Of several advances the smallest step is the smallest of all, not the last one's; none is no step.
+TEST(StepReport, KeepsTheSmallestStep)
+{
+  StepReport sum, part;
+  for (const double step : {0.002, 0.0, 0.001, 0.004}) {
+    part.smallestStep = step;
+    sum.add(part);
+  }
+  EXPECT_EQ(sum.smallestStep, 0.001);
+}
+
 TEST(Safety, CreateRefusesWhatCannotBe)
 {
   const auto contains = [](const std::string& text, const char* part) {
