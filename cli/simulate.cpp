@@ -26,6 +26,12 @@ struct SimulateOptions {
   bool verify = false, json = false, acceptRough = false;
 };
 
+/// @return whether the numerics went well, and no energy has come or gone that nobody accounts for
+bool isGood(const RunSummary& summary, double tolerance)
+{
+  return summary.steps.good() && summary.energy.isKept(tolerance);
+}
+
 JsonLine jsonOf(const RunSummary& summary, const Project& project)
 {
   JsonLine line;
@@ -40,15 +46,19 @@ JsonLine jsonOf(const RunSummary& summary, const Project& project)
   line.add("smallest_step", summary.steps.smallestStep);
   line.add("solver", summary.solver);
   line.add("reason", summary.reason);
-  line.add("energy", summary.energies.total());
-  line.add("kinetic_energy", summary.energies.kinetic);
-  line.add("elastic_energy", summary.energies.elastic);
-  line.add("external_work", summary.externalWork);
-  line.add("dissipated_energy", summary.dissipated);
+  line.add("initial_energy", summary.energy.atStart.total());
+  line.add("energy", summary.energy.atEnd.total());
+  line.add("kinetic_energy", summary.energy.atEnd.kinetic);
+  line.add("elastic_energy", summary.energy.atEnd.elastic);
+  line.add("external_work", summary.energy.work);
+  line.add("dissipated_energy", summary.energy.heat);
+  line.add("method_loss", summary.energy.loss);
+  line.add("energy_residual", summary.energy.residual());
   line.add("largest_force", summary.largestForce);
   line.add("finite", !summary.steps.nonFinite);
-  line.add("good", summary.steps.good());
+  line.add("good", isGood(summary, project.simulation.solver.tolerance));
   line.add("tolerance_given_up", summary.steps.rough);
+  line.add("error_growth", summary.errorGrowth);
   line.add("simulated_time", summary.steps.simulatedTime);
   line.add("frames", summary.frames);
   if (const std::optional<Verification>& check = summary.verification) {
@@ -92,6 +102,28 @@ bool sayVerification(const SimulateOptions& options, const RunSummary& summary, 
   else
     say(options.file + ": " + wanted + " is not kept" + how + ": " + check.why);
   return check.kept;
+}
+
+/// @return whether the energy is accounted for
+bool sayEnergy(const SimulateOptions& options, const RunSummary& summary, double tolerance)
+{
+  if (summary.energy.isKept(tolerance)) return true;
+  say(options.file + ": energy is not accounted for: " + formatDouble(summary.energy.residual(), 3) +
+      " J of " + formatDouble(summary.energy.largestTerm(), 3) + " J, more than the tolerance of " +
+      formatDouble(tolerance, 3) +
+      " bears; use a smaller --tolerance, or a smaller --step where one is given");
+  return false;
+}
+
+/// @return whether the tolerance is believable, as steps keep it that know nothing of what becomes of errors
+bool sayGrowth(const SimulateOptions& options, const RunSummary& summary, double tolerance)
+{
+  constexpr double kMostGrowth = 100.0; // steps of stiff nets leave room for snaps of 20 to 60
+  if (summary.errorGrowth < kMostGrowth) return true;
+  say(options.file + ": this motion multiplies small errors, " + formatDouble(summary.errorGrowth, 2) +
+      "-fold and more up to " + formatDouble(summary.errorGrowthTime, 3) + " s: the tolerance of " +
+      formatDouble(tolerance, 3) + " may well be missed; --verify measures the error and takes finer steps");
+  return false;
 }
 
 /// The first output file that another output, too, would write; empty if there is none.
@@ -146,7 +178,8 @@ Exit simulate(const SimulateOptions& options)
   if (summary->steps.rough)
     say(options.file + ": the tolerance of " + formatDouble(tolerance, 3) +
         " was given up where keeping it cost too much work; the motion is bounded, but rough");
-  const bool kept = good && sayVerification(options, *summary, tolerance);
+  const bool kept = good && sayEnergy(options, *summary, tolerance) &&
+                    sayVerification(options, *summary, tolerance) && sayGrowth(options, *summary, tolerance);
   if (options.json) print(json);
   return kept && (!summary->steps.rough || options.acceptRough) ? Exit::Done : Exit::Numerics;
 }

@@ -201,6 +201,7 @@ Status Runner::compute(Run& run, SolverSettings solver, const std::string& doing
   const long long last = std::llround(settings.duration * settings.frameRate);
   Progress progress(doing);
   if (const Status added = addFrame(); !added) return added.error();
+  if (!check && !(solver.fixedStep > 0.0)) timed([&] { simulation.watchGrowth(); });
   if (check) check->start(simulation.state());
   summary.frames = 1;
   summary.nodesAwake = simulation.net().nodeCount();
@@ -218,9 +219,9 @@ Status Runner::compute(Run& run, SolverSettings solver, const std::string& doing
     if (const Status added = addFrame(); !added) return added.error();
     progress.show(summary.frames++, last);
   }
-  summary.energies = simulation.energies();
-  summary.externalWork = simulation.externalWork();
-  summary.dissipated = simulation.dissipatedEnergy();
+  summary.energy = simulation.energyReport();
+  summary.errorGrowth = simulation.errorGrowth();
+  summary.errorGrowthTime = simulation.errorGrowthTime();
   summary.solver = simulation.solverName();
   summary.reason = simulation.why();
   return {};

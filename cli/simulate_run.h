@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/energy_report.h"
 #include "core/project/project.h"
 
 #include <optional>
@@ -33,8 +34,9 @@ struct RunSummary {
   StepReport steps;
   double nodesAwake = 0.0;   ///< at the ends of the frames, on average
   double largestForce = 0.0; ///< over all frames [N]
-  Energies energies;         ///< at the end
-  double externalWork = 0.0, dissipated = 0.0;
+  EnergyReport energy;       ///< since t = 0
+  double errorGrowth = 1.0,
+         errorGrowthTime = 0.0; ///< see Simulation; not looked for in runs that are verified
   std::string solver, reason;
   std::optional<Verification> verification; ///< if asked for
 };

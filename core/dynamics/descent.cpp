@@ -42,6 +42,7 @@ public:
   void constraintsChanged(const System& system) override { m_matrix.constraintsChanged(system); }
   bool isUncontrolled() const noexcept override { return true; }
   int order() const noexcept override { return 1; }
+  bool findsLoss() const noexcept override { return true; }
   double stableStep(const FastestMode&) const noexcept override
   {
     return std::numeric_limits<double>::infinity();
@@ -82,11 +83,27 @@ public:
       for (std::size_t i = 0; i < m_w.size(); ++i)
         if (system.isFree(i)) m_w[i] *= share;
     }
-    state.advanceTo(end, m_y, m_w, moved - before + work, h * sums.heatPower);
+    const double heat = h * sums.heatPower, kineticLeft = system.kineticEnergy(m_w);
+    const double appeared =
+      (sums.stored - before) + (kineticLeft - system.kineticEnergy(state.v)) + heat - work;
+    lend(state, appeared, heat, kineticLeft + std::max(system.elasticEnergy(m_y), 0.0));
+    state.advanceTo(end, m_y, m_w, work, heat);
     return StepResult::Done;
   }
 
 private:
+  /// Books energy that has come without the loads' work: supports have put it in. What is gone is lost, but
+  /// first what supports had put in: they move before the net may follow, and what they stretch in a jump
+  /// and the net gives up in the next steps was never in the motion that is seen. Heat of it stays work; more
+  /// than the net has left is rounding.
+  static void lend(EnergySums& sums, double appeared, double heat, double left) noexcept
+  {
+    sums.loss += std::max(-appeared - sums.lent, 0.0);
+    const double lent = std::max(sums.lent + appeared, 0.0), made = std::clamp(heat, 0.0, lent);
+    sums.work += made;
+    sums.lent = std::min(lent - made, left);
+  }
+
   struct Goal {
     const NodeArray& v; ///< at the start
     double h, end;

@@ -3,6 +3,7 @@
 #include "core/dynamics/implicit_guess.h"
 #include "core/dynamics/implicit_stage.h"
 #include "core/dynamics/integrator.h"
+#include "core/dynamics/step_loss.h"
 
 #include <array>
 #include <cmath>
@@ -49,6 +50,7 @@ public:
     for (NodeArray* array : {&m_a, &m_middleV, &m_middleA, &m_x, &m_v, &m_startX, &m_startV})
       array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_stage.prepare(system);
+    m_loss.prepare(system);
     m_started = false;
   }
   void restart() noexcept override { m_started = false; }
@@ -58,6 +60,7 @@ public:
     m_started = false;
   }
   int order() const noexcept override { return 2; }
+  bool findsLoss() const noexcept override { return true; }
   double takeLocalError() noexcept override { return std::exchange(m_localError, 0.0); }
   double stableStep(const FastestMode&) const noexcept override
   {
@@ -97,8 +100,10 @@ public:
     m_guessEnd.judge(state.v, m_a, m_middleV, m_middleA, m_v);
     slopesTo(count, 1.0 / share, inverseMass, m_startV.data(), m_v.data(), m_a.data());
     m_localError += h * std::sqrt(localErrorOf(count, state.v.data(), m_middleV.data(), m_v.data()));
-    state.advanceTo(end, m_x, m_v, h * (kOuter * (rates[0].work + rates[1].work) + kDiagonal * rates[2].work),
-                    h * (kOuter * (rates[0].heat + rates[1].heat) + kDiagonal * rates[2].heat));
+    const double work = h * (kOuter * (rates[0].work + rates[1].work) + kDiagonal * rates[2].work),
+                 heat = h * (kOuter * (rates[0].heat + rates[1].heat) + kDiagonal * rates[2].heat);
+    const double lost = m_loss.find(system, state, m_x, m_v, work, heat);
+    state.advanceTo(end, m_x, m_v, work, heat, lost);
     m_rates = rates[2];
     m_lastStep = h;
     return StepResult::Done;
@@ -109,6 +114,7 @@ private:
   {
     m_rates = system.evaluate(state.time, state.x, state.v, m_a);
     system.toAccelerations(m_a);
+    m_loss.restart();
     m_started = true;
     m_lastStep = 0.0;
   }
@@ -117,6 +123,7 @@ private:
   NodeArray m_x, m_v, m_startX, m_startV;
   Rates m_rates;
   ImplicitStage m_stage;
+  StepLoss m_loss;
   StageGuess m_guessMiddle, m_guessEnd;
   double m_localError = 0.0; ///< since takeLocalError() [m]
   double m_lastStep = 0.0;   ///< [s], 0: the first step

@@ -51,6 +51,8 @@ public:
   virtual void tune(const System& /*system*/, const FastestMode& /*mode*/) noexcept {}
 
   virtual int order() const noexcept = 0;
+  /// Whether it adds to MotionState::loss by itself.
+  virtual bool findsLoss() const noexcept { return false; }
   /// What the steps since the last call have erred in place, each by itself: the sum of their distances from
   /// what a method of next order, which is at hand without a pass more, makes of them [m, roots of sums of
   /// squares over the nodes]. 0 from a method that knows none.

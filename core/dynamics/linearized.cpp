@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/integrator.h"
+#include "core/dynamics/step_loss.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,15 +33,18 @@ public:
   {
     for (NodeArray* array : {&m_x, &m_v, &m_force}) array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_matrix.prepare(system, true);
+    m_loss.prepare(system);
     m_factoredStep = 0.0;
   }
-  void restart() noexcept override {}
+  void restart() noexcept override { m_loss.restart(); }
   void constraintsChanged(const System& system) override
   {
     m_matrix.constraintsChanged(system);
+    m_loss.restart();
     m_factoredStep = 0.0;
   }
   int order() const noexcept override { return 1; }
+  bool findsLoss() const noexcept override { return true; }
   double stableStep(const FastestMode&) const noexcept override
   {
     return std::numeric_limits<double>::infinity();
@@ -67,7 +71,9 @@ public:
     if (!allFinite(m_x, m_v)) return StepResult::NonFinite;
     if (!isOld || isTooOld) m_freshLeft = std::min(left, kMostFresh);
     if (!(left <= m_freshLeft + kMuch)) m_factoredStep = 0.0;
-    state.advanceTo(end, m_x, m_v, h * rates.work, h * rates.heat);
+    const double work = h * rates.work, heat = h * rates.heat;
+    const double lost = m_loss.find(system, state, m_x, m_v, work, heat);
+    state.advanceTo(end, m_x, m_v, work, heat, lost);
     m_meanFactors += 0.1 * (static_cast<double>(report.factorizations - factorsBefore) - m_meanFactors);
     return StepResult::Done;
   }
@@ -126,6 +132,7 @@ private:
 
   NodeArray m_x, m_v, m_force;
   ImplicitMatrix m_matrix;
+  StepLoss m_loss;
   double m_factoredStep = 0.0; ///< [s], 0: no factor
   double m_freshLeft = 0.0;    ///< of the residual, by the first step of a factor
   double m_meanFactors = 1.0;  ///< per step, running mean

@@ -154,6 +154,7 @@ void RegionDriver::applyChange()
 {
   if (!m_changed) return;
   m_changed = false;
+  closeLoss();
   const auto awake = static_cast<double>(m_region.awake().size());
   if (awake == 0.0) {
     m_mode = Mode::Rest;
@@ -222,8 +223,7 @@ void RegionDriver::gather()
     m_partMotion.v[i] = motion.v[from];
   }
   m_partMotion.time = motion.time;
-  m_partMotion.work = motion.work;
-  m_partMotion.heat = motion.heat;
+  static_cast<EnergySums&>(m_partMotion) = motion;
   std::vector<ToolSpring> tools;
   for (ToolSpring tool : m_body.system.tools())
     if (m_region.isAwake(tool.node)) {
@@ -242,8 +242,7 @@ void RegionDriver::scatter()
     motion.x[to] = m_partMotion.x[from];
     motion.v[to] = m_partMotion.v[from];
   }
-  motion.work = m_partMotion.work;
-  motion.heat = m_partMotion.heat;
+  static_cast<EnergySums&>(motion) = m_partMotion;
 }
 
 void RegionDriver::letSleep(const std::vector<Index>& nodes)

@@ -50,6 +50,15 @@ StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
   return report;
 }
 
+void RegionDriver::closeLoss() noexcept
+{
+  if (m_mode == Mode::Rest) return;
+  const bool isPart = m_mode == Mode::Part;
+  MotionState& moving = isPart ? m_partMotion : m_body.motion;
+  moving.loss += m_driver.closeLoss(isPart ? m_partSystem : m_body.system, moving);
+  m_body.motion.loss = moving.loss;
+}
+
 void RegionDriver::setAccuracy(double tolerance, double effort)
 {
   m_settings.tolerance = tolerance;
@@ -141,6 +150,7 @@ bool RegionDriver::stretchPart(double target, std::int64_t maxSteps, StepReport&
   if (part.good() && missed > allowed && grow(true)) { // too late: once more with a larger part
     report.rejectedSteps += part.steps;
     m_driver.setErrorScale(scale);
+    gather(); // what is thrown away has lost nothing
     applyChange();
     return true;
   }

@@ -61,6 +61,9 @@ public:
   void setAccuracy(double tolerance, double effort);
   StepReport advance(double interval, std::int64_t maxSteps);
 
+  /// Books all that the method has lost up to now.
+  void closeLoss() noexcept;
+
   /// Nodes that advance() and the changes above have moved since the last clearMoved(); empty and all = true
   /// for everybody.
   const std::vector<Index>& moved() const noexcept { return m_moved; }

@@ -42,6 +42,7 @@ public:
   void restart() noexcept override {}
   void constraintsChanged(const System& system) override { m_matrix.constraintsChanged(system); }
   int order() const noexcept override { return 1; }
+  bool findsLoss() const noexcept override { return true; }
   bool isUncontrolled() const noexcept override { return true; }
   double stableStep(const FastestMode&) const noexcept override
   {

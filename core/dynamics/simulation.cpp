@@ -3,6 +3,7 @@
 #include "core/dynamics/simulation.h"
 
 #include "core/base/assert.h"
+#include "core/dynamics/growth_watch.h"
 #include "core/dynamics/region_driver.h"
 #include "core/net/net_builder.h"
 
@@ -86,8 +87,26 @@ struct Simulation::Impl {
     state.position.resize(3, net.nodeCount());
     state.velocity.resize(3, net.nodeCount());
     force.resize(count);
+    initial = energies();
     driver.begin();
     publish();
+  }
+
+  Energies energies() const
+  {
+    const System& system = body.system;
+    return {system.kineticEnergy(body.motion.v), system.elasticEnergy(body.motion.x),
+            system.forces().gravityEnergy(body.motion.x.data())};
+  }
+
+  void watchGrowth(const StepReport& report)
+  {
+    const double springs = std::max(static_cast<double>(body.system.forces().activeSprings()), 1.0);
+    growth->pay(static_cast<double>(report.springsEvaluated) / springs);
+    if (growth->isFollowing())
+      growth->carryOn(body.motion);
+    else if (growth->lookIsDue() && growth->look(body.system, body.motion))
+      growth->setMode(driver.fastestMode());
   }
 
   /// Where the net is large enough.
@@ -134,7 +153,9 @@ struct Simulation::Impl {
   std::unique_ptr<WorkerPool> workers; ///< null until a net asks for them
   NetState state;
   std::vector<ToolSpring> formerTools;
-  NodeArray force; ///< at the state, when asked for
+  std::unique_ptr<GrowthWatch> growth; ///< null until somebody asks
+  Energies initial;                    ///< at t = 0, and what new parameters have changed since
+  NodeArray force;                     ///< at the state, when asked for
   bool forceIsCurrent = false;
 };
 
@@ -154,7 +175,12 @@ Simulation::~Simulation() = default;
 StepReport Simulation::advance(double interval, std::int64_t maxSteps)
 {
   if (!(interval > 0.0) || !std::isfinite(interval)) return {};
-  const StepReport report = m_impl->driver.advance(interval, maxSteps);
+  Impl& impl = *m_impl;
+  MotionState& motion = impl.body.motion;
+  if (impl.growth) impl.growth->remember(motion);
+  const StepReport report = impl.driver.advance(interval, maxSteps);
+  motion.work += std::exchange(motion.lent, 0.0); // it is in the motion that is seen
+  if (impl.growth && report.good()) impl.watchGrowth(report);
   m_impl->publish();
   return report;
 }
@@ -172,11 +198,17 @@ Status Simulation::setParameters(const SpringNet& net)
     return Error{ErrorCode::InvalidValue,
                  "the new parameters are for a net of other springs; start a new simulation with it"};
   if (Status status = checkNet(net); !status) return status.error();
+  impl.driver.closeLoss();
   const SpringNet before = std::exchange(impl.body.net, net);
+  const Energies energiesBefore = impl.energies();
   impl.body.system.setParameters(net, impl.body.loads.gravity);
   impl.engageWorkers();
   for (std::size_t i = 0; i < impl.body.motion.v.size(); ++i)
     if (net.fixed[i]) impl.body.motion.v[i] = Lanes{0, 0, 0, 0};
+  const Energies energies = impl.energies();
+  impl.initial.kinetic += energies.kinetic - energiesBefore.kinetic;
+  impl.initial.elastic += energies.elastic - energiesBefore.elastic;
+  impl.initial.gravity += energies.gravity - energiesBefore.gravity;
   impl.driver.parametersChanged(before);
   impl.publish();
   return {};
@@ -235,9 +267,7 @@ Eigen::Vector3d Simulation::angularMomentum() const
 
 Energies Simulation::energies() const
 {
-  const System& system = m_impl->body.system;
-  return {system.kineticEnergy(m_impl->body.motion.v), system.elasticEnergy(m_impl->body.motion.x),
-          system.forces().gravityEnergy(m_impl->body.motion.x.data())};
+  return m_impl->energies();
 }
 
 double Simulation::externalWork() const
@@ -250,12 +280,34 @@ double Simulation::dissipatedEnergy() const
   return m_impl->body.motion.heat;
 }
 
+EnergyReport Simulation::energyReport() const
+{
+  m_impl->driver.closeLoss();
+  return {m_impl->initial, energies(), externalWork(), dissipatedEnergy(), m_impl->body.motion.loss};
+}
+
 Eigen::Vector3d Simulation::reaction(Index node) const
 {
   ESM_ASSERT(node >= 0 && node < m_impl->body.net.nodeCount());
   const auto i = static_cast<std::size_t>(node);
   if (m_impl->body.system.isFree(i)) return Eigen::Vector3d::Zero();
   return -toVector(m_impl->currentForce()[i]);
+}
+
+void Simulation::watchGrowth()
+{
+  m_impl->growth = std::make_unique<GrowthWatch>();
+  m_impl->growth->begin(m_impl->body.net, m_impl->body.loads);
+}
+
+double Simulation::errorGrowth() const noexcept
+{
+  return m_impl->growth ? m_impl->growth->largest() : 1.0;
+}
+
+double Simulation::errorGrowthTime() const noexcept
+{
+  return m_impl->growth ? m_impl->growth->time() : 0.0;
 }
 
 Eigen::Vector3d Simulation::toolForce(std::size_t tool) const

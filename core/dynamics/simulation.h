@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/dynamics/energy_report.h"
 #include "core/dynamics/step_report.h"
 #include "core/forces/loads.h"
 #include "core/net/spring_net.h"
@@ -45,13 +46,6 @@ struct SolverSettings {
   /// Nodes at rest sleep until something moves them, and cost nothing; what they miss stays within the
   /// tolerance. Without effect on fixed steps.
   bool skipResting = true;
-};
-
-struct Energies {
-  double kinetic = 0.0; ///< [J]
-  double elastic = 0.0; ///< springs, anchors and tool springs [J]
-  double gravity = 0.0; ///< - sum m g.p, zero at the origin [J]
-  double total() const noexcept { return kinetic + elastic + gravity; }
 };
 
 /// A net in motion: the one door to the dynamics for the command line, the window, the benches.
@@ -97,6 +91,14 @@ public:
   double externalWork() const;
   /// Energy turned into heat by viscosity and mass damping since t = 0 [J].
   double dissipatedEnergy() const;
+  /// Where the energy has gone since t = 0. What new parameters change of it counts as initial energy.
+  EnergyReport energyReport() const;
+  /// From now on looks whether the motion multiplies small errors, for some hundredths of the work where it
+  /// does not. The motion stays the same.
+  void watchGrowth();
+  /// By how much it has multiplied them, as far as the watch has seen; 1 where it has seen nothing.
+  double errorGrowth() const noexcept;
+  double errorGrowthTime() const noexcept; ///< by when [s]
   /// The force that a fixed or prescribed node's support exerts on the net [N]; zero for free nodes.
   Eigen::Vector3d reaction(Index node) const;
   Eigen::Vector3d toolForce(std::size_t tool) const;             ///< force of the tool on its node [N]

@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -155,6 +156,35 @@ double StepDriver::errorOfFirst(System& system, const MotionState& state, double
   if (m_look.steps > 0) m_growing = m_gauge.growing(m_start.time, length, m_look.error, apart, m_look.share);
   const double counted = m_growing * addingUp(m_candidates[m_method], system, m_coarse, m_coarseV, state);
   return counted * swing(system, apart, m_coarseV, state) * ratio / (ratio - 1.0);
+}
+
+/// After a stretch of a method that does not find by itself what it loses: a look costs a fiftieth of the
+/// work since the last one, whatever stretches lie between.
+void StepDriver::bookLoss(const System& system, MotionState& state, Method method, double step)
+{
+  constexpr double kLook = 250.0; // force passes
+  Integrator& integrator = *m_candidates[method].integrator;
+  if (integrator.findsLoss()) {
+    state.loss += closeLoss(system, m_start);
+    return;
+  }
+  if (!m_unseen.isOpen) m_unseen.start = m_start; // same size: no allocation
+  m_unseen.isOpen = true;
+  const double springs = std::max(static_cast<double>(system.forces().activeSprings()), 1.0);
+  m_unseen.passes += (state.time - m_start.time) / step * integrator.stepCost(system, step) / springs;
+  if (m_unseen.passes >= kLook) state.loss += closeLoss(system, state);
+}
+
+double StepDriver::closeLoss(const System& system, const MotionState& state) noexcept
+{
+  constexpr double kPrecision = 0.01; // of the tolerance
+  const MotionState& start = m_unseen.start;
+  const bool isBehind = start.x.size() == state.x.size() && start.time < state.time;
+  if (!std::exchange(m_unseen.isOpen, false) || !isBehind) return 0.0;
+  m_unseen.passes = 0.0;
+  m_loss.restart();
+  return m_loss.find(system, start, state.x, state.v, state.work - start.work, state.heat - start.heat,
+                     std::min(kPrecision * m_settings.tolerance, 0.5));
 }
 
 /// How large the waves may have been that implicit steps of this length have damped away since the start of

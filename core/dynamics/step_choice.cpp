@@ -94,6 +94,8 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_floorStep = 0.0;
   findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
+  m_loss.prepare(system);
+  m_unseen.isOpen = false;
   setBound(system, state);
   guessSteps();
   choose(system, state);
@@ -150,6 +152,7 @@ void StepDriver::forget() noexcept
 
 void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
 {
+  m_unseen.isOpen = false; // under other forces
   if (!system.tools().empty()) m_gauge.markDriven();
   if (sameNodes) { // a moving hand: the checks go on in their rhythm
     for (Candidate& candidate : m_candidates)
@@ -172,6 +175,8 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
+  m_loss.prepare(system);
+  m_unseen.isOpen = false;
   setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
   layOut(m_method, system); // nothing is, after another cut

@@ -94,8 +94,13 @@ bool StepDriver::stretchFixed(System& system, MotionState& state, double end, St
   refreshBound(system, state); // stages and predictions keep to what is stable now
   current().setSolveTolerance(1e-12 * m_gauge.extent(), false);
   const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
+  m_start = state; // same size: no allocation
+  const double length = end - state.time;
   const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
-  if (result != Run::Done) giveUp(result, report);
+  if (result != Run::Done)
+    giveUp(result, report);
+  else
+    bookLoss(system, state, m_method, length / steps);
   return result == Run::Done;
 }
 
@@ -202,6 +207,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
         if (isDue) m_candidates[m_method].accurateStep = 2.0 * step;
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
+        bookLoss(system, state, m_method, length / count);
+        settleLoan(system, state);
         keep(system, state, expectedError(state));
         if (unchecked) reconsider(system);
         return true;
@@ -221,7 +228,12 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
       retreat(system, state, attempt, length, report);
       continue;
     }
-    if (accept(system, state, steps, finer, report)) return true;
+    const Method method = m_method;
+    if (accept(system, state, steps, finer, report)) {
+      bookLoss(system, state, method, length / static_cast<double>(finer));
+      settleLoan(system, state);
+      return true;
+    }
     report.rejectedSteps += steps + finer;
     length = beginOnset(length, count);
     state = m_start;
@@ -265,6 +277,7 @@ bool StepDriver::fallBackToLeapfrog(System& system, double length)
 bool StepDriver::stretchByDescent(System& system, MotionState& state, double end, StepReport& report)
 {
   const double length = end - state.time;
+  state.loss += closeLoss(system, state);
   system.workLimit = m_mostWork;
   const Method other = m_method;
   layOut(m_descent, system);
@@ -296,6 +309,19 @@ StepDriver::EnergyBalance StepDriver::energyBalance(const System& system, const 
     system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
   return {gained, state.heat - m_start.heat, kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen),
           std::abs(high)};
+}
+
+/// Of what supports have put in while the net descended (Descent), that is gone before the frame ends: it was
+/// never in the motion that is seen. What heat is made of stays work.
+void StepDriver::settleLoan(const System& system, MotionState& state)
+{
+  if (!(state.lent > 0.0)) return;
+  const EnergyBalance balance = energyBalance(system, state);
+  const double appeared = balance.gained + balance.heat, made = std::clamp(balance.heat, 0.0, state.lent);
+  state.loss = m_start.loss + std::max(-appeared - state.lent, 0.0);
+  state.work += made;
+  state.lent = std::clamp(state.lent + appeared - made, 0.0,
+                          system.kineticEnergy(state.v) + std::max(system.elasticEnergy(state.x), 0.0));
 }
 
 /// Whether the net has more energy than at the start of the stretch without work that explains it, by more

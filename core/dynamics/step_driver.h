@@ -7,6 +7,7 @@
 #include "core/dynamics/free_bodies.h"
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/simulation.h"
+#include "core/dynamics/step_loss.h"
 
 #include <cmath>
 #include <limits>
@@ -71,6 +72,10 @@ public:
                      double mostWork = kInfinity);
   /// Of the last advance() [spring evaluations]; a step is a force pass at least.
   double workDone(const System& system, const StepReport& report) const noexcept;
+
+  /// What the method has lost up to `state` and not booked yet [J]; from now on it is booked. To be called
+  /// before the net changes.
+  double closeLoss(const System& system, const MotionState& state) noexcept;
 
   /// Where the net is stiffest now, and the largest explicit step there.
   FastestMode fastestMode(const System& system, const MotionState& state);
@@ -198,9 +203,11 @@ private:
     double high = 0.0;       ///< size of that of weight at the start, for the rounding of its differences
   };
   EnergyBalance energyBalance(const System& system, const MotionState& state);
+  void settleLoan(const System& system, MotionState& state);
   bool energyAppeared(const System& system, const EnergyBalance& balance, double share) noexcept;
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);
+  void bookLoss(const System& system, MotionState& state, Method method, double step);
   double errorOfFirst(System& system, const MotionState& state, double ratio);
   static double lostWaves(const System& system, const EnergyBalance& balance, double step) noexcept;
   double swing(System& system, double distance, const NodeArray& otherV, const MotionState& state);
@@ -277,6 +284,14 @@ private:
   };
   std::optional<Energies> m_startEnergies; ///< of m_start, once somebody asked
   NodeArray m_coarse, m_coarseV;           ///< end of the first of two runs
+  StepLoss m_loss;
+  /// Stretches of which nobody has looked yet what they have lost.
+  struct Unseen {
+    MotionState start;
+    double passes = 0.0; ///< their work [force passes]
+    bool isOpen = false; ///< there are some
+  };
+  Unseen m_unseen;
   /// Of the present check, early in the stretch. No steps: none was taken.
   struct Look {
     NodeArray x;            ///< of the first run

@@ -10,21 +10,29 @@
 
 namespace esm {
 
-/// What changes with each step. The energies are sums over the trajectory, integrated with the step's own
-/// quadrature.
-struct MotionState {
+/// What a motion has exchanged since t = 0: sums over the trajectory, integrated with the step's own
+/// quadrature [J].
+struct EnergySums {
+  double work = 0.0; ///< done by nodal forces, motions and tools
+  double heat = 0.0; ///< made by dampers, and where a motion ends
+  double loss = 0.0; ///< taken away by the method, as it estimates itself; negative where it adds
+  double lent = 0.0; ///< put in by supports in this frame while Descent moved the net; not yet in `work`
+};
+
+/// What changes with each step.
+struct MotionState : EnergySums {
   NodeArray x, v; ///< N [m], N [m/s]
   double time = 0.0;
-  double work = 0.0; ///< done by nodal forces, motions and tools since t = 0 [J]
-  double heat = 0.0; ///< [J]
 
   /// The end of a step: positions and velocities change places with these, which are left to be overwritten.
-  void advanceTo(double end, NodeArray& nextX, NodeArray& nextV, double workDone, double heatMade) noexcept
+  void advanceTo(double end, NodeArray& nextX, NodeArray& nextV, double workDone, double heatMade,
+                 double lost = 0.0) noexcept
   {
     x.swap(nextX);
     v.swap(nextV);
     work += workDone;
     heat += heatMade;
+    loss += lost;
     time = end;
   }
 };

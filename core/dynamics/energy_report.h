@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+namespace esm {
+
+struct Energies {
+  double kinetic = 0.0; ///< [J]
+  double elastic = 0.0; ///< springs, anchors and tool springs [J]
+  double gravity = 0.0; ///< - sum m g.p, zero at the origin [J]
+  double total() const noexcept { return kinetic + elastic + gravity; }
+};
+
+/// Where the energy of a motion has gone since t = 0 [J]:
+///
+///     at start + work = heat + loss + at end + residual
+///
+/// All but the residual are known by themselves, so it tells what nobody accounts for.
+struct EnergyReport {
+  Energies atStart, atEnd;
+  double work = 0.0; ///< done by nodal forces, prescribed motions and tools
+  double heat = 0.0; ///< made by viscosity and mass damping, and where motion ends in rest
+  double loss = 0.0; ///< taken away by the method, by its own estimate; negative where it adds
+
+  double residual() const noexcept;
+  double largestTerm() const noexcept;
+  /// Whether the residual is at most this share of the largest term, or rounding.
+  bool isKept(double tolerance) const noexcept;
+};
+
+} // namespace esm

@@ -1,0 +1,151 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/growth_watch.h"
+
+#include "core/dynamics/frame.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+
+namespace esm {
+namespace {
+
+constexpr double kLook = 16.0, kLookShare = 0.02; ///< cost [force passes], of the work
+constexpr double kDebtShare = 0.03;
+constexpr int kBurst = 6;          ///< frames
+constexpr double kGrows = 1.4;     ///< logarithm of what they must grow by to be followed further
+constexpr double kSmall = 1e-7;    ///< of the extent: the difference that is followed
+constexpr double kEnough = 20.0;   ///< logarithm of a growth beyond which nobody needs to know more
+constexpr double kStepShare = 0.9; ///< of the stable step, as stiffness may rise in the frame
+
+/// In [-1, 1], the same in every run.
+double drawn(std::uint64_t& state) noexcept
+{
+  state = state * 6364136223846793005u + 1442695040888963407u;
+  return static_cast<double>(state >> 11) * 0x1p-52 - 1.0;
+}
+
+} // namespace
+
+void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
+{
+  m_system = System(net, loads);
+  m_integrator = makeLeapfrog();
+  m_integrator->prepare(m_system);
+  const Eigen::Vector3d box = net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
+  m_extent = std::max(box.norm(), 1e-12);
+  m_work = m_debt = 0.0;
+  m_left = 0;
+  m_hasStart = false;
+  m_largest = 1.0;
+}
+
+void GrowthWatch::pay(double passes) noexcept
+{
+  m_work += passes;
+  m_debt = std::max(m_debt - kDebtShare * passes, 0.0);
+}
+
+bool GrowthWatch::lookIsDue() const noexcept
+{
+  return m_work * kLookShare >= kLook && m_debt <= 0.0 && std::log(m_largest) < kEnough;
+}
+
+void GrowthWatch::remember(const MotionState& motion)
+{
+  if (m_left > 0) m_before = motion; // same size: no allocation
+}
+
+bool GrowthWatch::look(const System& system, const MotionState& motion)
+{
+  m_work = 0.0;
+  m_stiffness.prepare(system, motion.x, 0.0);
+  if (!m_stiffness.givesWay(system)) return false;
+  if (!m_hasStart) start(system);
+  m_burstStart = m_size;
+  m_left = kBurst;
+  return true;
+}
+
+void GrowthWatch::setMode(const FastestMode& mode) noexcept
+{
+  m_integrator->tune(m_system, mode);
+  m_step = kStepShare * m_integrator->stableStep(mode);
+}
+
+/// A difference in the velocities of free nodes, in all directions.
+void GrowthWatch::start(const System& system)
+{
+  std::uint64_t seed = 1;
+  m_x.assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+  m_v = m_x;
+  for (std::size_t i = 0; i < m_v.size(); ++i)
+    for (int lane = 0; lane < 3; ++lane) m_v[i][lane] = system.isFree(i) ? drawn(seed) : 0.0;
+  const double scale = kSmall * m_extent / size();
+  for (Lanes& v : m_v) v *= scale;
+  m_size = m_least = 0.0;
+  m_hasStart = true;
+}
+
+/// RMS over the nodes, velocities by what they move in a frame [m].
+double GrowthWatch::size() const noexcept
+{
+  return std::sqrt((sumOfSquares(m_x) + kFrame * kFrame * sumOfSquares(m_v)) /
+                   static_cast<double>(m_x.size()));
+}
+
+bool GrowthWatch::run(MotionState& state, double end, double step)
+{
+  StepReport report;
+  while (state.time < end) {
+    m_system.enter(state, true);
+    const double to = std::min(end, m_system.nextEvent(state.time));
+    const double steps = std::ceil((to - state.time) / step);
+    m_integrator->restart();
+    if (!(steps >= 1.0 && steps < 1e6)) return false;
+    if (m_integrator->run(m_system, state, to, static_cast<std::int64_t>(steps), report) != StepResult::Done)
+      return false;
+  }
+  return true;
+}
+
+void GrowthWatch::carryOn(const MotionState& motion)
+{
+  m_here = m_beside = m_before;
+  for (std::size_t i = 0; i < m_x.size(); ++i) {
+    m_beside.x[i] += m_x[i];
+    m_beside.v[i] += m_v[i];
+  }
+  m_system.springsEvaluated = 0;
+  const bool done = run(m_here, motion.time, m_step) && run(m_beside, motion.time, m_step);
+  const double springs = std::max(static_cast<double>(m_system.forces().activeSprings()), 1.0);
+  m_debt += static_cast<double>(m_system.springsEvaluated) / springs;
+  const double target = kSmall * m_extent;
+  if (done)
+    for (std::size_t i = 0; i < m_x.size(); ++i) {
+      m_x[i] = m_beside.x[i] - m_here.x[i];
+      m_v[i] = m_beside.v[i] - m_here.v[i];
+    }
+  const double now = size();
+  if (!done || !std::isfinite(now) || !(now > 0.0)) { // nothing to go by
+    m_hasStart = false;
+    m_left = 0;
+    return;
+  }
+  m_size += std::log(now / target);
+  m_least = std::min(m_least, m_size);
+  if (const double growth = std::exp(std::min(m_size - m_least, kEnough)); growth > m_largest) {
+    m_largest = growth;
+    m_time = motion.time;
+  }
+  for (std::size_t i = 0; i < m_x.size(); ++i) {
+    m_x[i] *= target / now;
+    m_v[i] *= target / now;
+  }
+  if (--m_left > 0 || m_size - m_burstStart < kGrows || m_size - m_least >= kEnough) return;
+  m_left = kBurst;
+  m_burstStart = m_size;
+}
+
+} // namespace esm

@@ -1,0 +1,55 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/integrator.h"
+#include "core/dynamics/stiffness_cg.h"
+
+namespace esm {
+
+/// Looks whether a motion multiplies small errors. Nets with a positive stiffness do not, so now and then
+/// some products with it are asked (StiffnessCg::givesWay()). Where a net gives way, a small difference is
+/// followed for some frames: two neighbours, from where the motion is at the start of each frame, by plain
+/// steps at their limit, and their difference is carried over. What it grows by from any time to any later
+/// one is what becomes of an error. Where it does not, the next frames are not followed until that has cost
+/// three hundredths of the work; looks cost a fiftieth.
+class GrowthWatch {
+public:
+  void begin(const SpringNet& net, const Loads& loads);
+  /// Before a frame.
+  void remember(const MotionState& motion);
+  /// After it. @param passes  that it took [force passes]
+  void pay(double passes) noexcept;
+  bool isFollowing() const noexcept { return m_left > 0; }
+  bool lookIsDue() const noexcept; ///< while it does not follow
+  /// @return whether it is going to follow the next frames, by steps that bear this mode; see setMode().
+  bool look(const System& system, const MotionState& motion);
+  void setMode(const FastestMode& mode) noexcept;
+  void carryOn(const MotionState& motion); ///< over the frame that has just been done
+
+  double largest() const noexcept { return m_largest; } ///< factor seen so far [1], at least 1
+  double time() const noexcept { return m_time; }       ///< when it was reached [s]
+
+private:
+  void start(const System& system);
+  bool run(MotionState& state, double end, double step);
+  double size() const noexcept;
+
+  System m_system; ///< of the two neighbours
+  MotionState m_before, m_here, m_beside;
+  NodeArray m_x, m_v; ///< the difference [m, m/s]
+  std::unique_ptr<Integrator> m_integrator;
+  StiffnessCg m_stiffness;
+  double m_extent = 1.0;     ///< [m]
+  double m_step = 0.0;       ///< [s]
+  double m_work = 0.0;       ///< of the motion since the last look [force passes]
+  double m_debt = 0.0;       ///< that following has cost and the motion has not paid yet [force passes]
+  double m_size = 0.0;       ///< logarithm of the difference now, as it would be had it not been made small
+  double m_least = 0.0;      ///< of it so far
+  double m_burstStart = 0.0; ///< of it, when the present frames began
+  int m_left = 0;            ///< frames still to follow
+  bool m_hasStart = false;
+  double m_largest = 1.0, m_time = 0.0;
+};
+
+} // namespace esm

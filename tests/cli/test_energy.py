@@ -1,0 +1,56 @@
+#!/usr/bin/env python3
+# SPDX-FileCopyrightText: 2026 The ESM authors
+# SPDX-License-Identifier: MIT
+"""esm simulate says where energy has gone, and what a motion makes of errors."""
+import json
+import unittest
+
+from program import OSCILLATOR, SOURCE, ProgramTest
+
+NETS = SOURCE / "tests" / "data" / "nets"
+
+
+class Energy(ProgramTest):
+    def balance(self, report):
+        return report["initial_energy"] + report["external_work"] - report["dissipated_energy"] - \
+            report["method_loss"] - report["energy"]
+
+    def test_the_report_adds_up(self):
+        net = json.loads(json.dumps(OSCILLATOR))
+        net["springs"]["viscosity"] = 2.0
+        net["forces"] = [{"nodes": [1], "time": [0.1, 0.4], "force": [[0, 0, 0], [5, 0, 0]]}]
+        self.write("damped.json", json.dumps(net))
+        for solver in ("auto", "leapfrog", "implicit", "stoermer"):
+            report = self.json_of("simulate", "damped.json", "--solver", solver, "--tolerance", "1e-4")
+            self.assertAlmostEqual(report["initial_energy"], 0.5 * 100 * 0.1**2, places=12)
+            self.assertAlmostEqual(self.balance(report), report["energy_residual"], delta=1e-12)
+            self.assertLessEqual(abs(report["energy_residual"]), 1e-4 * report["dissipated_energy"])
+            self.assertIs(report["good"], True)
+
+    def test_what_an_implicit_method_takes_falls_with_the_tolerance(self):
+        lost = [abs(self.json_of("simulate", "osc.json", "--solver", "implicit", "--tolerance", t)["method_loss"])
+                for t in ("1e-3", "1e-5")]  # undamped: all that is gone is the method's
+        self.assertGreater(lost[1], 0.0)
+        self.assertLessEqual(3 * 3 * lost[1], lost[0])
+
+    def test_a_net_that_folds_multiplies_errors_and_it_is_said(self):
+        # Exact integrators part by 7e-2 on it after half a second, where 1e-4 had been asked for.
+        done = self.run_program("simulate", NETS / "folding_sheet.json", "--tolerance", "1e-4", "--report", "r.json",
+                                "-o", "m.f64", exit_code=3)
+        self.assertIn("multiplies small errors", done.stderr)
+        self.assertIn("--verify", done.stderr)
+        report = self.read_json("r.json")
+        self.assertGreater(report["error_growth"], 100)
+        self.assertIs(report["good"], True)
+        self.assertTrue((self.folder / "m.f64").exists())
+
+    def test_organs_do_not_and_nothing_is_said(self):
+        for sample in ("uterus", "fallopian_tube", "gallbladder"):
+            for tolerance in ("1e-1", "1e-3"):
+                done = self.run_program("simulate", SOURCE / "resources" / "samples" / f"{sample}.esm", "--duration",
+                                        "0.5", "--tolerance", tolerance)
+                self.assertNotIn("multiplies", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
