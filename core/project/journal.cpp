@@ -163,6 +163,7 @@ struct Journal::Impl {
   bool mayTry();
   void begin(const JournalState& now);
   void write(const JournalState& now);
+  void goOn(const JournalState& saved);
   void clear();
 };
 
@@ -254,6 +255,19 @@ void Journal::Impl::write(const JournalState& now)
               name = told.copy, line](JournalFile& to) { return writeCopy(to, *project, *net, name, line); });
 }
 
+/// A save that does not hold everything: the lines go on, for there must be no moment without them.
+void Journal::Impl::goOn(const JournalState& state)
+{
+  write(state);
+  Json line = {{"time", secondsNow()}, {"steps", state.steps}};
+  line["file"]["path"] = json::validUtf8(path.string());
+  file->post([from = path, line](JournalFile& to) mutable -> Status {
+    const Result<std::string> bytes = readFile(from);
+    if (bytes) line["file"]["fingerprint"] = json::fingerprintText(fingerprintOf(*bytes));
+    return to.writeLine(json::sealedLine(line));
+  });
+}
+
 void Journal::Impl::clear()
 {
   for (auto* each : {&file, &former}) {
@@ -273,12 +287,14 @@ Journal::~Journal() = default;
 
 void Journal::start(const JournalState& saved, const std::filesystem::path& path)
 {
-  leave();
+  const bool goesOn = m_impl->file && !m_impl->file->hasFailed() && !saved.isSaved();
+  if (!goesOn) leave();
   m_impl->path = path;
   m_impl->stamp = stampOf(path);
   m_impl->saved = Impl::toldBy(saved);
   m_impl->saved.steps = 0;
   m_impl->saved.draft = {};
+  if (goesOn) m_impl->goOn(saved);
 }
 
 void Journal::record(const JournalState& now)

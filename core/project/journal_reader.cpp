@@ -95,7 +95,7 @@ void Replay::take(const Json& json)
   const View line(json, faults);
   if (line.has("file") && !json["file"].is_null()) {
     path = line["file"]["path"].text();
-    home = std::filesystem::path(path).parent_path();
+    if (line.has("base")) home = std::filesystem::path(path).parent_path();
     if (line["file"].has("fingerprint")) fileFingerprint = line["file"]["fingerprint"].text();
   } else if (line.has("file")) {
     path.clear();

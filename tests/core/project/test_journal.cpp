@@ -331,6 +331,29 @@ TEST_F(JournalTest, SavingEndsTheJournal)
   EXPECT_TRUE(fs::is_empty(parent));
 }
 
+// A save does not hold a rule that is being written: its journal goes on, tied to the file that there is now.
+TEST_F(JournalTest, SavingKeepsTheRuleBeingWritten)
+{
+  project.source.files = {
+    {(folder / "a" / "mesh.obj").string(), 0}}; // seen from another folder after the save
+  journal->start(state(0), {});
+  project.tissue.density = 1001.0;
+  draft.text = "IF";
+  journal->record(state(1));
+  const fs::path path = folder / "b" / "organ.esm";
+  fs::create_directories(path.parent_path());
+  ASSERT_TRUE(saveProject(project, path));
+  journal->start(state(0), path);
+  journal->record(state(0));
+  die();
+  RecoveredWork work = recovered();
+  EXPECT_EQ(work.draft, draft);
+  EXPECT_EQ(work.steps, 0);
+  EXPECT_EQ(work.path, path.string());
+  EXPECT_FALSE(work.fileChanged);
+  EXPECT_EQ(toJson(work.project), toJson(project));
+}
+
 // What belongs to a living process is not offered; two finders do not get the same.
 TEST_F(JournalTest, ProcessesKeepApart)
 {
