@@ -1376,6 +1376,10 @@
         <source>An internal error occurred.</source>
         <translation>Ein interner Fehler ist aufgetreten.</translation>
     </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Der Arbeitsspeicher reicht nicht.</translation>
+    </message>
 </context>
 <context>
     <name>esm::GizmoPainter</name>
