@@ -260,6 +260,13 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "fill its holes, or choose the wall"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "no single input of the rules makes the %1 %2"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "the nearest that one reaches is %1"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "is damaged from its first line on"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "was written by a newer version of this program"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "%1 is not as it was written"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "does not fit its own beginning (%1)"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "holds nodes that the net does not have"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "names a file outside of its folder"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "there is no state folder: neither XDG_STATE_HOME nor HOME is set"),
 };
 
 } // namespace

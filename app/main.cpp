@@ -6,6 +6,7 @@
 #include "app/scripted_run.h"
 #include "app/state_dump.h"
 #include "core/base/large_pages.h"
+#include "core/project/journal.h"
 #include "haptics/exit_guard.h"
 
 #include <QApplication>
@@ -84,7 +85,10 @@ int main(int argc, char** argv)
   esm::MainWindow window(&language, esm::makeDeviceSource(QString::fromStdString(options.emulate)));
   window.setTheme(chosenTheme(options));
   const bool scripted = !options.screenshot.empty();
-  if (!scripted) window.restoreLayout();
+  if (!scripted) {
+    window.restoreLayout();
+    window.keepJournal(esm::recoveryFolder());
+  }
   if (options.width > 0 || options.height > 0) {
     window.resize(options.width > 0 ? options.width : window.width(),
                   options.height > 0 ? options.height : window.height());
@@ -96,6 +100,7 @@ int main(int argc, char** argv)
   // Once the event loop runs: dialogs of opening need it.
   QTimer::singleShot(0, &window, [&] {
     if (scripted) return runScript(window, options);
+    if (window.offerRecovery(false)) return;
     if (options.file.empty())
       window.openSample();
     else

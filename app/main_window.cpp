@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/main_window.h"
 
+#include "app/document/recovery.h"
 #include "app/error_text.h"
 #include "app/haptics/stop_filter.h"
 #include "app/icons.h"
@@ -88,6 +89,7 @@ MainWindow::~MainWindow()
 {
   qApp->removeEventFilter(this);
   for (QDockWidget* dock : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) delete dock;
+  delete m_recovery;
   delete m_controller;
   delete m_view;
 }

@@ -13,6 +13,8 @@
 #include <QElapsedTimer>
 #include <QMainWindow>
 
+#include <filesystem>
+
 class QDockWidget;
 class QLabel;
 
@@ -20,6 +22,8 @@ namespace esm {
 
 class ChangedFilesBar;
 class FuzzyEvaluation;
+struct FoundJournal;
+class Recovery;
 class RegionsPanel;
 class StatusStrip;
 class WhySelection;
@@ -49,6 +53,13 @@ public:
   bool saveProject();
   bool saveProjectAs();
   void importPaths(const QStringList& paths); ///< meshes, joined to one model
+
+  // === Unsaved work (main_window_recovery.cpp)
+  void keepJournal(const std::filesystem::path& folder); ///< from now on
+  /// Asks what shall become of what a crash left. @param asked also of what was put off before.
+  /// @return work was recovered into the document.
+  bool offerRecovery(bool asked);
+  Recovery* recovery() noexcept { return m_recovery; } ///< null without keepJournal()
 
   void setTheme(Theme theme);
   void setLanguage(Language language);
@@ -95,6 +106,8 @@ private:
   bool writeProject(const QString& path);
   enum class OtherVersion { Overwrite, SaveElsewhere, Keep };
   OtherVersion askAboutOtherVersion();
+  void commitTyped();
+  void tellSaved();
   bool mayDropChanges(); ///< saved, or the user lets them go
   void newProject();
   bool playSample(const QString& path);
@@ -112,6 +125,10 @@ private:
   void fillSampleMenu();
   void saveLayout();
 
+  // main_window_recovery.cpp
+  void tellUnreadable(std::vector<FoundJournal>& found);
+  bool recover(FoundJournal&& journal);
+
   Document* m_document;
   JobRunner* m_jobs;
   SceneView* m_view;
@@ -124,6 +141,7 @@ private:
   RegionsPanel* m_regions = nullptr;
   WhySelection* m_why = nullptr;
   ChangedFilesBar* m_changedFiles = nullptr;
+  Recovery* m_recovery = nullptr;
   QDockWidget *m_dockRegions = nullptr, *m_dockTissue = nullptr, *m_dockInputs = nullptr, *m_dockMf = nullptr,
               *m_dockSurface = nullptr, *m_dockWhy = nullptr, *m_dockRules = nullptr,
               *m_dockHaptics = nullptr;

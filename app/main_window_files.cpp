@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that deals with files, and with what must not get lost.
+#include "app/document/recovery.h"
 #include "app/error_text.h"
 #include "app/import/changed_files_bar.h"
 #include "app/import_dialog.h"
@@ -20,6 +21,7 @@
 #include <QMenu>
 #include <QMessageBox>
 #include <QMimeData>
+#include <QPointer>
 #include <QPushButton>
 #include <QSettings>
 #include <QStatusBar>
@@ -234,8 +236,19 @@ void MainWindow::dropEvent(QDropEvent* event)
 
 // === Saving
 
+/// What is being typed in a field counts as entered: nobody leaves a field before closing or saving.
+void MainWindow::commitTyped()
+{
+  if (const QPointer<QWidget> field = focusWidget()) {
+    field->clearFocus();
+    if (field && field->isVisible()) field->setFocus();
+  }
+  emit m_document->ruleTextWanted();
+}
+
 bool MainWindow::saveProject()
 {
+  commitTyped();
   if (m_document->path().isEmpty()) return saveProjectAs();
   if (!m_document->fileChangedOnDisk()) return writeProject(m_document->path());
   switch (askAboutOtherVersion()) {
@@ -251,6 +264,7 @@ bool MainWindow::saveProject()
 
 bool MainWindow::saveProjectAs()
 {
+  commitTyped();
   const QString start =
     m_document->path().isEmpty() ? m_document->displayName() + QStringLiteral(".esm") : m_document->path();
   QString path = QFileDialog::getSaveFileName(this, tr("Save project"), start,
@@ -268,9 +282,18 @@ bool MainWindow::writeProject(const QString& path)
     showError(tr("Save project"), saved.error());
     return false;
   }
-  statusBar()->showMessage(tr("Saved %1").arg(QFileInfo(path).fileName()), 4000);
-  rememberFile(path);
+  tellSaved();
   return true;
+}
+
+void MainWindow::tellSaved()
+{
+  const QString name = QFileInfo(m_document->path()).fileName();
+  if (m_document->ruleDraft().isEmpty())
+    statusBar()->showMessage(tr("Saved %1").arg(name), 4000);
+  else
+    statusBar()->showMessage(tr("Saved %1, but for a rule with a mistake.").arg(name), 12000);
+  rememberFile(m_document->path());
 }
 
 /// What becomes of a version of the project's file that somebody else has written.
@@ -295,12 +318,15 @@ MainWindow::OtherVersion MainWindow::askAboutOtherVersion()
 
 bool MainWindow::mayDropChanges()
 {
+  commitTyped();
   if (!m_document->isModified()) return true;
   QMessageBox box(QMessageBox::Question, tr("Unsaved changes"),
                   tr("“%1” has changes that are not saved.").arg(m_document->displayName()),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, this);
   box.setObjectName(QStringLiteral("dlgUnsaved"));
-  box.setInformativeText(tr("Save them?"));
+  box.setInformativeText(m_document->ruleDraft().isEmpty()
+                           ? tr("Save them?")
+                           : tr("A rule has a mistake. Saving leaves it out, and it will be lost."));
   box.setDefaultButton(QMessageBox::Save);
   box.button(QMessageBox::Save)->setObjectName(QStringLiteral("unsavedSave"));
   const int answer = box.exec();
@@ -315,6 +341,7 @@ void MainWindow::closeEvent(QCloseEvent* event)
     event->ignore();
     return;
   }
+  if (m_recovery != nullptr) m_recovery->letGo();
   m_controller->stop();
   saveLayout();
   event->accept();

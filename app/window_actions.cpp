@@ -100,6 +100,8 @@ void WindowActions::createActions()
   exportShape->setShortcut(Qt::CTRL | Qt::Key_E);
   picture = add("Picture");
   picture->setShortcut(Qt::Key_F12);
+  recover = add("Recover");
+  recover->setVisible(false); // until there is somebody who keeps unsaved work
   quit = add("Quit");
   quit->setShortcut(Qt::CTRL | Qt::Key_Q);
   quit->setMenuRole(QAction::QuitRole);
@@ -202,6 +204,7 @@ void WindowActions::createMenus(QMainWindow* window)
   for (QAction* action : {save, saveAs}) fileMenu->addAction(action);
   fileMenu->addSeparator();
   for (QAction* action : {import, exportShape, picture}) fileMenu->addAction(action);
+  fileMenu->addAction(recover);
   fileMenu->addSeparator();
   fileMenu->addAction(quit);
 
@@ -299,6 +302,7 @@ void WindowActions::retranslateFileAndEdit()
   import->setIconText(tr("Import"));
   say(exportShape, tr("&Export shape…"), tr("Write the shape of this moment as mesh, VTU or CSV"));
   say(picture, tr("&Picture of the preview…"));
+  say(recover, tr("&Recover unsaved work…"), tr("What earlier windows could not save"));
   say(quit, tr("&Quit"));
   say(undo, tr("&Undo"));
   say(redo, tr("&Redo"));

@@ -23,7 +23,7 @@ public:
   void retranslate();
 
   // === Actions, by menu
-  QAction *newProject, *open, *save, *saveAs, *import, *exportShape, *picture, *quit;
+  QAction *newProject, *open, *save, *saveAs, *import, *exportShape, *picture, *recover, *quit;
   QAction *undo, *redo, *rename;
   QAction *fit, *showSurface, *showSprings, *showStruts, *defaultLayout, *fullScreen;
   QActionGroup *colouring, *theme, *language; ///< data: Colouring as int, theme name, language code

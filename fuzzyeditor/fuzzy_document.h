@@ -4,10 +4,12 @@
 
 #include "core/fuzzy/inference.h"
 #include "core/fuzzy/rule_base.h"
+#include "core/fuzzy/rule_draft.h"
 
 #include <QObject>
 #include <QString>
 
+#include <utility>
 #include <vector>
 
 namespace esm {
@@ -37,11 +39,38 @@ public:
   /// @param gesture values with the same gesture > 0 are one undo step (one drag over a surface).
   virtual void setInputs(std::vector<fuzzy::InputValue> values, const QString& undoText, int gesture = 0) = 0;
 
+  /// What is typed into the rules and no rule yet: not saved, and not to be lost unasked.
+  const RuleDraft& ruleDraft() const noexcept { return m_draft; }
+  void setDraftText(std::string text)
+  {
+    if (std::exchange(m_draft.text, std::move(text)) != m_draft.text) emit ruleDraftChanged();
+  }
+  void setDraftCell(int row, int column, std::string cell)
+  {
+    const RuleDraft before = m_draft;
+    m_draft.row = row, m_draft.column = column, m_draft.cell = std::move(cell);
+    if (m_draft != before) emit ruleDraftChanged();
+  }
+
 signals:
   void ruleBaseChanged();
   void ruleBaseSaved(); ///< savedRuleBase() is another one now; follows an opening's ruleBaseChanged() too
   void inputsChanged(); ///< values or target
   void ruleLanguageChanged();
+  void ruleDraftChanged();
+  void ruleDraftReplaced(); ///< by the document: what editors hold gives way to ruleDraft()
+  void ruleTextWanted();    ///< what is typed and right is to be applied now, not after a pause
+
+protected:
+  void replaceDraft(RuleDraft draft)
+  {
+    m_draft = std::move(draft);
+    emit ruleDraftReplaced();
+    emit ruleDraftChanged();
+  }
+
+private:
+  RuleDraft m_draft;
 };
 
 } // namespace esm

@@ -13,7 +13,6 @@
 #include <cmath>
 
 namespace esm {
-namespace {} // namespace
 
 RuleTableModel::RuleTableModel(FuzzyEvaluation* evaluation, QObject* parent)
   : QAbstractTableModel(parent),
@@ -24,6 +23,11 @@ RuleTableModel::RuleTableModel(FuzzyEvaluation* evaluation, QObject* parent)
 {
   connect(m_document, &FuzzyDocument::ruleBaseChanged, this, &RuleTableModel::followDocument);
   connect(m_document, &FuzzyDocument::ruleLanguageChanged, this, &RuleTableModel::retranslate);
+  connect(m_document, &FuzzyDocument::ruleDraftReplaced, this,
+          [this] { // its rules follow by ruleBaseChanged()
+            if (std::exchange(m_mistake, {})) emit mistakeChanged();
+            m_restoring = m_document->ruleDraft().row >= 0;
+          });
   connect(evaluation, &FuzzyEvaluation::changed, this, [this] {
     if (!m_rules.empty()) emit dataChanged(index(0, Degree), index(rowCount() - 1, Degree));
   });
@@ -172,7 +176,8 @@ bool RuleTableModel::setData(const QModelIndex& index, const QVariant& value, in
   }
 }
 
-bool RuleTableModel::setRuleText(int row, Column column, const QString& text)
+/// What a cell's text says, or why it is no rule.
+RuleTableModel::Reading RuleTableModel::read(int row, Column column, const QString& text) const
 {
   const Language language = m_document->ruleLanguage();
   const RuleParts& old = parts(row);
@@ -181,11 +186,12 @@ bool RuleTableModel::setRuleText(int row, Column column, const QString& text)
   const QString before = column == Condition ? start : start + old.condition + middle;
   const QString whole = before + text + (column == Condition ? middle + old.conclusion : QString());
 
+  Reading reading;
   const fuzzy::RuleBase& rules = m_document->ruleBase();
   auto parsed = fuzzy::parseRule(toUtf8(text), rules); // a whole rule may be pasted into a cell
-  const bool pasted = std::holds_alternative<fuzzy::Rule>(parsed);
+  reading.isWhole = std::holds_alternative<fuzzy::Rule>(parsed);
   const std::string utf8 = toUtf8(whole);
-  if (!pasted) parsed = fuzzy::parseRule(utf8, rules);
+  if (!reading.isWhole) parsed = fuzzy::parseRule(utf8, rules);
 
   if (const auto* error = std::get_if<fuzzy::RuleTextError>(&parsed)) {
     Mistake mistake{row, column, text, RuleDisplay::mistakeRange(utf8, *error), *error, {}};
@@ -194,15 +200,22 @@ bool RuleTableModel::setRuleText(int row, Column column, const QString& text)
     const int length = static_cast<int>(text.size());
     mistake.range.start = std::clamp(mistake.range.start - static_cast<int>(before.size()), 0, length);
     mistake.range.length = std::min(mistake.range.length, length - mistake.range.start);
-    setMistake(mistake);
-    return false;
+    reading.mistake = mistake;
+  } else {
+    reading.rule = std::get<fuzzy::Rule>(parsed);
   }
-  const fuzzy::Rule& rule = std::get<fuzzy::Rule>(parsed);
-  setMistake({});
+  return reading;
+}
+
+bool RuleTableModel::setRuleText(int row, Column column, const QString& text)
+{
+  const Reading reading = read(row, column, text);
+  setMistake(reading.mistake);
+  if (reading.mistake) return false;
   return editRule(row, tr("Change rule %1").arg(row + 1), [&](fuzzy::Rule& changed) {
-    if (pasted || column == Condition) changed.condition = rule.condition;
-    if (pasted || column == Conclusion) changed.consequents = rule.consequents;
-    if (pasted || rule.weight != 1.0) changed.weight = rule.weight;
+    if (reading.isWhole || column == Condition) changed.condition = reading.rule.condition;
+    if (reading.isWhole || column == Conclusion) changed.consequents = reading.rule.consequents;
+    if (reading.isWhole || reading.rule.weight != 1.0) changed.weight = reading.rule.weight;
   });
 }
 
@@ -234,7 +247,27 @@ void RuleTableModel::setMistake(std::optional<Mistake> mistake)
   if (old && old->row < rowCount())
     emit dataChanged(index(old->row, old->column), index(old->row, old->column));
   refresh();
+  tellMistake();
   emit mistakeChanged();
+}
+
+/// To the document: it is unsaved work.
+void RuleTableModel::tellMistake()
+{
+  if (m_mistake)
+    m_document->setDraftCell(m_mistake->row, m_mistake->column, toUtf8(m_mistake->text));
+  else
+    m_document->setDraftCell(-1, 0, {});
+}
+
+void RuleTableModel::restoreMistake()
+{
+  m_restoring = false;
+  const RuleDraft draft = m_document->ruleDraft();
+  const bool isText = draft.column == Condition || draft.column == Conclusion;
+  if (!isText || draft.row >= rowCount()) return tellMistake();
+  setMistake(read(draft.row, static_cast<Column>(draft.column), toQt(draft.cell)).mistake);
+  tellMistake();
 }
 
 void RuleTableModel::cureMistake()
@@ -275,6 +308,7 @@ void RuleTableModel::followDocument()
       m_mistake->row += toInt(now.size()) - toInt(old.size());
     else if (row >= head)
       setMistake({});
+    tellMistake();
   }
   // First what changes in place, then the rows that come or go behind it.
   const std::size_t common = shorter - tail;
@@ -291,6 +325,7 @@ void RuleTableModel::followDocument()
     m_parts.assign(now.size(), std::nullopt);
     endRemoveRows();
   }
+  if (m_restoring) restoreMistake();
 }
 
 void RuleTableModel::forgetTexts()

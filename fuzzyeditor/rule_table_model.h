@@ -70,7 +70,16 @@ signals:
   void mistakeChanged();
 
 private:
+  struct Reading {
+    std::optional<Mistake> mistake;
+    fuzzy::Rule rule;     ///< without a mistake
+    bool isWhole = false; ///< the text is a whole rule, not a part
+  };
+
   void followDocument();
+  void restoreMistake();
+  void tellMistake();
+  Reading read(int row, Column column, const QString& text) const;
   void forgetTexts();
   bool setRuleText(int row, Column column, const QString& text);
   void setMistake(std::optional<Mistake> mistake);
@@ -85,6 +94,7 @@ private:
   std::vector<fuzzy::Rule> m_rules;
   mutable std::vector<std::optional<RuleParts>> m_parts; ///< texts, made when a row is first shown
   std::optional<Mistake> m_mistake;
+  bool m_restoring = false; ///< the document's draft holds a mistake that is still to be shown
 };
 
 } // namespace esm

@@ -41,11 +41,14 @@ RuleTextPage::RuleTextPage(FuzzyDocument* document, QWidget* parent)
   connect(m_bar, &MistakeBar::cureRequested, this, &RuleTextPage::cure);
   const auto follow = [this] {
     m_reader.forget(); // names may have changed
-    m_stale = true;
-    if (isVisible()) followDocument();
+    m_stale =
+      true; // what is typed and not applied follows even unseen: it is to be recovered as it should be
+    if (isVisible() || !m_document->ruleDraft().text.empty()) followDocument();
   };
   connect(document, &FuzzyDocument::ruleBaseChanged, this, follow);
   connect(document, &FuzzyDocument::ruleLanguageChanged, this, follow);
+  connect(document, &FuzzyDocument::ruleDraftReplaced, this, &RuleTextPage::replaceText);
+  connect(document, &FuzzyDocument::ruleTextWanted, this, &RuleTextPage::applyText);
 
   m_highlighter->setPalette(m_editor->palette());
   QEvent translate(QEvent::LanguageChange);
@@ -57,6 +60,21 @@ void RuleTextPage::readText()
   m_lines = m_reader.read(m_editor->lines(), m_document->ruleBase());
   findSources(m_lines, m_before);
   showMarks();
+  const bool isApplied = m_mistakes == 0 && rulesOf(m_lines, m_before) == m_before;
+  m_document->setDraftText(isApplied ? std::string() : toUtf8(m_editor->lines().join('\n')));
+}
+
+/// Another project: what was typed here goes with the former one, what was recovered with it comes.
+void RuleTextPage::replaceText()
+{
+  m_pause.stop();
+  m_reader.forget();
+  const QString text = toQt(m_document->ruleDraft().text);
+  m_before = text.isEmpty() ? std::vector<fuzzy::Rule>() : m_document->ruleBase().rules;
+  m_writing = true;
+  m_editor->setLines(text.split('\n'));
+  m_writing = false;
+  readText();
 }
 
 void RuleTextPage::showMarks()

@@ -36,6 +36,7 @@ protected:
 
 private:
   void readText();
+  void replaceText();
   void followDocument();
   void showMarks();
   void showMistake();

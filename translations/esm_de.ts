@@ -1301,6 +1301,34 @@
         <source>the nearest that one reaches is %1</source>
         <translation>am nächsten kommt %1</translation>
     </message>
+    <message>
+        <source>is damaged from its first line on</source>
+        <translation>ist von der ersten Zeile an beschädigt</translation>
+    </message>
+    <message>
+        <source>was written by a newer version of this program</source>
+        <translation>wurde von einer neueren Fassung dieses Programms geschrieben</translation>
+    </message>
+    <message>
+        <source>%1 is not as it was written</source>
+        <translation>%1 ist nicht, wie es geschrieben wurde</translation>
+    </message>
+    <message>
+        <source>does not fit its own beginning (%1)</source>
+        <translation>passt nicht zum eigenen Anfang (%1)</translation>
+    </message>
+    <message>
+        <source>holds nodes that the net does not have</source>
+        <translation>hält Knoten fest, die das Netz nicht hat</translation>
+    </message>
+    <message>
+        <source>names a file outside of its folder</source>
+        <translation>nennt eine Datei außerhalb des eigenen Ordners</translation>
+    </message>
+    <message>
+        <source>there is no state folder: neither XDG_STATE_HOME nor HOME is set</source>
+        <translation>es gibt keinen Ordner für Zustände: weder XDG_STATE_HOME noch HOME ist gesetzt</translation>
+    </message>
 </context>
 <context>
     <name>esm::ErrorText</name>
@@ -1347,6 +1375,10 @@
     <message>
         <source>An internal error occurred.</source>
         <translation>Ein interner Fehler ist aufgetreten.</translation>
+    </message>
+    <message>
+        <source>There is not enough memory.</source>
+        <translation>Der Arbeitsspeicher reicht nicht.</translation>
     </message>
 </context>
 <context>
@@ -2530,6 +2562,38 @@
         <source>The simulation is paused: nothing moves until it plays (space key).</source>
         <translation>Die Simulation ist angehalten: Es bewegt sich nichts, bis sie abgespielt wird (Leertaste).</translation>
     </message>
+    <message>
+        <source>Unsaved work is not kept for the case of a crash. %1 %2</source>
+        <translation>Nicht gespeicherte Arbeit wird für den Fall eines Absturzes nicht aufbewahrt. %1 %2</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit wiederherstellen</translation>
+    </message>
+    <message>
+        <source>There is nothing to recover.</source>
+        <translation>Es gibt nichts wiederherzustellen.</translation>
+    </message>
+    <message>
+        <source>Recovered: %1. Nothing of it is saved yet.</source>
+        <translation>Wiederhergestellt: %1. Davon ist noch nichts gespeichert.</translation>
+    </message>
+    <message>
+        <source>The file has changed since, or is gone: %1. What was recovered does not replace it; saving asks for a place.</source>
+        <translation>Die Datei wurde seither geändert oder ist fort: %1. Das Wiederhergestellte ersetzt sie nicht; beim Speichern wird nach dem Ort gefragt.</translation>
+    </message>
+    <message>
+        <source>The end of what was kept is damaged; recovered is what came before. The damaged lines are left beside the other journals.</source>
+        <translation>Das Ende des Aufbewahrten ist beschädigt; wiederhergestellt ist, was davor steht. Die beschädigten Zeilen bleiben neben den anderen Journalen liegen.</translation>
+    </message>
+    <message>
+        <source>A rule has a mistake. Saving leaves it out, and it will be lost.</source>
+        <translation>Eine Regel hat einen Fehler. Beim Speichern bleibt sie weg und geht verloren.</translation>
+    </message>
+    <message>
+        <source>Saved %1, but for a rule with a mistake.</source>
+        <translation>%1 gespeichert, bis auf eine Regel mit einem Fehler.</translation>
+    </message>
 </context>
 <context>
     <name>esm::MembershipPanel</name>
@@ -3209,6 +3273,59 @@
     <message>
         <source>inch</source>
         <translation>Zoll</translation>
+    </message>
+</context>
+<context>
+    <name>esm::RecoveryDialog</name>
+    <message numerus="yes">
+        <source>%n step(s), never saved</source>
+        <translation>
+            <numerusform>%n Schritt, nie gespeichert</numerusform>
+            <numerusform>%n Schritte, nie gespeichert</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) after the last save</source>
+        <translation>
+            <numerusform>%n Schritt nach dem letzten Speichern</numerusform>
+            <numerusform>%n Schritte nach dem letzten Speichern</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>a rule that was being written</source>
+        <translation>eine Regel in Arbeit</translation>
+    </message>
+    <message>
+        <source>Recover unsaved work</source>
+        <translation>Nicht gespeicherte Arbeit wiederherstellen</translation>
+    </message>
+    <message>
+        <source>The program ended before this was saved:</source>
+        <translation>Das Programm endete, bevor dies gespeichert war:</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+    <message>
+        <source>Discard “%1”? It cannot be brought back.</source>
+        <translation>„%1“ verwerfen? Es lässt sich nicht zurückholen.</translation>
+    </message>
+    <message>
+        <source>Keeps everything; File &gt; Recover unsaved work shows it again</source>
+        <translation>Behält alles; Datei &gt; Nicht gespeicherte Arbeit wiederherstellen zeigt es wieder</translation>
+    </message>
+    <message>
+        <source>Untitled</source>
+        <translation>Ohne Titel</translation>
     </message>
 </context>
 <context>
@@ -4752,6 +4869,14 @@
     <message>
         <source>Struts: the springs inside that hold the organ up</source>
         <translation>Streben: die Federn im Inneren, die das Organ stützen</translation>
+    </message>
+    <message>
+        <source>&amp;Recover unsaved work…</source>
+        <translation>Nicht gespeicherte Arbeit &amp;wiederherstellen…</translation>
+    </message>
+    <message>
+        <source>What earlier windows could not save</source>
+        <translation>Was frühere Fenster nicht speichern konnten</translation>
     </message>
 </context>
 </TS>

@@ -140,4 +140,21 @@
         </translation>
     </message>
 </context>
+<context>
+    <name>esm::RecoveryDialog</name>
+    <message numerus="yes">
+        <source>%n step(s), never saved</source>
+        <translation>
+            <numerusform>%n step, never saved</numerusform>
+            <numerusform>%n steps, never saved</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n step(s) after the last save</source>
+        <translation>
+            <numerusform>%n step after the last save</numerusform>
+            <numerusform>%n steps after the last save</numerusform>
+        </translation>
+    </message>
+</context>
 </TS>

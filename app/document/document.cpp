@@ -27,6 +27,9 @@ Document::Document(QObject* parent) : FuzzyDocument(parent)
   m_project.tissue = defaultTissue();
   resizeNet(m_project.net, 0, 0);
   connect(&m_undo, &QUndoStack::cleanChanged, this, &Document::titleChanged);
+  connect(&m_undo, &QUndoStack::indexChanged, this,
+          &Document::countSteps); // first: others ask for the number
+  connect(this, &Document::ruleDraftChanged, this, &Document::titleChanged);
 }
 
 Document::~Document()
@@ -49,13 +52,28 @@ QString Document::displayName() const
 
 void Document::start(Project project, const QString& path)
 {
+  begin(std::move(project), path, false, 0, {}); // until an edit, the file's own numbers hold
+}
+
+void Document::startRecovered(Project project, const QString& path, bool derived, int steps, RuleDraft draft)
+{
+  begin(std::move(project), path, derived, steps, std::move(draft));
+  if (!path.isEmpty()) m_file = identityOf(path.toStdString()); // who recovers has compared it
+}
+
+void Document::begin(Project project, const QString& path, bool derived, int steps, RuleDraft draft)
+{
+  emit projectLeft();
   m_project = std::move(project);
-  netWritten(false); // until an edit has applied the tissue, the file's own numbers hold
+  netWritten(derived);
+  m_netNumber = ++m_netNumbers;
   m_path = path;
   m_file.reset();
   m_target = -1;
+  m_stepsRecovered = steps;
   m_undo.clear();
   m_savedRules = m_project.tissue.rules;
+  replaceDraft(std::move(draft)); // what was typed about the former rules is no part of the coming ones
   emit ruleBaseChanged(); // first: who hears of the new project asks what its rules say, not the former ones
   emit ruleBaseSaved();
   emit inputsChanged();
@@ -84,6 +102,7 @@ Status Document::open(const QString& path)
 Status Document::saveAs(const QString& path)
 {
   // Mesh files are named as seen from where the project is saved; here they are absolute, for it may move.
+  emit ruleTextWanted();
   const ImportRecipe source = m_project.source;
   m_project.source = withRelativeNames(source, folderOf(path));
   const Status saved = esm::saveProject(m_project, path.toStdString());
@@ -91,9 +110,12 @@ Status Document::saveAs(const QString& path)
   if (!saved) return saved.error();
   m_path = path;
   m_file = identityOf(path.toStdString());
+  m_stepsRecovered = 0;
   m_undo.setClean();
+  countSteps(m_undo.index());
   m_savedRules = m_project.tissue.rules;
   emit ruleBaseSaved();
+  emit projectSaved();
   emit titleChanged();
   return {};
 }
@@ -101,6 +123,24 @@ Status Document::saveAs(const QString& path)
 bool Document::fileChangedOnDisk() const
 {
   return !m_path.isEmpty() && isOtherFile(m_path.toStdString(), m_file);
+}
+
+int Document::stepsAfterSave() const
+{
+  return m_stepsRecovered + m_steps;
+}
+
+/// The distance to the saved state on the undo stack; where that has left it, by a step after an undo, what
+/// it was then and what followed.
+void Document::countSteps(int index)
+{
+  if (const int clean = m_undo.cleanIndex(); clean >= 0) {
+    m_steps = std::abs(index - clean);
+    m_lostAt = 0;
+  } else {
+    if (m_lostAt == 0) m_lostSteps = m_steps, m_lostAt = index;
+    m_steps = m_lostSteps + 1 + std::abs(index - m_lostAt);
+  }
 }
 
 void Document::setView(const ViewSettings& view)
@@ -250,94 +290,6 @@ void Document::setParametersFromTissue(bool on)
   }
   m_undo.push(
     new SetParametersFromTissueCommand(*this, on, std::make_shared<const SpringNet>(std::move(net))));
-}
-
-const TissueField* Document::tissueField() const
-{
-  if (m_derivation) return &m_derivation->field();
-  if (!m_field)
-    if (auto field = TissueField::create(m_project.tissue)) m_field.emplace(std::move(field).value());
-  return m_field ? &*m_field : nullptr;
-}
-
-/// Tries the edit first, so that the stack never holds a step that cannot be done.
-bool Document::pushTissue(std::unique_ptr<TissueCommand> command)
-{
-  TissueModel tissue = m_project.tissue;
-  command->apply(tissue);
-  if (auto prepared = prepare(tissue); !prepared) {
-    refuse(prepared.error());
-    return false;
-  }
-  m_undo.push(command.release()); // runs redo()
-  return true;
-}
-
-void Document::refuse(const Error& error)
-{
-  emit problem(error);
-  emit inputsChanged(); // widgets go back to what holds
-  emit regionsChanged();
-  emit tissueSettingsChanged();
-}
-
-/// Does what can fail of deriving the springs from `tissue`; the project stays as it is.
-/// The first derivation of a net is made whole on a copy, later ones follow the edit.
-Status Document::prepare(const TissueModel& tissue)
-{
-  m_deriving.start();
-  m_preparedNet.reset();
-  m_preparedField.reset();
-  if (m_derivation || !derivesSprings()) {
-    auto field = TissueField::create(tissue);
-    if (!field) return field.error();
-    m_preparedField.emplace(std::move(field).value());
-    return {};
-  }
-  auto net = std::make_shared<SpringNet>(m_project.net);
-  auto derivation = TissueDerivation::create(tissue, *net);
-  if (!derivation) return derivation.error();
-  m_preparedNet.emplace(Derived{std::move(derivation).value(), std::move(net)});
-  return {};
-}
-
-bool Document::derivesSprings() const
-{
-  return m_project.parametersFromTissue && m_project.net.nodeCount() > 0;
-}
-
-/// Gives the springs what prepare() made ready for the project's present tissue.
-void Document::derivePrepared()
-{
-  if (m_preparedNet) {
-    putNet(m_preparedNet->net, true);
-    m_derivation = std::move(m_preparedNet->derivation);
-    m_lastApply = m_derivation->report();
-  } else if (m_derivation) {
-    m_lastApply = m_derivation->update(std::move(*m_preparedField), m_project.net);
-    m_sharedNet.reset();
-  } else {
-    m_field = std::move(m_preparedField);
-  }
-  m_preparedNet.reset();
-  m_preparedField.reset();
-  m_lastApplyTime = 1e-9 * static_cast<double>(m_deriving.nsecsElapsed());
-}
-
-void Document::putNet(std::shared_ptr<const SpringNet> net, bool derived)
-{
-  m_project.net = *net;
-  netWritten(derived);
-  m_sharedNet = std::move(net);
-}
-
-/// Somebody else than the derivation has written to the net.
-void Document::netWritten(bool derived)
-{
-  m_sharedNet.reset();
-  m_derivation.reset();
-  m_field.reset();
-  m_derived = derived;
 }
 
 void Document::keepTargetInRange()

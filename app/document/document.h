@@ -12,6 +12,7 @@
 #include <QString>
 #include <QUndoStack>
 
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -57,14 +58,23 @@ public:
   QUndoStack* undoStack() noexcept { return &m_undo; }
   const QString& path() const noexcept { return m_path; } ///< empty: not saved as a project yet
   QString displayName() const;
-  bool isModified() const { return !m_undo.isClean(); }
+  bool isModified() const { return !m_undo.isClean() || m_stepsRecovered > 0 || !ruleDraft().isEmpty(); }
+  int stepsAfterSave() const; ///< done, undone or redone: what a crash would cost
 
   void start(Project project, const QString& path); ///< replaces everything; the undo stack is emptied
-  Status open(const QString& path);                 ///< on error everything is as before
-  Status saveAs(const QString& path);               ///< atomic; the former file stays as .bak
+  /// The same with work that was not saved: so many steps, and a rule that was being written.
+  /// @param derived the net's parameters are what applyTissue() gives.
+  void startRecovered(Project project, const QString& path, bool derived, int steps, RuleDraft draft);
+  Status open(const QString& path);   ///< on error everything is as before
+  Status saveAs(const QString& path); ///< atomic; the former file stays as .bak
   /// Whether somebody else has written the file since it was opened or saved: saving would lose that.
   bool fileChangedOnDisk() const;
   void setView(const ViewSettings& view); ///< saved with the project, no edit
+
+  /// Nets of one number differ at most in held nodes and in what the tissue gives them; undo brings numbers
+  /// back.
+  std::uint64_t netNumber() const noexcept { return m_netNumber; }
+  bool netIsDerived() const noexcept { return m_derived; } ///< its parameters are what applyTissue() gives
 
   // === Fuzzy panels
   const fuzzy::RuleBase& ruleBase() const override { return m_project.tissue.rules; }
@@ -109,6 +119,8 @@ public:
   void setSolver(const std::string& name);
 
 signals:
+  void projectLeft(); ///< before another project comes: what is here is let go
+  void projectSaved();
   void projectReset();      ///< another project: everything changed
   void netChanged();        ///< topology, fixed nodes, loads or solver: the simulation starts anew
   void modelReplaced();     ///< nodes are others than before: forget what was selected (after netChanged)
@@ -139,11 +151,14 @@ private:
   bool isPrepared() const { return m_preparedNet || m_preparedField; }
   void derivePrepared();
   void putNet(std::shared_ptr<const SpringNet> net, bool derived);
+  void begin(Project project, const QString& path, bool derived, int steps, RuleDraft draft);
+  void countSteps(int index);
   void netWritten(bool derived);
   void keepTargetInRange();
 
   Project m_project;
   mutable std::shared_ptr<const SpringNet> m_sharedNet; ///< copy of m_project.net, made on demand
+  std::uint64_t m_netNumber = 0, m_netNumbers = 0;      ///< of the net, and how many were given
   bool m_derived = false; ///< the net's parameters are what applyTissue() gives: undo need not store them
   std::optional<TissueDerivation> m_derivation; ///< follows edits; only while m_derived, and then on demand
   std::optional<Derived> m_preparedNet;         ///< what the next redo() takes, tried by prepare()
@@ -156,6 +171,9 @@ private:
   QUndoStack m_undo;
   QString m_path;
   std::optional<FileIdentity> m_file; ///< at m_path, as it was opened or saved
+  int m_stepsRecovered = 0;           ///< not saved by the process that was lost
+  int m_steps = 0;                    ///< after the last save, as far as the undo stack can tell
+  int m_lostSteps = 0, m_lostAt = 0;  ///< when the saved state left the undo stack: its distance, the index
   int m_target = -1;
   Language m_language = Language::English;
 };

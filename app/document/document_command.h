@@ -21,6 +21,8 @@ protected:
   Project& project() { return m_document->m_project; }
   void netReplaced(bool derived); ///< call after writing to project().net
   bool netIsDerived() const { return m_document->m_derived; }
+  std::uint64_t newNetNumber() { return ++m_document->m_netNumbers; }
+  void setNetNumber(std::uint64_t number) { m_document->m_netNumber = number; }
   void setTarget(int region) { m_document->setInputTarget(region); }
   void keepTargetInRange() { m_document->keepTargetInRange(); }
 

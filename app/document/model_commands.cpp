@@ -12,8 +12,10 @@ SetModelCommand::SetModelCommand(Document& document, ModelPart model, const QStr
   : DocumentCommand(document, text), m_new(std::move(model))
 {
   const Project& now = document.project();
-  m_old = {now.name,      now.tissue, now.source, document.net(), now.loads, now.parametersFromTissue,
-           netIsDerived()};
+  m_new.netNumber = newNetNumber();
+  m_old = {now.name,       now.tissue,          now.source,
+           document.net(), now.loads,           now.parametersFromTissue,
+           netIsDerived(), document.netNumber()};
 }
 
 void SetModelCommand::put(const ModelPart& part)
@@ -28,6 +30,7 @@ void SetModelCommand::put(const ModelPart& part)
   target.loads = part.loads;
   target.parametersFromTissue = part.parametersFromTissue;
   netReplaced(part.derived);
+  setNetNumber(part.netNumber);
   const bool otherRules = former.rules != part.tissue.rules,
              otherRegions = former.regions != part.tissue.regions;
   const bool otherNumbers = settingsOf(former) != settingsOf(part.tissue);
@@ -115,15 +118,19 @@ SetParametersFromTissueCommand::SetParametersFromTissueCommand(Document& documen
                    : translatedCommand(QT_TRANSLATE_NOOP("esm::Commands", "keep parameters as they are"))),
     m_on(on),
     m_oldDerived(netIsDerived()),
+    m_oldNumber(document.netNumber()),
+    m_newNumber(on ? m_oldNumber : newNetNumber()), // its numbers hold from now on, whatever the tissue says
     m_old(document.net()),
     m_new(std::move(net))
 {}
 
-void SetParametersFromTissueCommand::put(bool on, const std::shared_ptr<const SpringNet>& net, bool derived)
+void SetParametersFromTissueCommand::put(bool on, const std::shared_ptr<const SpringNet>& net, bool derived,
+                                         std::uint64_t number)
 {
   project().parametersFromTissue = on;
   project().net = *net;
   netReplaced(derived);
+  setNetNumber(number);
   emit document().parametersChanged();
   emit document().tissueSettingsChanged();
 }

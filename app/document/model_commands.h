@@ -14,7 +14,8 @@ struct ModelPart {
   std::shared_ptr<const SpringNet> net;
   Loads loads;
   bool parametersFromTissue = true;
-  bool derived = true; ///< the net's parameters are what the tissue gives
+  bool derived = true;         ///< the net's parameters are what the tissue gives
+  std::uint64_t netNumber = 0; ///< Document::netNumber()
 };
 
 /// An imported mesh replaces the model or has been added to it.
@@ -82,12 +83,13 @@ private:
 class SetParametersFromTissueCommand : public DocumentCommand {
 public:
   SetParametersFromTissueCommand(Document& document, bool on, std::shared_ptr<const SpringNet> net);
-  void redo() override { put(m_on, m_new, m_on); }
-  void undo() override { put(!m_on, m_old, m_oldDerived); }
+  void redo() override { put(m_on, m_new, m_on, m_newNumber); }
+  void undo() override { put(!m_on, m_old, m_oldDerived, m_oldNumber); }
 
 private:
-  void put(bool on, const std::shared_ptr<const SpringNet>& net, bool derived);
+  void put(bool on, const std::shared_ptr<const SpringNet>& net, bool derived, std::uint64_t number);
   bool m_on, m_oldDerived;
+  std::uint64_t m_oldNumber, m_newNumber;
   std::shared_ptr<const SpringNet> m_old, m_new;
 };
 

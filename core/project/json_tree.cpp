@@ -219,6 +219,13 @@ std::string write(const Json& tree)
   return text;
 }
 
+std::string writeLine(const Json& tree)
+{
+  std::string text;
+  appendCompact(text, tree, std::string::npos);
+  return text;
+}
+
 std::string writeCbor(const Json& tree)
 {
   std::string bytes;

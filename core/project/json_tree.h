@@ -33,6 +33,7 @@ Result<Json> parseCbor(std::string_view bytes, const std::string& origin);
 /// a fixed number of items per line, so that one changed number changes one line. Numbers in their shortest
 /// exact form, -0 as -0.0. A number that is not finite becomes null, which no reader of ours takes.
 std::string write(const Json& tree);
+std::string writeLine(const Json& tree); ///< the same on one line, without its end
 std::string writeCbor(const Json& tree);
 
 /// Where the tree holds a NaN or an infinity: "/net/springs/stiffness/17"; none if it can be written.

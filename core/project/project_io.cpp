@@ -5,6 +5,7 @@
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/net_json.h"
+#include "core/project/project_tree.h"
 #include "core/project/recipe_json.h"
 #include "core/project/tissue_json.h"
 #include "core/project/xsp_format.h"
@@ -53,24 +54,6 @@ Json viewOf(const ViewSettings& view)
     {"show_springs", view.showSprings}};
   if (view.showStruts) object["show_struts"] = true; // as above
   return object;
-}
-
-Json treeOf(const Project& project)
-{
-  return {{"format", kFormat},
-          {"schema_version", kSchemaVersion},
-          {"name", json::validUtf8(project.name)},
-          {"units", {{"length", "m"}, {"mass", "kg"}, {"time", "s"}, {"force", "N"}, {"pressure", "Pa"}}},
-          {"source", json::sourceOf(project.source)},
-          {"rule_base", json::ruleBaseOf(project.tissue.rules)},
-          {"inputs", json::inputsOf(project.tissue.inputs, project.tissue.rules)},
-          {"regions", json::regionsOf(project.tissue)},
-          {"tissue", tissueOf(project)},
-          {"loads", json::loadsOf(project.loads)},
-          {"simulation", simulationOf(project.simulation)},
-          {"view", viewOf(project.view)},
-          {"geometry", json::geometryOf(project.net)},
-          {"net", json::netOf(project.net)}};
 }
 
 TissueModel readTissue(const View& root, bool& parametersFromTissue)
@@ -144,7 +127,33 @@ void checkVersion(const View& root)
                   ErrorCode::NewerVersion);
 }
 
-Result<Project> readProject(const Json& tree, const std::string& origin)
+} // namespace
+
+Json json::treeWithoutNet(const Project& project)
+{
+  return {{"format", kFormat},
+          {"schema_version", kSchemaVersion},
+          {"name", json::validUtf8(project.name)},
+          {"units", {{"length", "m"}, {"mass", "kg"}, {"time", "s"}, {"force", "N"}, {"pressure", "Pa"}}},
+          {"source", json::sourceOf(project.source)},
+          {"rule_base", json::ruleBaseOf(project.tissue.rules)},
+          {"inputs", json::inputsOf(project.tissue.inputs, project.tissue.rules)},
+          {"regions", json::regionsOf(project.tissue)},
+          {"tissue", tissueOf(project)},
+          {"loads", json::loadsOf(project.loads)},
+          {"simulation", simulationOf(project.simulation)},
+          {"view", viewOf(project.view)}};
+}
+
+Json json::treeOf(const Project& project)
+{
+  Json tree = treeWithoutNet(project);
+  tree["geometry"] = json::geometryOf(project.net);
+  tree["net"] = json::netOf(project.net);
+  return tree;
+}
+
+Result<Project> json::readProject(const Json& tree, const std::string& origin)
 {
   json::Faults faults{origin, {}};
   const View root(tree, faults);
@@ -168,6 +177,8 @@ Result<Project> readProject(const Json& tree, const std::string& origin)
   return project;
 }
 
+namespace {
+
 bool isCborMap(std::string_view bytes)
 {
   return !bytes.empty() && (static_cast<unsigned char>(bytes[0]) & 0xe0) == 0xa0;
@@ -188,7 +199,7 @@ Result<Project> parseTree(std::string_view bytes, const std::string& origin)
   if (!tree) return tree.error();
   if (const auto format = tree->find("format"); format != tree->end() && *format == json::kPlainNetFormat)
     return json::readPlainNet(*tree, origin);
-  return readProject(*tree, origin);
+  return json::readProject(*tree, origin);
 }
 
 bool isSolver(const std::string& name)
@@ -249,14 +260,14 @@ Status checkProject(const Project& project)
 
 std::string toJson(const Project& project)
 {
-  const Json tree = treeOf(project);
+  const Json tree = json::treeOf(project);
   ESM_ASSERT(!json::findNonFinite(tree));
   return json::write(tree);
 }
 
 std::string toCbor(const Project& project)
 {
-  const Json tree = treeOf(project);
+  const Json tree = json::treeOf(project);
   ESM_ASSERT(!json::findNonFinite(tree));
   return json::writeCbor(tree);
 }
@@ -289,7 +300,7 @@ Status saveProject(const Project& project, const std::filesystem::path& path)
   if (const Status status = checkProject(project); !status)
     return refuse(status.error().code, status.error().detail);
   try {
-    const Json tree = treeOf(project);
+    const Json tree = json::treeOf(project);
     if (const auto place = json::findNonFinite(tree))
       return refuse(ErrorCode::Numerics, *place + " is not a finite number");
     return writeFileAtomically(path, path.extension() == ".esmb" ? json::writeCbor(tree) : json::write(tree),

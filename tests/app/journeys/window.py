@@ -13,6 +13,7 @@ import json
 import os
 import pathlib
 import re
+import shutil
 import subprocess
 import sys
 import time
@@ -20,6 +21,7 @@ import time
 MODELER, SAMPLES, OUT = sys.argv[1], pathlib.Path(sys.argv[2]), pathlib.Path(sys.argv[3])
 NAME = pathlib.Path(sys.argv[0]).stem
 STATE = OUT / "state.json"
+JOURNALS = pathlib.Path(os.environ["XDG_STATE_HOME"]) / "esm-modeler" / "recovery"
 MAIN = "Elastodynamic Shape Modeler"  # part of the window's title
 PATIENCE = 40.0  # [s] for one expectation; a debug build on a busy machine is slow
 program = None
@@ -126,8 +128,11 @@ def focus(title):
     fail(f"no window named {title}")
 
 
-def start(*arguments, language="en", theme="light"):
+def start(*arguments, language="en", theme="light", forget=True):
+    """With `forget`, what a former program that was killed could not save is not offered."""
     global program
+    if forget:
+        shutil.rmtree(JOURNALS, ignore_errors=True)
     STATE.unlink(missing_ok=True)
     program = subprocess.Popen([MODELER, "--dump-state", str(STATE), "--lang", language, "--theme", theme, *map(str, arguments)])
 
