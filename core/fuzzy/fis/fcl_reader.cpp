@@ -15,8 +15,6 @@ namespace esm::fis {
 
 namespace {
 
-using namespace fcl;
-
 class FclReader {
 public:
   FclReader(const FunctionBlock& block, Notes& notes) : m_scan(block.text), m_notes(notes)
@@ -171,7 +169,7 @@ private:
         m_hasMethod.insert(output.name);
       } else if (m_scan.accept("ACCU")) {
         m_scan.expect(":");
-        output.aggregation = readNorm<SNorm>(kSNorms, kForeignSNorms, sNormNamed);
+        output.aggregation = readNorm<SNorm>(fcl::kSNorms, fcl::kForeignSNorms, sNormNamed);
       } else if (m_scan.accept("DEFAULT")) {
         readDefault(output);
       } else if (!readCommon(output)) {
@@ -205,7 +203,7 @@ private:
   Defuzzifier readMethod()
   {
     const std::string_view word = m_scan.take();
-    const int index = indexIn(kMethods, word);
+    const int index = indexIn(fcl::kMethods, word);
     if (index >= 0) return static_cast<Defuzzifier>(index);
     for (const auto& [name, method] :
          {std::pair<std::string_view, Defuzzifier>{"Centroid", Defuzzifier::Centroid},
@@ -258,15 +256,15 @@ private:
     m_scan.expect(":");
     if (equalIgnoringCase(key, "AND")) {
       words.conjunction = m_scan.word();
-      block.conjunction = readNorm<TNorm>(kTNorms, kForeignTNorms, tNormNamed);
+      block.conjunction = readNorm<TNorm>(fcl::kTNorms, fcl::kForeignTNorms, tNormNamed);
     } else if (equalIgnoringCase(key, "OR")) {
       words.disjunction = m_scan.word();
-      block.disjunction = readNorm<SNorm>(kSNorms, kForeignSNorms, sNormNamed);
+      block.disjunction = readNorm<SNorm>(fcl::kSNorms, fcl::kForeignSNorms, sNormNamed);
     } else if (equalIgnoringCase(key, "ACT")) {
-      block.implication = readNorm<TNorm>(kTNorms, kForeignTNorms, tNormNamed);
+      block.implication = readNorm<TNorm>(fcl::kTNorms, fcl::kForeignTNorms, tNormNamed);
     } else if (equalIgnoringCase(key, "ACCU")) {
       const std::string_view word = m_scan.word();
-      const auto norm = readNorm<SNorm>(kSNorms, kForeignSNorms, sNormNamed);
+      const auto norm = readNorm<SNorm>(fcl::kSNorms, fcl::kForeignSNorms, sNormNamed);
       if (norm) m_accumulations.push_back({m_system.blocks.size() - 1, *norm, word});
     } else if (equalIgnoringCase(key, "ENABLED")) {
       block.enabled = m_scan.is("TRUE");

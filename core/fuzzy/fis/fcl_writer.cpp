@@ -10,8 +10,6 @@ namespace esm::fis {
 
 namespace {
 
-using namespace fcl;
-
 class FclWriter {
 public:
   explicit FclWriter(const System& system) : m_system(system) {}
@@ -81,10 +79,10 @@ private:
     const std::string place = "output '" + output.name + "': ";
     m_text += "DEFUZZIFY " + output.name + '\n';
     writeCommon(output, place);
-    line("METHOD : " + std::string(kMethods[static_cast<std::size_t>(output.defuzzifier)]) + ';');
+    line("METHOD : " + std::string(fcl::kMethods[static_cast<std::size_t>(output.defuzzifier)]) + ';');
     // Over numbers it joins equal conclusions, which only some systems want.
     const bool gathers = isArea(output.defuzzifier) || output.joinsEqualTerms;
-    line("ACCU : " + std::string(gathers ? nameIn(kSNorms, output.aggregation, "NONE") : "NONE") + ';');
+    line("ACCU : " + std::string(gathers ? nameIn(fcl::kSNorms, output.aggregation, "NONE") : "NONE") + ';');
     line("DEFAULT := " + formatDouble(output.defaultValue) + (output.lockPrevious ? " | NC;" : ";"));
     lose(isArea(output.defuzzifier) && output.resolution != 100,
          place + "the resolution " + std::to_string(output.resolution));
@@ -105,9 +103,9 @@ private:
     lose(block.activation.kind != ActivationKind::General, place + "the activation (all rules will fire)");
     lose(block.conclusionHedges == ConclusionHedges::OnSet, place + "that hedges of conclusions act on sets");
     if (!block.enabled) line("ENABLED : FALSE;");
-    line("AND : " + std::string(nameIn(kTNorms, block.conjunction, "NONE")) + ';');
-    line("OR : " + std::string(nameIn(kSNorms, block.disjunction, "NONE")) + ';');
-    line("ACT : " + std::string(nameIn(kTNorms, block.implication, "NONE")) + ';');
+    line("AND : " + std::string(nameIn(fcl::kTNorms, block.conjunction, "NONE")) + ';');
+    line("OR : " + std::string(nameIn(fcl::kSNorms, block.disjunction, "NONE")) + ';');
+    line("ACT : " + std::string(nameIn(fcl::kTNorms, block.implication, "NONE")) + ';');
     for (std::size_t i = 0; i < block.rules.size(); ++i) {
       const std::string number = std::to_string(i + 1);
       lose(!block.rules[i].enabled, place + "that rule " + number + " is off");

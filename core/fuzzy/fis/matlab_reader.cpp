@@ -14,8 +14,6 @@ namespace esm::fis {
 
 namespace {
 
-using namespace matlab;
-
 std::string_view unquoted(std::string_view text)
 {
   text = trimmed(text);
@@ -133,15 +131,15 @@ private:
     } else if (key == "NumRules") {
       m_announced[2] = readCount(value);
     } else if (key == "AndMethod") {
-      m_block.conjunction = readNorm(kTNorms, word, tNormNamed);
+      m_block.conjunction = readNorm(matlab::kTNorms, word, tNormNamed);
     } else if (key == "OrMethod") {
-      m_block.disjunction = readNorm(kSNorms, word, sNormNamed);
+      m_block.disjunction = readNorm(matlab::kSNorms, word, sNormNamed);
     } else if (key == "ImpMethod") {
-      m_block.implication = readNorm(kTNorms, word, tNormNamed);
+      m_block.implication = readNorm(matlab::kTNorms, word, tNormNamed);
     } else if (key == "AggMethod") {
-      m_aggregation = readNorm(kSNorms, word, sNormNamed);
+      m_aggregation = readNorm(matlab::kSNorms, word, sNormNamed);
     } else if (key == "DefuzzMethod") {
-      const int method = indexIn(kMethods, word);
+      const int method = indexIn(matlab::kMethods, word);
       if (method < 0 && !word.empty()) throw Fault{word.data(), shown(word) + " is no known defuzzification"};
       m_defuzzifier = static_cast<Defuzzifier>(std::max(method, 0));
     } else {

@@ -10,8 +10,6 @@ namespace esm::fis {
 
 namespace {
 
-using namespace matlab;
-
 class FisWriter {
 public:
   explicit FisWriter(const System& system) : m_system(system) {}
@@ -45,12 +43,12 @@ private:
     m_text += "NumInputs=" + std::to_string(m_system.inputs.size()) +
               "\nNumOutputs=" + std::to_string(m_system.outputs.size()) +
               "\nNumRules=" + std::to_string(m_ruleCount) + '\n';
-    m_text += "AndMethod='" + std::string(nameIn(kTNorms, m_block.conjunction, "")) + "'\nOrMethod='" +
-              std::string(nameIn(kSNorms, m_block.disjunction, "")) + "'\n";
-    m_text += "ImpMethod='" + std::string(nameIn(kTNorms, m_block.implication, "")) + "'\nAggMethod='" +
-              std::string(nameIn(kSNorms, m_first.aggregation, "")) + "'\n";
-    m_text +=
-      "DefuzzMethod='" + std::string(kMethods[static_cast<std::size_t>(m_first.defuzzifier)]) + "'\n\n";
+    m_text += "AndMethod='" + std::string(nameIn(matlab::kTNorms, m_block.conjunction, "")) +
+              "'\nOrMethod='" + std::string(nameIn(matlab::kSNorms, m_block.disjunction, "")) + "'\n";
+    m_text += "ImpMethod='" + std::string(nameIn(matlab::kTNorms, m_block.implication, "")) +
+              "'\nAggMethod='" + std::string(nameIn(matlab::kSNorms, m_first.aggregation, "")) + "'\n";
+    m_text += "DefuzzMethod='" +
+              std::string(matlab::kMethods[static_cast<std::size_t>(m_first.defuzzifier)]) + "'\n\n";
   }
 
   template <class Variable>
