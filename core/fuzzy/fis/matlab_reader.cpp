@@ -241,8 +241,8 @@ private:
     const std::string_view list = trimmed(rest.substr(comma + 1));
     Term term;
     term.name = usableName(unquoted(text.substr(0, colon)));
-    const FisShape* known = nullptr;
-    for (const FisShape& candidate : kShapes)
+    const matlab::FisShape* known = nullptr;
+    for (const matlab::FisShape& candidate : matlab::kShapes)
       if (candidate.name == shape) known = &candidate;
     if (!known) throw Fault{shape.data(), shown(shape) + " is no known shape"};
     term.shape = known->shape;
@@ -258,7 +258,7 @@ private:
   }
 
   /// In our order. Numbers beyond those that the shape needs are passed over, as MATLAB does.
-  void takeParameters(Term& term, const FisShape& known, const std::vector<double>& numbers)
+  void takeParameters(Term& term, const matlab::FisShape& known, const std::vector<double>& numbers)
   {
     const int needed = parameterCount(known.shape);
     if (needed < 0 || numbers.size() < static_cast<std::size_t>(needed)) {

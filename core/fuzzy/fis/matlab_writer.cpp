@@ -69,8 +69,8 @@ private:
 
   std::string termText(const Term& term, const std::string& place)
   {
-    const FisShape* known = nullptr;
-    for (const FisShape& candidate : kShapes)
+    const matlab::FisShape* known = nullptr;
+    for (const matlab::FisShape& candidate : matlab::kShapes)
       if (!known && candidate.shape == term.shape) known = &candidate;
     const std::string name = "term '" + term.name + "'";
     lose(term.height != 1.0, place + "the height of " + name);
@@ -158,7 +158,7 @@ private:
     if (inverse) hedges.erase(hedges.begin());
     std::string fraction;
     if (hedges == std::vector{Hedge::Very, Hedge::Very}) fraction = ".4";
-    for (const auto& [number, hedge] : kHedgeCodes)
+    for (const auto& [number, hedge] : matlab::kHedgeCodes)
       if (hedges == std::vector{hedge})
         fraction = number < 10 ? ".0" + std::to_string(number) : '.' + std::to_string(number);
     if (fraction.empty() && !hedges.empty()) return false;
