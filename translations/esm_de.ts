@@ -938,14 +938,6 @@
         <translation>sie verspricht %1, aber dafür ist die Datei zu klein</translation>
     </message>
     <message>
-        <source>it holds %1 vertices but no face (f) and no line (l)</source>
-        <translation>sie enthält %1 Ecken, aber keine Fläche (f) und keine Linie (l)</translation>
-    </message>
-    <message>
-        <source>is it cut short, or no OBJ mesh at all?</source>
-        <translation>ist sie abgeschnitten oder gar kein OBJ-Netz?</translation>
-    </message>
-    <message>
         <source>a vertex needs three coordinates</source>
         <translation>eine Ecke braucht drei Koordinaten</translation>
     </message>
@@ -1020,10 +1012,6 @@
     <message>
         <source>it holds %1 vertices but no face and no edge</source>
         <translation>sie enthält %1 Ecken, aber keine Fläche und keine Kante</translation>
-    </message>
-    <message>
-        <source>a point cloud makes no net</source>
-        <translation>aus einer Punktwolke wird kein Netz</translation>
     </message>
     <message>
         <source>its vertices have no x, y and z</source>
@@ -1328,6 +1316,130 @@
     <message>
         <source>there is no state folder: neither XDG_STATE_HOME nor HOME is set</source>
         <translation>es gibt keinen Ordner für Zustände: weder XDG_STATE_HOME noch HOME ist gesetzt</translation>
+    </message>
+    <message>
+        <source>it holds %1 vertices but no face (f) and no line (l), points alone make no net</source>
+        <translation>sie enthält %1 Ecken, aber keine Fläche (f) und keine Linie (l), aus Punkten allein wird kein Netz</translation>
+    </message>
+    <message>
+        <source>a point cloud makes no net, make a surface of it first</source>
+        <translation>aus einer Punktwolke wird kein Netz, zuerst eine Oberfläche daraus machen</translation>
+    </message>
+    <message>
+        <source>this is %1</source>
+        <translation>das ist %1</translation>
+    </message>
+    <message>
+        <source>a picture holds no mesh, choose the mesh file itself</source>
+        <translation>ein Bild enthält kein Netz, die Netzdatei selbst wählen</translation>
+    </message>
+    <message>
+        <source>unpack it and choose the mesh in it</source>
+        <translation>entpacken und das Netz darin wählen</translation>
+    </message>
+    <message>
+        <source>segment the organ in an imaging program such as 3D Slicer, and save its surface as STL, OBJ or PLY</source>
+        <translation>das Organ in einem Bildprogramm wie 3D Slicer segmentieren und seine Oberfläche als STL, OBJ oder PLY sichern</translation>
+    </message>
+    <message>
+        <source>mesh it in the CAD program and save that as STL or OBJ</source>
+        <translation>im CAD-Programm vernetzen und das als STL oder OBJ sichern</translation>
+    </message>
+    <message>
+        <source>convert it to VTU or Gmsh .msh, as meshio, Gmsh or the program it comes from can do</source>
+        <translation>in VTU oder Gmsh .msh umwandeln, was meshio, Gmsh oder das Programm kann, aus dem sie kommt</translation>
+    </message>
+    <message>
+        <source>make a surface of its points, in MeshLab for example, and save that as PLY</source>
+        <translation>aus ihren Punkten eine Oberfläche machen, etwa in MeshLab, und diese als PLY sichern</translation>
+    </message>
+    <message>
+        <source>save it as OBJ, PLY, STL or glTF in the program it comes from</source>
+        <translation>in dem Programm, aus dem sie kommt, als OBJ, PLY, STL oder glTF sichern</translation>
+    </message>
+    <message>
+        <source>choose a mesh file</source>
+        <translation>eine Netzdatei wählen</translation>
+    </message>
+    <message>
+        <source>save it as UTF-8</source>
+        <translation>als UTF-8 sichern</translation>
+    </message>
+    <message>
+        <source>UTF-16 text</source>
+        <translation>UTF-16-Text</translation>
+    </message>
+    <message>
+        <source>a program</source>
+        <translation>ein Programm</translation>
+    </message>
+    <message>
+        <source>a database</source>
+        <translation>eine Datenbank</translation>
+    </message>
+    <message>
+        <source>a %1 picture</source>
+        <translation>ein %1-Bild</translation>
+    </message>
+    <message>
+        <source>a %1 archive</source>
+        <translation>ein %1-Archiv</translation>
+    </message>
+    <message>
+        <source>a %1 image</source>
+        <translation>eine %1-Aufnahme</translation>
+    </message>
+    <message>
+        <source>a %1 mesh</source>
+        <translation>ein %1-Netz</translation>
+    </message>
+    <message>
+        <source>a %1 part</source>
+        <translation>ein %1-Teil</translation>
+    </message>
+    <message>
+        <source>a %1 scene</source>
+        <translation>eine %1-Szene</translation>
+    </message>
+    <message>
+        <source>a %1 point cloud</source>
+        <translation>eine %1-Punktwolke</translation>
+    </message>
+    <message>
+        <source>a %1 document</source>
+        <translation>ein %1-Dokument</translation>
+    </message>
+    <message>
+        <source>an %1 picture</source>
+        <translation>ein %1-Bild</translation>
+    </message>
+    <message>
+        <source>an %1 archive</source>
+        <translation>ein %1-Archiv</translation>
+    </message>
+    <message>
+        <source>an %1 image</source>
+        <translation>eine %1-Aufnahme</translation>
+    </message>
+    <message>
+        <source>an %1 mesh</source>
+        <translation>ein %1-Netz</translation>
+    </message>
+    <message>
+        <source>an %1 part</source>
+        <translation>ein %1-Teil</translation>
+    </message>
+    <message>
+        <source>an %1 scene</source>
+        <translation>eine %1-Szene</translation>
+    </message>
+    <message>
+        <source>an %1 point cloud</source>
+        <translation>eine %1-Punktwolke</translation>
+    </message>
+    <message>
+        <source>an %1 document</source>
+        <translation>ein %1-Dokument</translation>
     </message>
 </context>
 <context>
