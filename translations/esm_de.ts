@@ -3186,6 +3186,10 @@
         <source>inch</source>
         <translation>Zoll</translation>
     </message>
+    <message>
+        <source>As the file itself states</source>
+        <translation>Wie die Datei selbst angibt</translation>
+    </message>
 </context>
 <context>
     <name>esm::RegionFields</name>
