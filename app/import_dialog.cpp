@@ -243,10 +243,12 @@ void ImportDialog::takeSource(MeshSource source)
   }
   if (!m_source && !m_remembered) {
     ImportRecipe guessed = m_form->recipe();
-    guessed.unit = guessedUnit((source.report.boxMax - source.report.boxMin).maxCoeff());
+    if (!source.stated.metres)
+      guessed.unit = guessedUnit((source.report.boxMax - source.report.boxMin).maxCoeff());
     m_form->setRecipe(guessed);
   }
   m_source = std::make_shared<const MeshSource>(std::move(source));
+  m_form->setStated(m_source->isInScene ? StatedFrame{} : m_source->stated);
   showSize();
   makeNet();
 }
@@ -272,6 +274,7 @@ TissueModel ImportDialog::wantedTissue() const
 void ImportDialog::makeNet()
 {
   if (!m_source) return; // it comes when the files are read
+  if (!m_source->serves(recipe())) return readFiles();
   setBusy(true);
   m_askedTissue = wantedTissue();
   m_jobs->start([source = m_source, recipe = recipe(), tissue = m_askedTissue](
@@ -409,10 +412,9 @@ void ImportDialog::showReport()
 void ImportDialog::showSize()
 {
   if (!m_source) return;
-  const ImportRecipe recipe = m_form->recipe();
-  Eigen::Vector3d extent =
-    (m_source->report.boxMax - m_source->report.boxMin) * metresPer(recipe.unit) * 1000.0;
-  if (recipe.up == UpAxis::Y) std::swap(extent.y(), extent.z());
+  const Eigen::Vector3d extent =
+    extentInScene(m_source->report.boxMin, m_source->report.boxMax, m_source->frame(m_form->recipe())) *
+    1000.0;
   const QLocale locale;
   const auto text = [&](double length) { return locale.toString(length, 'g', 4); };
   QString size = tr("%1 × %2 × %3 mm").arg(text(extent.x()), text(extent.y()), text(extent.z()));

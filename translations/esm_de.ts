@@ -3386,6 +3386,10 @@
         <source>inch</source>
         <translation>Zoll</translation>
     </message>
+    <message>
+        <source>As the file itself states</source>
+        <translation>Wie die Datei selbst angibt</translation>
+    </message>
 </context>
 <context>
     <name>esm::RecoveryDialog</name>

@@ -35,7 +35,7 @@ Result<ImportPreview> makePreview(const MeshSource& source, const ImportRecipe& 
   if (stopWanted(control)) return cancelledError();
   ImportPreview preview;
   Mesh mesh = source.mesh;
-  toScene(mesh, recipe.unit, recipe.up, recipe.patientAxes);
+  toScene(mesh, source.frame(recipe));
   const MeshDefects defects = findDefects(mesh, recipe.repair.tJunctionTolerance, control);
   if (stopWanted(control)) return cancelledError();
   const SelfIntersections crossings =

@@ -128,6 +128,7 @@ void RecipeForm::addFileGroup()
   m_axes = addCombo(form, "importUp", QT_TR_NOOP("Axes"),
                     {QT_TR_NOOP("z up"), QT_TR_NOOP("y up"), QT_TR_NOOP("patient, LPS (DICOM)"),
                      QT_TR_NOOP("patient, RAS (NIfTI)")});
+  m_useStated = addCheck(form, "importUseStated", QT_TR_NOOP("As the file itself states"));
   m_weld = add(form, new QCheckBox(this), "importWeld", QT_TR_NOOP("Join vertices at the same place"));
   m_tolerance =
     add(form, new QDoubleSpinBox(this), "importTolerance", QT_TR_NOOP("Weld tolerance (unit of the file)"));
@@ -199,6 +200,7 @@ ImportRecipe RecipeForm::recipe() const
   recipe.unit = kUnits[m_unit->currentIndex()];
   recipe.up = kAxes[m_axes->currentIndex()].up;
   recipe.patientAxes = kAxes[m_axes->currentIndex()].patient;
+  recipe.ignoreStated = !m_useStated->isChecked();
   recipe.weldTolerance = m_weld->isChecked() ? m_tolerance->value() : -1.0;
   recipe.polygons = static_cast<PolygonSprings>(m_polygons->currentIndex());
   recipe.repair.removeUseless = m_useless->isChecked();
@@ -226,6 +228,7 @@ void RecipeForm::setRecipe(const ImportRecipe& recipe)
   m_recipe = recipe;
   m_unit->setCurrentIndex(placeOf(recipe.unit));
   m_axes->setCurrentIndex(placeOf(recipe.up, recipe.patientAxes));
+  m_useStated->setChecked(!recipe.ignoreStated);
   m_weld->setChecked(recipe.weldTolerance >= 0.0);
   m_tolerance->setValue(std::max(recipe.weldTolerance, 0.0));
   m_polygons->setCurrentIndex(static_cast<int>(recipe.polygons));
@@ -255,8 +258,18 @@ void RecipeForm::told()
   if (!m_silent) emit changed();
 }
 
+void RecipeForm::setStated(const StatedFrame& stated)
+{
+  m_stated = stated;
+  refreshEnabled();
+}
+
 void RecipeForm::refreshEnabled()
 {
+  const bool asStated = m_useStated->isChecked();
+  m_useStated->setVisible(!m_stated.isEmpty());
+  m_unit->setEnabled(!asStated || !m_stated.metres);
+  m_axes->setEnabled(!asStated || !(m_stated.up || m_stated.patientAxes));
   m_tolerance->setEnabled(m_weld->isChecked());
   m_struts->setEnabled(m_interior->currentIndex() == static_cast<int>(SupportOptions::Interior::Struts));
   m_band->setEnabled(m_anchors->currentIndex() > 0);

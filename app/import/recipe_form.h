@@ -23,6 +23,8 @@ public:
 
   ImportRecipe recipe() const;
   void setRecipe(const ImportRecipe& recipe); ///< without a signal
+  /// What the files state themselves holds in place of the choices, unless a box says no.
+  void setStated(const StatedFrame& stated);
 
 signals:
   void readingChanged(); ///< welding: the files must be read again
@@ -55,6 +57,7 @@ private:
   void told();
 
   ImportRecipe m_recipe;
+  StatedFrame m_stated;
   bool m_silent = false;
   std::vector<Line> m_lines;
   std::vector<std::pair<QComboBox*, std::vector<const char*>>> m_combos;
@@ -62,8 +65,8 @@ private:
 
   QComboBox *m_unit = nullptr, *m_axes = nullptr, *m_polygons = nullptr, *m_interior = nullptr,
             *m_anchors = nullptr, *m_body = nullptr;
-  QCheckBox *m_weld = nullptr, *m_useless = nullptr, *m_orientation = nullptr, *m_junctions = nullptr,
-            *m_fit = nullptr;
+  QCheckBox *m_useStated = nullptr, *m_weld = nullptr, *m_useless = nullptr, *m_orientation = nullptr,
+            *m_junctions = nullptr, *m_fit = nullptr;
   QDoubleSpinBox *m_tolerance = nullptr, *m_smallParts = nullptr, *m_band = nullptr, *m_thickness = nullptr,
                  *m_density = nullptr, *m_modulus = nullptr, *m_pressure = nullptr;
   QSpinBox *m_holes = nullptr, *m_triangles = nullptr, *m_struts = nullptr;

@@ -10,6 +10,7 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <charconv>
 #include <string>
 
 namespace esm {
@@ -34,16 +35,22 @@ int setting(const aiMetadata& settings, const char* key, int missing)
   return settings.Get(key, value) ? value : missing;
 }
 
+/// 0.1 of float32 as 0.1.
+double asWritten(float value)
+{
+  char text[32];
+  const char* const end = std::to_chars(std::begin(text), std::end(text), value).ptr;
+  return parseDouble({text, static_cast<std::size_t>(end - text)}).value_or(double{value});
+}
+
 /// FBX names an axis of its own for right, up and front, each with a sign; its unit is a centimetre or as
 /// many as UnitScaleFactor says.
 SceneStart startOfFbx(const aiMetadata& settings, const Eigen::Matrix4d& root)
 {
   SceneStart start{{}, root};
-  float scale = 1.0f;
-  double exact = 1.0;
-  if (settings.Get("UnitScaleFactor", scale)) exact = double{scale};
-  settings.Get("UnitScaleFactor", exact);
-  stateMetres(start.stated, 0.01 * exact);
+  float factor = 1.0f;
+  settings.Get("UnitScaleFactor", factor);
+  stateMetres(start.stated, 0.01 * asWritten(factor));
 
   Eigen::Matrix4d toYUp = Eigen::Matrix4d::Zero(); // right, up, front
   toYUp(3, 3) = 1.0;

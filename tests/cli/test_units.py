@@ -111,6 +111,53 @@ def vtp(space):
 """
 
 
+def fbx(settings):
+    """`settings`: name -> whole number of each axis and sign, and the unit in cm."""
+    lines = "".join(f'P: "{name}", "int", "Integer", "",{value}\n' if name != "UnitScaleFactor" else
+                    f'P: "{name}", "double", "Number", "",{value}\n' for name, value in settings.items())
+    corners = ",".join(f"{a},{b},{-c - 1}" for a, b, c in TRIANGLES)
+    return f"""; FBX 7.3.0 project file
+FBXHeaderExtension:  {{
+FBXHeaderVersion: 1003
+FBXVersion: 7300
+}}
+GlobalSettings:  {{
+Version: 1000
+Properties70:  {{
+{lines}}}
+}}
+Objects:  {{
+Geometry: 100, "Geometry::a", "Mesh" {{
+Vertices: *24 {{
+a: {TEXT.replace(" ", ",")}
+}}
+PolygonVertexIndex: *36 {{
+a: {corners}
+}}
+GeometryVersion: 124
+}}
+Model: 200, "Model::a", "Mesh" {{
+Version: 232
+Properties70:  {{
+}}
+}}
+}}
+Connections:  {{
+C: "OO",200,0
+C: "OO",100,200
+}}
+"""
+
+
+def fbx_axes(right, up, front, unit):
+    """Axes as signed numbers from 1."""
+    settings = {}
+    for name, axis in (("UpAxis", up), ("FrontAxis", front), ("CoordAxis", right)):
+        settings[name] = abs(axis) - 1
+        settings[name + "Sign"] = 1 if axis > 0 else -1
+    return fbx({**settings, "UnitScaleFactor": unit})
+
+
 def x3d(head):
     corners = " ".join(f"{a} {b} {c} -1" for a, b, c in TRIANGLES)
     return f"""<?xml version="1.0" encoding="UTF-8"?><X3D profile="Interchange" version="3.3">{head}<Scene><Shape>
@@ -159,6 +206,10 @@ class UnitsTest(ProgramTest):
             ("mm.dxf", dxf(4), FLAT, MM, "millimetres"),
             ("cm.dxf", dxf(5), FLAT, CM, "centimetres"),
             ("inch.dxf", dxf(1), FLAT, INCH, "inches"),
+            ("mm_z.fbx", fbx_axes(1, 3, -2, 0.1), FLAT, MM, "millimetres and z up"),
+            ("inch_y.fbx", fbx_axes(1, 2, 3, 2.54), UPRIGHT, INCH, "inches and y up"),
+            ("cm_x.fbx", fbx_axes(-2, 1, 3, 1), (20, 40, 10), CM, "centimetres and y up"),
+            ("none.fbx", fbx({}), UPRIGHT, CM, "centimetres and y up"),
             ("mm.x3d", x3d('<head><unit category="length" conversionFactor="0.001" name="mm"/></head>'), FLAT, MM,
              "millimetres"),
             ("mm.iv", inventor("Units { units MILLIMETERS }"), FLAT, MM, "metres"),
