@@ -37,19 +37,6 @@ Status checkSettings(const SolverSettings& settings)
   return {};
 }
 
-/// Of what is wanted, what the work limit leaves: to plan for more would only end a run before its time.
-double usefulEffort(const SolverSettings& settings, double wanted, const SpringNet& net) noexcept
-{
-  if (!(settings.workLimit > 0.0)) return wanted;
-  return std::min(wanted, settings.workLimit * std::max<double>(net.springCount(), 1.0));
-}
-
-SolverSettings useful(SolverSettings settings, const SpringNet& net)
-{
-  settings.effort = usefulEffort(settings, settings.effort, net);
-  return settings;
-}
-
 /// More than there are processors only wait for each other.
 int usefulThreads(const SolverSettings& settings) noexcept
 {
@@ -60,11 +47,8 @@ int usefulThreads(const SolverSettings& settings) noexcept
 } // namespace
 
 struct Simulation::Impl {
-  Impl(SpringNet net, Loads loads, SolverSettings wanted)
-    : body{std::move(net), std::move(loads), {}, {}},
-      settings(useful(std::move(wanted), body.net)),
-      driver(settings, body),
-      threads(usefulThreads(settings))
+  Impl(SpringNet net, Loads loads, SolverSettings settings)
+    : body{std::move(net), std::move(loads), {}, {}}, driver(settings, body), threads(usefulThreads(settings))
   {
     reset();
   }
@@ -147,7 +131,6 @@ struct Simulation::Impl {
   }
 
   Body body;
-  SolverSettings settings; ///< at the start
   RegionDriver driver;
   int threads;                         ///< that may be used
   std::unique_ptr<WorkerPool> workers; ///< null until a net asks for them
@@ -218,7 +201,7 @@ Status Simulation::setAccuracy(double tolerance, double effort)
 {
   if (!(tolerance > 0.0) || !std::isfinite(tolerance) || !(effort > 0.0) || !std::isfinite(effort))
     return Error{ErrorCode::InvalidValue, "the tolerance and the effort must be positive numbers"};
-  m_impl->driver.setAccuracy(tolerance, usefulEffort(m_impl->settings, effort, m_impl->body.net));
+  m_impl->driver.setAccuracy(tolerance, effort);
   return {};
 }
 

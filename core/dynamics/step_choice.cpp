@@ -378,8 +378,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
 void StepDriver::giveToleranceUp(const System& system, bool yes)
 {
   if (yes && !m_toleranceGivenUp) {
-    const double affordable =
-      m_settings.effort / m_candidates[m_implicit].integrator->stepCost(system, kFrame);
+    const double affordable = effort(system) / m_candidates[m_implicit].integrator->stepCost(system, kFrame);
     m_floorStep = kFrame / std::clamp(affordable, 1.0, 64.0);
   }
   m_toleranceGivenUp = yes;

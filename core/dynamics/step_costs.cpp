@@ -40,6 +40,15 @@ double StepDriver::costAtLimit(Method method, const System& system)
   return candidate.integrator->stepCost(system, stable) * std::ceil(kFrame / stable);
 }
 
+/// For a frame, that the work limit bears, too. What a tolerance may ask for is told by the former alone: it
+/// may be had by other steps for less.
+double StepDriver::effort(const System& system) const noexcept
+{
+  const auto springs = static_cast<double>(std::max<std::int64_t>(system.forces().activeSprings(), 1));
+  return m_settings.workLimit > 0.0 ? std::min(m_settings.effort, m_settings.workLimit * springs)
+                                    : m_settings.effort;
+}
+
 /// Whether a frame of it could be checked for the effort, or costs no more than plain steps do. Else nobody
 /// would ever learn that another one does for less: at coarse tolerances, where that is likely, and once less
 /// has been asked for than at first, because the clock could not be kept, it is not taken. A pulled uterus
@@ -126,7 +135,7 @@ void StepDriver::weighEffort(const System& system, Candidate& candidate) const
   const double cost = isPlain
                         ? candidate.integrator->stepCost(system, std::min(stableStep(candidate), kFrame))
                         : static_cast<double>(system.forces().activeSprings());
-  candidate.affordableStep = kFrame * cost / m_settings.effort;
+  candidate.affordableStep = kFrame * cost / effort(system);
 }
 
 /// Of a step, in force passes; an implicit one counts as one.

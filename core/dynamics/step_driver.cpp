@@ -150,7 +150,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   if (m_auto) {
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
     const double usual =
-      kMostEffort * std::max(m_settings.effort, 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
+      kMostEffort * std::max(effort(system), 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
     if (m_onset.longest <= 0.0) m_onset.affordable = usual; // it may begin here
     system.workLimit = std::min(
       m_mostWork, system.workDone() + std::clamp(m_onset.affordable, kLeastOnsetShare * usual, usual));
@@ -282,7 +282,7 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   const Method other = m_method;
   layOut(m_descent, system);
   m_method = m_descent;
-  const double affordable = 0.5 * m_settings.effort * length / kFrame / current().stepCost(system, length);
+  const double affordable = 0.5 * effort(system) * length / kFrame / current().stepCost(system, length);
   const auto steps = static_cast<std::int64_t>(std::clamp(affordable, 1.0, kMostDescentSteps));
   const Run result = run(system, state, end, steps, report);
   m_method = other;

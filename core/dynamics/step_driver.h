@@ -158,6 +158,7 @@ private:
   double costAtLimit(Method method, const System& system);
   bool isPayable(Method method, const System& system);
   double caution() const noexcept;
+  double effort(const System& system) const noexcept; ///< [spring evaluations]
   double spendable(const Candidate& candidate) const noexcept;
   bool isHeldUp() const noexcept;
   bool isDamped() const noexcept;
