@@ -420,7 +420,7 @@ void ImportDialog::showSize()
   QString size = tr("%1 × %2 × %3 mm").arg(text(extent.x()), text(extent.y()), text(extent.z()));
   m_extent = (m_source->report.boxMax - m_source->report.boxMin).maxCoeff();
   m_metres = extent.maxCoeff() / 1000.0;
-  if (!isOrganSize(m_metres))
+  if (!isUsualSize(m_metres))
     size += QStringLiteral("   ⚠ ") + tr("Not the size of an organ: is the unit right?") + QLatin1Char(' ') +
             likelyText(m_extent);
   m_size->setText(size);
@@ -446,10 +446,15 @@ bool ImportDialog::replaces() const
 /// A model that is smaller or larger than any organ is taken only by a word of the user.
 bool ImportDialog::unitIsMeant()
 {
-  if (isOrganSize(m_metres)) return true;
+  if (isUsualSize(m_metres)) return true;
   const UnitAnswer answer = askAboutUnit(m_extent, m_metres, this);
   if (answer == UnitAnswer::UseLikely) {
     ImportRecipe likely = m_form->recipe();
+    if (m_source->stated.metres && !likely.ignoreStated) { // the file's own unit was wrong, not its axes
+      likely.ignoreStated = true;
+      likely.up = m_source->stated.up.value_or(likely.up);
+      likely.patientAxes = m_source->stated.patientAxes.value_or(likely.patientAxes);
+    }
     likely.unit = likelyUnit(m_extent).value_or(likely.unit);
     m_form->setRecipe(likely);
     showSize();

@@ -32,17 +32,11 @@ QString lengthText(double metres)
 
 } // namespace
 
-bool isOrganSize(double metres)
-{
-  constexpr double kRounding = 1e-6; // of float32 in files
-  return metres >= 1e-3 * (1.0 - kRounding) && metres <= 2.0 * (1.0 + kRounding);
-}
-
 std::optional<LengthUnit> likelyUnit(double extent)
 {
   for (const LengthUnit unit :
        {LengthUnit::Millimetre, LengthUnit::Metre, LengthUnit::Centimetre, LengthUnit::Inch})
-    if (isOrganSize(extent * metresPer(unit))) return unit;
+    if (isUsualSize(extent * metresPer(unit))) return unit;
   return std::nullopt;
 }
 
@@ -73,7 +67,10 @@ UnitAnswer askAboutUnit(double extent, double metres, QWidget* parent)
   QPushButton* keep = box.addButton(dialogText(QT_TRANSLATE_NOOP("esm::ImportDialog", "Import as it is")),
                                     QMessageBox::DestructiveRole);
   keep->setObjectName(QStringLiteral("unitKeep"));
-  box.setDefaultButton(use != nullptr ? use : keep);
+  if (use != nullptr)
+    box.setDefaultButton(use);
+  else
+    box.setDefaultButton(QMessageBox::Cancel);
   box.exec();
   if (box.clickedButton() == keep) return UnitAnswer::Keep;
   return use != nullptr && box.clickedButton() == use ? UnitAnswer::UseLikely : UnitAnswer::Cancel;

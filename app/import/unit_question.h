@@ -10,10 +10,7 @@ class QWidget;
 
 namespace esm {
 
-/// What hands and instruments work on has 1 mm to 2 m; anything else most often has another unit.
-bool isOrganSize(double metres);
-
-/// The unit in which a body of this extent, as the file writes it, would have such a size; nothing: none.
+/// The unit in which a body of this extent, as the file writes it, would have a usual size; nothing: none.
 std::optional<LengthUnit> likelyUnit(double extent);
 
 /// "With the unit mm it would be 30 mm large." Empty if no unit is likely.

