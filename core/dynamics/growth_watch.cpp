@@ -11,13 +11,13 @@
 namespace esm {
 namespace {
 
-constexpr double kLook = 16.0, kLookShare = 0.02; ///< cost [force passes], of the work
+constexpr double kLookCost = 16.0, kLookAnewShare = 0.02; ///< cost [force passes], of the work
 constexpr double kDebtShare = 0.03;
-constexpr int kBurst = 6;          ///< frames
-constexpr double kGrows = 1.4;     ///< logarithm of what they must grow by to be followed further
-constexpr double kSmall = 1e-7;    ///< of the extent: the difference that is followed
-constexpr double kEnough = 20.0;   ///< logarithm of a growth beyond which nobody needs to know more
-constexpr double kStepShare = 0.9; ///< of the stable step, as stiffness may rise in the frame
+constexpr int kBurst = 6;              ///< frames
+constexpr double kGrows = 1.4;         ///< logarithm of what they must grow by to be followed further
+constexpr double kSmall = 1e-7;        ///< of the extent: the difference that is followed
+constexpr double kGrownEnough = 20.0;  ///< logarithm of a growth beyond which nobody needs to know more
+constexpr double kShareOfStable = 0.9; ///< of the stable step, as stiffness may rise in the frame
 
 /// In [-1, 1], the same in every run.
 double drawn(std::uint64_t& state) noexcept
@@ -49,7 +49,7 @@ void GrowthWatch::pay(double passes) noexcept
 
 bool GrowthWatch::lookIsDue() const noexcept
 {
-  return m_work * kLookShare >= kLook && m_debt <= 0.0 && std::log(m_largest) < kEnough;
+  return m_work * kLookAnewShare >= kLookCost && m_debt <= 0.0 && std::log(m_largest) < kGrownEnough;
 }
 
 void GrowthWatch::remember(const MotionState& motion)
@@ -71,7 +71,7 @@ bool GrowthWatch::look(const System& system, const MotionState& motion)
 void GrowthWatch::setMode(const FastestMode& mode) noexcept
 {
   m_integrator->tune(m_system, mode);
-  m_step = kStepShare * m_integrator->stableStep(mode);
+  m_step = kShareOfStable * m_integrator->stableStep(mode);
 }
 
 /// A difference in the velocities of free nodes, in all directions.
@@ -135,7 +135,7 @@ void GrowthWatch::carryOn(const MotionState& motion)
   }
   m_size += std::log(now / target);
   m_least = std::min(m_least, m_size);
-  if (const double growth = std::exp(std::min(m_size - m_least, kEnough)); growth > m_largest) {
+  if (const double growth = std::exp(std::min(m_size - m_least, kGrownEnough)); growth > m_largest) {
     m_largest = growth;
     m_time = motion.time;
   }
@@ -143,7 +143,7 @@ void GrowthWatch::carryOn(const MotionState& motion)
     m_x[i] *= target / now;
     m_v[i] *= target / now;
   }
-  if (--m_left > 0 || m_size - m_burstStart < kGrows || m_size - m_least >= kEnough) return;
+  if (--m_left > 0 || m_size - m_burstStart < kGrows || m_size - m_least >= kGrownEnough) return;
   m_left = kBurst;
   m_burstStart = m_size;
 }

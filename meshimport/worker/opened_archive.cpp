@@ -11,7 +11,7 @@ namespace esm {
 
 namespace {
 
-constexpr std::size_t kMostText = 1 << 16; ///< bytes of the scene that are looked at
+constexpr std::size_t kMostPartText = 1 << 16; ///< bytes of the scene that are looked at
 
 bool hasEnding(const ZipEntry& entry, std::string_view ending)
 {
@@ -33,7 +33,7 @@ OpenedArchive openArchive(std::string_view bytes, std::string_view ending)
   if (scene == entries->end())
     scene = std::find_if(entries->begin(), entries->end(),
                          [&](const ZipEntry& entry) { return hasEnding(entry, sceneEnding); });
-  if (scene != entries->end()) opened.text = unpack(*scene, kMostText);
+  if (scene != entries->end()) opened.text = unpack(*scene, kMostPartText);
   if (ending != "3mf") return opened;
   const auto isNeeded = [](const ZipEntry& entry) {
     return hasEnding(entry, ".model") || hasEnding(entry, ".rels") || hasEnding(entry, "[content_types].xml");
