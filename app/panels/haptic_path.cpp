@@ -5,6 +5,7 @@
 #include "app/error_text.h"
 #include "app/panels/describe.h"
 #include "core/base/file_io.h"
+#include "core/base/state_folder.h"
 #include "haptics/emulator/emulated_falcon.h"
 #include "haptics/simulated_device.h"
 #include "haptics/trace_log.h"
@@ -34,17 +35,15 @@ QString number(double value, int decimals)
 
 constexpr const char* kPathDevice = "path"; ///< simulated, led by a path
 
-/// By the XDG base directory specification.
 QString recordingsFolder()
 {
-  QString state = qEnvironmentVariable("XDG_STATE_HOME");
-  if (!QDir::isAbsolutePath(state)) state = QDir::homePath() + QStringLiteral("/.local/state");
-  return state + QStringLiteral("/esm/recordings");
+  return QString::fromStdString(stateFolder("recordings").string());
 }
 
 /// The newest one whose program, the number at the end of its name, runs no more; empty if there is none.
 QString leftRecording()
 {
+  if (recordingsFolder().isEmpty()) return {};
   const QDir folder(recordingsFolder());
   for (const QFileInfo& file :
        folder.entryInfoList({QStringLiteral("felt-*.csv")}, QDir::Files, QDir::Time)) {
@@ -135,6 +134,7 @@ void HapticPath::beginLog()
 {
   dropLog();
   const QString folder = recordingsFolder();
+  if (folder.isEmpty()) return;
   QDir().mkpath(folder);
   const QString file =
     QStringLiteral("%1/felt-%2-%3.csv")

@@ -4,6 +4,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/hash.h"
+#include "core/base/state_folder.h"
 #include "core/project/journal_line.h"
 #include "core/project/journal_reader.h"
 #include "core/project/project_tree.h"
@@ -96,15 +97,7 @@ std::vector<Index> heldNodes(const std::vector<std::uint8_t>& fixed)
 
 std::filesystem::path recoveryFolder()
 {
-  std::filesystem::path state;
-  const auto take = [&](const char* variable, const char* below) {
-    const char* value = std::getenv(variable);
-    if (!state.empty() || value == nullptr || *value != '/') return; // relative ones are to be ignored
-    state = std::filesystem::path(value) / below;
-  };
-  take("XDG_STATE_HOME", "");
-  take("HOME", ".local/state");
-  return state.empty() ? state : state / "esm-modeler" / "recovery";
+  return stateFolder("recovery");
 }
 
 struct Journal::Impl {

@@ -16,8 +16,7 @@
 
 namespace esm {
 
-/// Where windows keep what is not saved: <state folder>/esm-modeler/recovery, the state folder being
-/// $XDG_STATE_HOME or ~/.local/state; empty if neither can be known.
+/// Where windows keep what is not saved; empty if there is no state folder.
 std::filesystem::path recoveryFolder();
 
 /// A document at one moment, as its journal sees it. Refers to the document; only for the call.
