@@ -74,5 +74,8 @@ class ProgramTest(unittest.TestCase):
         done = self.run_program(*arguments, exit_code=exit_code)
         lines = done.stderr.splitlines()
         self.assertEqual(len(lines), 1, done.stderr)
-        self.assertEqual(done.stdout, "")
+        if "--json" in map(str, arguments):
+            self.assertEqual(json.loads(done.stdout)["exit_code"], exit_code)
+        else:
+            self.assertEqual(done.stdout, "")
         return lines[0]

@@ -258,7 +258,7 @@ TEST(Threads, SweepsOnTheWayAreSweepsBefore)
         force[i] = force[i] * 0.5;
       }
     };
-    MotionState start{x, v};
+    MotionState start{{}, x, v};
     system.enter(start, true);
     move(0, count);
     const double heat = system.evaluate(0.5, x, v, force, damper.data()).heat;
