@@ -101,7 +101,8 @@ private:
     sums.loss += std::max(-appeared - sums.lent, 0.0);
     const double lent = std::max(sums.lent + appeared, 0.0), made = std::clamp(heat, 0.0, lent);
     sums.work += made;
-    sums.lent = std::min(lent - made, left);
+    sums.mostLent = std::max(sums.mostLent, lent);
+    sums.setLent(lent - made, left);
   }
 
   struct Goal {

@@ -163,6 +163,7 @@ StepReport Simulation::advance(double interval, std::int64_t maxSteps)
   if (impl.growth) impl.growth->remember(motion);
   const StepReport report = impl.driver.advance(interval, maxSteps);
   motion.work += std::exchange(motion.lent, 0.0); // it is in the motion that is seen
+  motion.mostLent = 0.0;
   if (impl.growth && report.good()) impl.watchGrowth(report);
   m_impl->publish();
   return report;

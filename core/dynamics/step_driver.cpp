@@ -320,8 +320,8 @@ void StepDriver::settleLoan(const System& system, MotionState& state)
   const double appeared = balance.gained + balance.heat, made = std::clamp(balance.heat, 0.0, state.lent);
   state.loss = m_start.loss + std::max(-appeared - state.lent, 0.0);
   state.work += made;
-  state.lent = std::clamp(state.lent + appeared - made, 0.0,
-                          system.kineticEnergy(state.v) + std::max(system.elasticEnergy(state.x), 0.0));
+  state.setLent(std::max(state.lent + appeared - made, 0.0),
+                system.kineticEnergy(state.v) + std::max(system.elasticEnergy(state.x), 0.0));
 }
 
 /// Whether the net has more energy than at the start of the stretch without work that explains it, by more

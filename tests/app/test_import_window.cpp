@@ -25,11 +25,12 @@ TEST_F(WindowTest, ImportDialogReportsAndBuildsTheNet)
   JobRunner jobs;
   ImportDialog dialog({path}, &jobs, true, defaultTissue());
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
-  EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("40 × 40 × 9 mm"));
+  // The lone point becomes no node, so it has no part in the size.
+  EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("40 × 40 × 0 mm"));
   EXPECT_TRUE(dialog.findChild<QLabel*>("importPrediction")->text().contains("4 nodes, 5 springs"));
   EXPECT_FALSE(dialog.findChild<QAbstractButton*>("importAdd")->isEnabled());
   dialog.findChild<QComboBox*>("importUnit")->setCurrentText("cm");
-  EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("400 × 400 × 90 mm"));
+  EXPECT_TRUE(dialog.findChild<QLabel*>("importSize")->text().contains("400 × 400 × 0 mm"));
   dialog.accept(); // the net of these choices is still being made: there is nothing to take
   EXPECT_NE(dialog.result(), QDialog::Accepted);
   ASSERT_TRUE(QTest::qWaitFor([&] { return dialog.findChild<QAbstractButton*>("importOk")->isEnabled(); }));
