@@ -264,7 +264,7 @@ TEST_F(LadderRun, CoarserIsCheaper)
 // and it says so with the place.
 TEST_F(LadderRun, TheLightTellsOfStiffness)
 {
-  load(1e7, {"auto", 1e-1}, 40);
+  load(1e7, {"auto", 1e-1}, 100);
   for (int i = 0; i < 5; ++i) runner.runFrame();
   EXPECT_EQ(draw().stability, Stability::Implicit);
   EXPECT_NE(draw().message.find("node"), std::string::npos) << draw().message;
