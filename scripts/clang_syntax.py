@@ -22,14 +22,15 @@ def command_for_clang(entry):
     words = shlex.split(entry["command"])
     while words and not words[0].endswith(("c++", "g++", "clang++")):
         words.pop(0)  # ccache
-    kept = ["clang++", "-fsyntax-only", "-Wno-unknown-warning-option", "-Wno-ignored-optimization-argument"]
+    kept = ["clang++", "-fsyntax-only"]
     words = iter(words[1:])
     for word in words:
         if word in WITH_A_VALUE:
             next(words)
         elif word not in ("-c", "-MD", "-MMD", *NOT_FOR_CLANG):
             kept.append(word)
-    return kept
+    # For clang -Wconversion implies -Wsign-conversion, for GCC it does not.
+    return kept + ["-Wno-sign-conversion", "-Wno-unknown-warning-option", "-Wno-ignored-optimization-argument"]
 
 
 def check(entry):

@@ -53,7 +53,7 @@ double spread(int index, std::size_t dimension)
 /// Which inputs decide whether a rule sets an output, by output; empty where no rule concludes on it.
 class Dependence {
 public:
-  explicit Dependence(const System& system) : m_system(system), m_inputs(system.outputs.size())
+  explicit Dependence(const System& system) : m_inputs(system.outputs.size())
   {
     // A condition on an output hangs on what that one hangs on: repeat until nothing is added.
     for (bool changed = true; changed;) {
@@ -101,7 +101,6 @@ private:
     }
   }
 
-  const System& m_system;
   std::vector<std::set<int>> m_inputs;
   std::set<int> m_isSet;
 };
