@@ -212,7 +212,7 @@ def check_log():
     LOG.unlink(missing_ok=True)
     file_dialog("Save what", LOG)
     until("the log is there", lambda _: LOG.exists() and LOG.stat().st_size > 0)
-    rows = [{k: float(v) for k, v in row.items()} for row in csv.DictReader(LOG.open())]
+    rows = [{k.split(" ")[0]: float(v) for k, v in row.items()} for row in csv.DictReader(LOG.open())]  # "fx [N]"
     force = [(r["fx"] ** 2 + r["fy"] ** 2 + r["fz"] ** 2) ** 0.5 for r in rows]
     peak = max(force)
     assert LIMIT - 1e-6 < peak <= LIMIT + 1e-9, peak
