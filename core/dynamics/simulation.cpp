@@ -47,7 +47,7 @@ int usefulThreads(const SolverSettings& settings) noexcept
 } // namespace
 
 struct Simulation::Impl {
-  Impl(SpringNet net, Loads loads, SolverSettings settings)
+  Impl(SpringNet net, Loads loads, const SolverSettings& settings)
     : body{std::move(net), std::move(loads), {}, {}}, driver(settings, body), threads(usefulThreads(settings))
   {
     reset();
