@@ -2,12 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/free_bodies.h"
 
+#include "core/geometry/union_find.h"
+
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 namespace esm {
 namespace {
@@ -26,37 +27,24 @@ double lengthOf(const Lanes& a) noexcept
   return std::sqrt(dot(a, a));
 }
 
-/// The parts of a graph, as trees of nodes that lead to one of each part.
-class Parts {
-public:
-  explicit Parts(std::size_t nodes) : m_parent(nodes) { std::iota(m_parent.begin(), m_parent.end(), 0u); }
-  std::size_t of(std::size_t node) noexcept
-  {
-    while (m_parent[node] != node) node = m_parent[node] = m_parent[m_parent[node]];
-    return node;
-  }
-  void join(std::size_t a, std::size_t b) noexcept { m_parent[of(a)] = of(b); }
-
-private:
-  std::vector<std::size_t> m_parent;
-};
-
 } // namespace
 
 void FreeBodies::find(const System& system)
 {
   const std::size_t nodes = system.nodeCount();
   const ForceModel& forces = system.forces();
-  Parts parts(nodes);
+  UnionFind parts(static_cast<Index>(nodes));
   for (const ForceModel::Ends& ends : forces.springEnds())
-    parts.join(static_cast<std::size_t>(ends.a), static_cast<std::size_t>(ends.b));
+    parts.join(static_cast<Index>(ends.a), static_cast<Index>(ends.b));
   for (std::size_t p = 0; p < forces.pressure().bodyCount(); ++p) {
     const std::vector<Index>& corners = forces.pressure().corners(p);
-    for (const Index node : corners)
-      parts.join(static_cast<std::size_t>(node), static_cast<std::size_t>(corners.front()));
+    for (const Index node : corners) parts.join(node, corners.front());
   }
   std::vector<std::uint8_t> isHeld(nodes, 0);
-  const auto hold = [&](std::size_t node) { isHeld[parts.of(node)] = 1; };
+  const auto partOf = [&](std::size_t node) {
+    return static_cast<std::size_t>(parts.root(static_cast<Index>(node)));
+  };
+  const auto hold = [&](std::size_t node) { isHeld[partOf(node)] = 1; };
   for (std::size_t i = 0; i < nodes; ++i)
     if (!system.isFree(i) || (!forces.massDrag().empty() && forces.massDrag()[i] > 0.0)) hold(i);
   for (const ForceModel::Anchor& anchor : forces.anchors()) hold(static_cast<std::size_t>(anchor.node));
@@ -66,7 +54,7 @@ void FreeBodies::find(const System& system)
   m_bodyOf.assign(nodes, kNoIndex);
   std::vector<Index> bodyOfPart(nodes, kNoIndex);
   for (std::size_t i = 0; i < nodes; ++i) {
-    const std::size_t part = parts.of(i);
+    const std::size_t part = partOf(i);
     if (isHeld[part]) continue;
     if (bodyOfPart[part] == kNoIndex) {
       bodyOfPart[part] = static_cast<Index>(m_bodies.size());
