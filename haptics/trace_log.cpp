@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/trace_log.h"
 
+#include "core/base/file_io.h"
 #include "core/base/text_number.h"
 
 #include <cerrno>
@@ -42,12 +43,6 @@ void appendTick(std::string& text, const TraceSample& tick)
   text += '\n';
 }
 
-Error unwritableLog(const std::filesystem::path& path, int reason)
-{
-  return {ErrorCode::FileUnwritable,
-          path.string() + ": cannot be written (" + std::generic_category().message(reason) + ")"};
-}
-
 } // namespace
 
 TraceLog::Descriptor::~Descriptor()
@@ -73,7 +68,7 @@ Result<TraceLog> TraceLog::create(const std::filesystem::path& file, Columns col
                                               "; name a file"};
   // Without waiting for a pipe that nobody reads; emptied with the first tick only.
   const int descriptor = ::open(file.c_str(), O_WRONLY | O_CREAT | O_NOCTTY | O_NONBLOCK | O_CLOEXEC, 0666);
-  if (descriptor < 0) return unwritableLog(file, errno);
+  if (descriptor < 0) return fileUnwritable(file, errno);
   ::fcntl(descriptor, F_SETFL, ::fcntl(descriptor, F_GETFL) & ~O_NONBLOCK);
   return TraceLog(file, descriptor, columns);
 }
@@ -124,7 +119,7 @@ Status TraceLog::finish()
     if (::fdatasync(m_descriptor->number) != 0 && errno != EINVAL && errno != EROFS && m_fault == 0)
       m_fault = errno;
   }
-  return m_fault == 0 ? Status{} : unwritableLog(m_path, m_fault);
+  return m_fault == 0 ? Status{} : fileUnwritable(m_path, m_fault);
 }
 
 std::string traceCsv(std::span<const TraceSample> ticks)

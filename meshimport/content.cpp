@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/content.h"
 
+#include "core/base/text_encoding.h"
+
 #include <algorithm>
 
 namespace esm {
@@ -53,7 +55,7 @@ std::string_view withoutPadding(std::string_view bytes)
 
 bool isBlankContent(std::string_view bytes)
 {
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   return bytes.find_first_not_of(" \t\r\n\v\f\0"sv) == std::string_view::npos;
 }
 

@@ -3,6 +3,7 @@
 #include "meshimport/dxf_reader.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/text_encoding.h"
 #include "meshimport/content.h"
 #include "meshimport/dxf_groups.h"
 #include "meshimport/dxf_passed_over.h"
@@ -352,7 +353,7 @@ bool recognisesDxf(std::string_view bytes, std::string_view)
 {
   if (bytes.substr(0, kBinaryMagic.size()) == kBinaryMagic) return true;
   if (!looksLikeText(bytes)) return false;
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   DxfEntities entities(bytes.substr(0, 1 << 14)); // comments (999) may come first
   DxfEntity first;
   return entities.next(first) && first.name == "SECTION";
@@ -366,7 +367,7 @@ Result<Mesh> readDxf(std::string_view bytes, const std::string& origin, FileStor
   format = "DXF";
   if (bytes.substr(0, kBinaryMagic.size()) == kBinaryMagic)
     return fault(ErrorCode::Unsupported, origin, 0, "binary DXF is not read; save it as DXF in text (ASCII)");
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   return DxfParser(bytes, origin, control).run(notes);
 }
 

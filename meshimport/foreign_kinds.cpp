@@ -3,6 +3,7 @@
 #include "meshimport/foreign_kinds.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 #include "meshimport/content.h"
 
@@ -314,7 +315,7 @@ std::optional<ForeignKind> kindOfXml(std::string_view text)
 
 std::optional<ForeignKind> foreignKind(std::string_view bytes)
 {
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   // A FreeCAD document is a ZIP archive whose first file has a name of its own.
   if (holdsAt(bytes, 0, "PK\x03\x04") && holdsAt(bytes, 30, "Document.xml")) return kFreeCad;
   for (const ByteSign& sign : kByteSigns)

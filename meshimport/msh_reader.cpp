@@ -3,6 +3,7 @@
 #include "meshimport/msh_reader.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/text_encoding.h"
 #include "meshimport/cells.h"
 #include "meshimport/number_source.h"
 
@@ -310,7 +311,7 @@ private:
 
 bool recognisesMsh(std::string_view bytes, std::string_view)
 {
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return false;
   const std::string_view start = bytes.substr(first, 20);

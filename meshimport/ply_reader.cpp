@@ -3,6 +3,7 @@
 #include "meshimport/ply_reader.h"
 
 #include "core/base/large_pages.h"
+#include "core/base/text_encoding.h"
 #include "meshimport/ply_header.h"
 #include "meshimport/ply_roles.h"
 #include "meshimport/ply_source.h"
@@ -357,7 +358,7 @@ private:
 
 bool recognisesPly(std::string_view bytes, std::string_view)
 {
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   const std::size_t end = bytes.substr(0, 16).find_first_of("\r\n");
   return end != std::string_view::npos && bytes.substr(0, 3) == "ply" &&
          bytes.substr(3, end - 3).find_first_not_of(" \t") == std::string_view::npos;

@@ -3,6 +3,7 @@
 #include "meshimport/vtk_reader.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/text_encoding.h"
 #include "meshimport/cells.h"
 #include "meshimport/number_source.h"
 
@@ -361,7 +362,7 @@ private:
 
 bool recognisesVtk(std::string_view bytes, std::string_view)
 {
-  if (bytes.substr(0, 3) == "\xEF\xBB\xBF") bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   return equalIgnoringCase(bytes.substr(0, 14), "# vtk DataFile");
 }
 

@@ -16,8 +16,9 @@ std::int64_t nanoseconds(const timespec& time)
   return std::int64_t{time.tv_sec} * 1'000'000'000 + time.tv_nsec;
 }
 
-/// All that costs no reading.
-std::optional<FileIdentity> lookAt(const std::filesystem::path& path)
+} // namespace
+
+std::optional<FileIdentity> statusOf(const std::filesystem::path& path)
 {
   struct stat info = {};
   if (::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return std::nullopt;
@@ -30,11 +31,9 @@ std::optional<FileIdentity> lookAt(const std::filesystem::path& path)
   return identity;
 }
 
-} // namespace
-
 std::optional<FileIdentity> identityOf(const std::filesystem::path& path)
 {
-  std::optional<FileIdentity> identity = lookAt(path); // first: a change meanwhile is then seen later
+  std::optional<FileIdentity> identity = statusOf(path); // first: a change meanwhile is then seen later
   if (!identity) return std::nullopt;
   const auto bytes = readFile(path);
   if (!bytes) return std::nullopt;
@@ -44,7 +43,7 @@ std::optional<FileIdentity> identityOf(const std::filesystem::path& path)
 
 bool isOtherFile(const std::filesystem::path& path, const std::optional<FileIdentity>& known)
 {
-  const std::optional<FileIdentity> now = lookAt(path);
+  const std::optional<FileIdentity> now = statusOf(path);
   if (!now) return false;
   if (!known) return true;
   FileIdentity same = *now;

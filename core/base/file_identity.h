@@ -16,6 +16,9 @@ struct FileIdentity {
   bool operator==(const FileIdentity&) const = default;
 };
 
+/// All that costs no reading: the fingerprint stays unknown. Nothing: there is no regular file.
+std::optional<FileIdentity> statusOf(const std::filesystem::path& path);
+
 /// Reads the file for its fingerprint. Nothing: there is no regular file, or it cannot be read.
 std::optional<FileIdentity> identityOf(const std::filesystem::path& path);
 

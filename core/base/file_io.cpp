@@ -15,19 +15,6 @@ namespace esm {
 
 namespace {
 
-bool writeAll(int file, std::string_view bytes)
-{
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0) {
-      if (errno == EINTR) continue;
-      return false;
-    }
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 /// What stands at a path and is no regular file; empty for files, folders and what does not exist.
 std::string specialKind(mode_t mode)
 {
@@ -59,6 +46,25 @@ void syncFolder(const std::filesystem::path& folder)
 }
 
 } // namespace
+
+Error fileUnwritable(const std::filesystem::path& path, int errorNumber)
+{
+  return {ErrorCode::FileUnwritable,
+          path.string() + ": cannot be written (" + std::generic_category().message(errorNumber) + ")"};
+}
+
+bool writeAll(int file, std::string_view bytes)
+{
+  while (!bytes.empty()) {
+    const ssize_t written = ::write(file, bytes.data(), bytes.size());
+    if (written < 0) {
+      if (errno == EINTR) continue;
+      return false;
+    }
+    bytes.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
 
 std::string specialFileKind(const std::filesystem::path& path)
 {

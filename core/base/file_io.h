@@ -17,6 +17,12 @@ std::string specialFileKind(const std::filesystem::path& path);
 /// permission).
 Result<std::string> readFile(const std::filesystem::path& path);
 
+/// `path` cannot be written, and why: a value of errno.
+Error fileUnwritable(const std::filesystem::path& path, int errorNumber);
+
+/// Writes to a descriptor, however many calls that takes. False: errno tells why.
+bool writeAll(int file, std::string_view bytes);
+
 /// Writes all or nothing: a temporary file beside `path`, fsync, rename. Whatever fails, the old file
 /// stays as it was. A character device or a pipe that is read is written into and never replaced; block
 /// devices and sockets are refused. With `keepBackup` the previous version stays as `path` + ".bak".

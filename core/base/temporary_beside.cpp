@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/temporary_beside.h"
 
+#include "core/base/file_io.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <cstdio>
@@ -10,7 +12,6 @@
 #include <string_view>
 #include <sys/file.h>
 #include <sys/stat.h>
-#include <system_error>
 #include <unistd.h>
 
 namespace esm {
@@ -122,12 +123,6 @@ Status TemporaryBeside::takeName()
   }
   removeShallow(former);
   return {};
-}
-
-Error fileUnwritable(const fs::path& path, int errorNumber)
-{
-  return {ErrorCode::FileUnwritable,
-          path.string() + ": cannot be written (" + std::generic_category().message(errorNumber) + ")"};
 }
 
 mode_t creationMode(mode_t wanted)

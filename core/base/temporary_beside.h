@@ -36,9 +36,6 @@ private:
   Kind m_kind;
 };
 
-/// `path` cannot be written, and why: a value of errno.
-Error fileUnwritable(const std::filesystem::path& path, int errorNumber);
-
 /// The mode in which this process creates files (0666) or folders (0777).
 mode_t creationMode(mode_t wanted);
 

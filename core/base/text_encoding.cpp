@@ -94,9 +94,16 @@ bool isUtf8(std::string_view bytes) noexcept
   return true;
 }
 
+std::string_view withoutByteOrderMark(std::string_view bytes) noexcept
+{
+  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
+  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
+  return bytes;
+}
+
 std::string toUtf8(std::string_view bytes)
 {
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
+  bytes = withoutByteOrderMark(bytes);
   if (bytes.starts_with("\xFF\xFE")) return fromUtf16(bytes.substr(2), false);
   if (bytes.starts_with("\xFE\xFF")) return fromUtf16(bytes.substr(2), true);
   if (isUtf8(bytes)) return std::string(bytes);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/project/journal.h"
 
+#include "core/base/file_identity.h"
 #include "core/base/file_io.h"
 #include "core/base/hash.h"
 #include "core/base/state_folder.h"
@@ -10,8 +11,6 @@
 #include "core/project/project_tree.h"
 
 #include <algorithm>
-#include <cstdlib>
-#include <sys/stat.h>
 
 namespace esm {
 
@@ -22,47 +21,19 @@ namespace {
 constexpr std::chrono::milliseconds kShortWait{50};    // nobody feels it, and small nets are written by then
 constexpr std::chrono::seconds kPauseAfterFailure{30}; // a full disk may have got room
 
-/// Which version of a file it is, without reading it.
-struct FileStamp {
-  dev_t device = 0;
-  ino_t node = 0;
-  off_t size = -1;
-  std::int64_t seconds = 0, nanoseconds = 0;
-  bool operator==(const FileStamp&) const = default;
-};
-
-std::optional<FileStamp> stampOf(const std::filesystem::path& path)
+/// Which version of a file it is, without reading it. Rights and links may change.
+std::optional<FileIdentity> stampOf(const std::filesystem::path& path)
 {
-  struct stat info = {};
-  if (path.empty() || ::stat(path.c_str(), &info) != 0 || !S_ISREG(info.st_mode)) return {};
-  return FileStamp{info.st_dev, info.st_ino, info.st_size, info.st_mtim.tv_sec, info.st_mtim.tv_nsec};
-}
-
-std::int64_t secondsNow()
-{
-  const auto since = std::chrono::system_clock::now().time_since_epoch();
-  return std::chrono::duration_cast<std::chrono::seconds>(since).count();
-}
-
-Project withoutNet(const Project& from)
-{
-  Project project;
-  project.name = from.name;
-  project.source = from.source;
-  project.parametersFromTissue = from.parametersFromTissue;
-  project.tissue = from.tissue;
-  project.loads = from.loads;
-  project.simulation = from.simulation;
-  project.view = from.view;
-  return project;
+  std::optional<FileIdentity> stamp = statusOf(path);
+  if (stamp) stamp->changed = 0;
+  return stamp;
 }
 
 /// Writes project and net beside the journal, then the line that names them.
-Status writeCopy(JournalFile& file, Project project, const SpringNet& net, const std::string& name, Json line)
+Status writeCopy(JournalFile& file, Json tree, const SpringNet& net, const std::string& name, Json line)
 {
   try {
-    project.net = net;
-    const Json tree = json::treeOf(project);
+    json::addNet(tree, net);
     if (const auto place = json::findNonFinite(tree))
       return Error{ErrorCode::Numerics, name + ": not written, " + *place + " is not a finite number"};
     const std::string bytes = json::writeCbor(tree);
@@ -121,7 +92,7 @@ struct Journal::Impl {
 
   std::filesystem::path parent, path;
   std::function<void(const Error&)> failed;
-  std::optional<FileStamp> stamp; ///< of the saved file, as long as `saved` is what it holds
+  std::optional<FileIdentity> stamp; ///< of the saved file, as long as `saved` is what it holds
   Told saved, told;
   std::vector<NetCopy> copies;
   int copyCount = 0;
@@ -208,9 +179,9 @@ void Journal::Impl::begin(const JournalState& now)
     told.steps = 0, told.draft = {};
     line["base"] = told.copy;
     line["derived"] = told.netDerived;
-    file->post([project = std::make_shared<Project>(withoutNet(*now.project)), net = now.net(),
-                name = told.copy,
-                line](JournalFile& to) { return writeCopy(to, *project, *net, name, line); });
+    file->post([tree = told.tree, net = now.net(), name = told.copy, line](JournalFile& to) {
+      return writeCopy(to, tree, *net, name, line);
+    });
   }
   copies.push_back({told.netNumber, told.netDerived, told.copy, told.fixed});
 }
@@ -244,8 +215,9 @@ void Journal::Impl::write(const JournalState& now)
   told = std::move(next);
   if (!changed) return;
   if (!isNewNet) return file->append(json::sealedLine(line));
-  file->post([project = std::make_shared<Project>(withoutNet(*now.project)), net = now.net(),
-              name = told.copy, line](JournalFile& to) { return writeCopy(to, *project, *net, name, line); });
+  file->post([tree = told.tree, net = now.net(), name = told.copy, line](JournalFile& to) {
+    return writeCopy(to, tree, *net, name, line);
+  });
 }
 
 /// A save that does not hold everything: the lines go on, for there must be no moment without them.

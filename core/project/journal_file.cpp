@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/project/journal_file.h"
 
+#include "core/base/file_io.h"
+
 #include <algorithm>
 #include <cerrno>
 #include <fcntl.h>
@@ -16,24 +18,13 @@ namespace {
 
 constexpr std::chrono::milliseconds kSyncPause{500}; // a line is on the disk within a second
 
-Error journalError(const std::filesystem::path& path, int errorNumber)
-{
-  return {ErrorCode::FileUnwritable,
-          path.string() + ": cannot be written (" + std::generic_category().message(errorNumber) + ")"};
-}
-
-bool writeWhole(int file, std::string_view bytes)
-{
-  while (!bytes.empty()) {
-    const ssize_t written = ::write(file, bytes.data(), bytes.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    bytes.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 } // namespace
+
+std::int64_t secondsNow()
+{
+  const auto since = std::chrono::system_clock::now().time_since_epoch();
+  return std::chrono::duration_cast<std::chrono::seconds>(since).count();
+}
 
 // === The lock
 
@@ -62,21 +53,18 @@ Result<std::unique_ptr<JournalFile>> JournalFile::create(const std::filesystem::
 {
   std::error_code code;
   std::filesystem::create_directories(parent, code);
-  if (code) return journalError(parent, code.value());
+  if (code) return fileUnwritable(parent, code.value());
   ::chmod(parent.c_str(), 0700); // what is unsaved is nobody else's
   // A hidden name until the lock is held, so that no other window takes the folder for a left one.
   std::string hidden = (parent / ".new-XXXXXX").string();
-  if (::mkdtemp(hidden.data()) == nullptr) return journalError(parent, errno);
+  if (::mkdtemp(hidden.data()) == nullptr) return fileUnwritable(parent, errno);
   JournalLock lock = JournalLock::take(hidden);
   const std::filesystem::path visible =
-    parent / (std::to_string(std::chrono::duration_cast<std::chrono::seconds>(
-                               std::chrono::system_clock::now().time_since_epoch())
-                               .count()) +
-              hidden.substr(hidden.size() - 7));
+    parent / (std::to_string(secondsNow()) + hidden.substr(hidden.size() - 7));
   if (!lock || ::rename(hidden.c_str(), visible.c_str()) != 0) {
     const int reason = errno;
     std::filesystem::remove_all(hidden, code);
-    return journalError(parent, reason);
+    return fileUnwritable(parent, reason);
   }
   auto file = adopt(visible, std::move(lock), 0);
   if (!file) std::filesystem::remove_all(visible, code);
@@ -91,7 +79,7 @@ Result<std::unique_ptr<JournalFile>> JournalFile::adopt(const std::filesystem::p
   if (file < 0 || ::ftruncate(file, static_cast<off_t>(length)) != 0) {
     const int reason = errno;
     if (file >= 0) ::close(file);
-    return journalError(path, reason);
+    return fileUnwritable(path, reason);
   }
   return std::unique_ptr<JournalFile>(new JournalFile(folder, std::move(lock), file, length));
 }
@@ -221,7 +209,7 @@ void JournalFile::sync(std::vector<std::string> names)
     const bool kept = ::fdatasync(file) == 0 || errno == EINVAL;
     const int reason = errno;
     ::close(file);
-    if (!kept) return fail(journalError(m_folder / name, reason));
+    if (!kept) return fail(fileUnwritable(m_folder / name, reason));
   }
 }
 
@@ -231,8 +219,8 @@ Status JournalFile::writeLine(std::string_view line)
 {
   std::string whole(line);
   whole += '\n';
-  if (!writeWhole(m_file, whole)) {
-    const Error error = journalError(m_folder / kJournalLines, errno);
+  if (!writeAll(m_file, whole)) {
+    const Error error = fileUnwritable(m_folder / kJournalLines, errno);
     if (::ftruncate(m_file, static_cast<off_t>(m_length)) != 0) return error; // a torn end is no harm either
     return error;
   }
@@ -245,15 +233,15 @@ Status JournalFile::writeBeside(const std::string& name, std::string_view bytes)
 {
   const std::filesystem::path path = m_folder / name, temporary = m_folder / (name + ".part");
   const int file = ::open(temporary.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC | O_NOFOLLOW, 0600);
-  if (file < 0) return journalError(path, errno);
-  const bool written = writeWhole(file, bytes);
+  if (file < 0) return fileUnwritable(path, errno);
+  const bool written = writeAll(file, bytes);
   const int reason = errno;
   const bool closed = ::close(file) == 0;
   if (!written || !closed) {
     ::unlink(temporary.c_str());
-    return journalError(path, written ? errno : reason);
+    return fileUnwritable(path, written ? errno : reason);
   }
-  if (::rename(temporary.c_str(), path.c_str()) != 0) return journalError(path, errno);
+  if (::rename(temporary.c_str(), path.c_str()) != 0) return fileUnwritable(path, errno);
   noteUnsynced(name);
   return {};
 }
@@ -262,7 +250,7 @@ Status JournalFile::copyBeside(const std::filesystem::path& from, const std::str
 {
   std::error_code code;
   std::filesystem::copy_file(from, m_folder / name, std::filesystem::copy_options::overwrite_existing, code);
-  if (code) return journalError(m_folder / name, code.value());
+  if (code) return fileUnwritable(m_folder / name, code.value());
   ::chmod((m_folder / name).c_str(), 0600);
   noteUnsynced(name);
   return {};

@@ -26,6 +26,8 @@ inline constexpr const char* kJournalLock = "lock";
 inline constexpr const char* kJournalPicture = "picture.png";
 inline constexpr const char* kJournalPostponed = "later"; ///< exists: the user wants not to be asked again
 
+std::int64_t secondsNow(); ///< since 1970
+
 /// Holds the lock of a journal's folder. The kernel lets it go with the process, however that ends, so what
 /// can be locked belongs to nobody who lives.
 class JournalLock {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/project/json_tree.h"
 
+#include "core/base/text_encoding.h"
 #include "core/base/text_number.h"
 
 #include <algorithm>
@@ -193,13 +194,6 @@ void appendValue(std::string& out, const Json& value, std::size_t indent, bool t
 }
 
 } // namespace
-
-std::string_view withoutByteOrderMark(std::string_view bytes) noexcept
-{
-  constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-  if (bytes.starts_with(kByteOrderMark)) bytes.remove_prefix(kByteOrderMark.size());
-  return bytes;
-}
 
 Result<Json> parseJson(std::string_view bytes, const std::string& origin)
 {

@@ -22,9 +22,6 @@ using Json = nlohmann::ordered_json;
 inline constexpr std::size_t kMaxDepth = 32;
 inline constexpr std::size_t kMaxKeys = 1000;
 
-/// The text without the byte-order mark that editors of Windows put before UTF-8.
-std::string_view withoutByteOrderMark(std::string_view bytes) noexcept;
-
 /// Errors: BadFormat; one line with origin and place, whatever the bytes.
 Result<Json> parseJson(std::string_view bytes, const std::string& origin);
 Result<Json> parseCbor(std::string_view bytes, const std::string& origin);

@@ -3,6 +3,7 @@
 #include "core/project/project_io.h"
 
 #include "core/base/file_io.h"
+#include "core/base/text_encoding.h"
 #include "core/net/net_builder.h"
 #include "core/project/net_json.h"
 #include "core/project/project_tree.h"
@@ -145,11 +146,16 @@ Json json::treeWithoutNet(const Project& project)
           {"view", viewOf(project.view)}};
 }
 
+void json::addNet(Json& tree, const SpringNet& net)
+{
+  tree["geometry"] = json::geometryOf(net);
+  tree["net"] = json::netOf(net);
+}
+
 Json json::treeOf(const Project& project)
 {
   Json tree = treeWithoutNet(project);
-  tree["geometry"] = json::geometryOf(project.net);
-  tree["net"] = json::netOf(project.net);
+  addNet(tree, project.net);
   return tree;
 }
 
@@ -186,7 +192,7 @@ bool isCborMap(std::string_view bytes)
 
 Result<Project> parseTree(std::string_view bytes, const std::string& origin)
 {
-  bytes = json::withoutByteOrderMark(bytes);
+  bytes = withoutByteOrderMark(bytes);
   const std::size_t start = bytes.find_first_not_of(" \t\r\n");
   if (start == std::string_view::npos)
     return Error{ErrorCode::BadFormat, origin + ": is empty, it holds no project"};

@@ -11,6 +11,7 @@ namespace esm::json {
 Json treeOf(const Project& project);
 /// All but the keys "geometry" and "net": what is small, however large the net.
 Json treeWithoutNet(const Project& project);
+void addNet(Json& tree, const SpringNet& net); ///< these two keys
 /// Errors: as parseProject().
 Result<Project> readProject(const Json& tree, const std::string& origin);
 

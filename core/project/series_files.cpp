@@ -43,13 +43,7 @@ Result<TemporaryFile> TemporaryFile::create(const fs::path& path)
 
 Status TemporaryFile::flush()
 {
-  std::string_view rest = m_buffer;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(m_temporary.descriptor(), rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return fileUnwritable(m_path, errno);
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (!writeAll(m_temporary.descriptor(), m_buffer)) return fileUnwritable(m_path, errno);
   m_buffer.clear();
   return {};
 }
