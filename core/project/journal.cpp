@@ -206,9 +206,9 @@ void Journal::Impl::write(const JournalState& now)
     next.copy = copy->name;
   }
   const bool isSameCopy = next.copy == told.copy;
-  const std::vector<std::uint8_t>& fixedBefore = isSameCopy ? told.fixed
-                                                 : isNewNet ? next.fixed
-                                                            : copy->fixed;
+  const std::vector<std::uint8_t>& fixedBefore = isNewNet                         ? next.fixed
+                                                 : copy != nullptr && !isSameCopy ? copy->fixed
+                                                                                  : told.fixed;
   if (!isSameCopy) line["net"] = next.copy;
   if (next.fixed != fixedBefore) line["fixed"] = heldNodes(next.fixed);
   const bool changed = line.size() > 2 || next.steps != told.steps;
