@@ -3159,6 +3159,10 @@
         <source>they take them alone, and the rest its own</source>
         <translation>sie tun sie allein, und der Rest die seinen</translation>
     </message>
+    <message>
+        <source>to keep time, one damped step is taken for each frame, whose error is some per cent</source>
+        <translation>um mit der Zeit Schritt zu halten, wird für jedes Bild ein gedämpfter Schritt getan, dessen Fehler einige Prozent beträgt</translation>
+    </message>
 </context>
 <context>
     <name>esm::RecipeForm</name>
@@ -4029,6 +4033,10 @@
     <message>
         <source>to the rest of each moment, without inertia</source>
         <translation>in die Ruhelage jedes Augenblicks, ohne Trägheit</translation>
+    </message>
+    <message>
+        <source>the same without a factor, a frame at a time: keeps time under the hand</source>
+        <translation>dasselbe ohne Faktorisierung, ein Bild auf einmal: hält unter der Hand mit der Zeit Schritt</translation>
     </message>
 </context>
 <context>

@@ -28,13 +28,6 @@ ESM_INLINE Lanes unit(int axis, double length) noexcept
   return lanes;
 }
 
-double sumOfProducts(const NodeArray& a, const NodeArray& b) noexcept
-{
-  double sum = 0.0;
-  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
-  return sum;
-}
-
 void addScalar(NodeBlock& block, double amount) noexcept
 {
   for (int axis = 0; axis < 3; ++axis) block.column[axis] += unit(axis, amount);

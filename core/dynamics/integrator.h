@@ -60,6 +60,8 @@ public:
   /// Whether it takes one step per stretch whatever the tolerance: its result is an equilibrium, or rough by
   /// intent.
   virtual bool isUncontrolled() const noexcept { return false; }
+  /// Whether it brakes what a free body does as one, so that it is best run in the body's frame of reference.
+  virtual bool brakesBodies() const noexcept { return false; }
   /// Largest stable step for such motions [s]; infinity for an implicit method.
   virtual double stableStep(const FastestMode& mode) const noexcept = 0;
   /// Whether stableStep() looks at FastestMode::decay, of which to know more than `damping` takes half of
@@ -115,6 +117,7 @@ std::unique_ptr<Integrator> makeWavefront();
 std::unique_ptr<Integrator> makeLinearized();
 std::unique_ptr<Integrator> makeRelax();
 std::unique_ptr<Integrator> makeDescent();
+std::unique_ptr<Integrator> makeBlockDescent();
 
 /// Whether all numbers are finite.
 bool allFinite(const NodeArray& x, const NodeArray& v) noexcept;

@@ -43,6 +43,10 @@ std::span<const IntegratorEntry> integratorTable() noexcept
       "descent",
       "implicit Euler by descent on its incremental potential: gains no energy, whatever net and step",
       &makeDescent, ByName},
+    IntegratorEntry{"block-descent",
+                    "the same without a factor: every node descends by its own block, in conjugate "
+                    "directions; a frame at a time, for the hand",
+                    &makeBlockDescent, ByName},
     IntegratorEntry{
       "multirate",
       "velocity Verlet with each spring at its own rate: nets with a few stiff springs or light nodes",

@@ -39,6 +39,10 @@ struct SolverSettings {
   /// ends before its time (StepReport::stepLimit). `auto` plans to stay below. 0: none, for whoever keeps
   /// time with a clock and asks for little effort.
   double workLimit = 2e5;
+  /// For whoever keeps time with a clock: where plain steps would cost more than the effort, `auto` moves a net
+  /// of some hundreds of nodes or more by one step of `block-descent` for each sixtieth of a second, before it
+  /// has tried and failed. Its error is some per cent of a hand's way, which the report calls rough.
+  bool keepsTime = false;
   /// How long the motion will be looked at, from t = 0 [s]; 0 = unknown, as in a window that runs on. Errors
   /// of a short run have less time to add up, so each step may err more; beyond it the tolerance is kept as
   /// if it had never been known.

@@ -56,6 +56,7 @@ StepDriver::StepDriver(SolverSettings settings)
     const Method place = m_candidates.size();
     if (entry.name == "leapfrog") m_leapfrog = place;
     if (entry.name == "descent") m_descent = place;
+    if (entry.name == "block-descent") m_blocks = place;
     if (entry.role == MethodRole::Implicit) m_implicit = place;
     if (entry.name == m_settings.solver) m_method = place;
     m_candidates.push_back(
@@ -188,6 +189,7 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
   const double change = tolerance / m_settings.tolerance;
   m_settings.tolerance = tolerance;
   m_settings.effort = effort;
+  if (m_settings.keepsTime) weighLeastCost(system);
   m_onset.longest = 0.0;
   for (Candidate& candidate : m_candidates) { // what the error's order says, until the next check
     if (!candidate.integrator) continue;
@@ -321,7 +323,7 @@ void StepDriver::choose(System& system, const MotionState&)
     m_method = cheapestExplicit(system, 1.0);
     m_toleranceGivenUp = false;
     // Laying out the implicit matrix costs some hundred force passes: not for a net that is soft anyway.
-    if (isHeldUp() &&
+    if (isHeldUp() && !m_byBlocks &&
         (toleranceIsTooDear(system) || caution() * cost(m_method, system) > 2.0 * cost(m_implicit, system)))
       m_method = m_implicit;
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));

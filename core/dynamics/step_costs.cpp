@@ -108,13 +108,24 @@ bool StepDriver::paysOff(double saving, double price) const noexcept
   return saving * (knownEnd(m_start.time) - m_start.time) / kFrame >= price;
 }
 
+/// What a net that keeps time is moved by depends on what plain steps cost, of which the rest is a multiple. A
+/// small net's factor costs less than a frame, and implicit steps err less.
+bool StepDriver::wantsBlocks(const System& system, double plainCost) const noexcept
+{
+  constexpr std::size_t kFewNodes = 500;
+  constexpr double kBack = 0.7; // of the effort, below which plain steps return
+  return m_auto && m_settings.keepsTime && system.nodeCount() > kFewNodes &&
+         plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
+}
+
 /// What a frame costs at least: plain steps at their limit or, where these are many, one implicit step. To
 /// ask for less would only lead to methods that cost more.
 void StepDriver::weighLeastCost(const System& system)
 {
   const double steps = std::ceil(kFrame / explicitLimit());
   m_leastCost = steps * m_candidates[m_leapfrog].integrator->stepCost(system, explicitLimit());
-  if (!m_auto || !isHeldUp()) return;
+  m_byBlocks = wantsBlocks(system, m_leastCost);
+  if (!m_auto || m_byBlocks || !isHeldUp()) return;
   layOut(m_implicit, system);
   m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system, kFrame));
 }

@@ -148,6 +148,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     return true;
   }
   if (m_auto) {
+    if (m_byBlocks) return stretchByBlocks(system, state, end, report);
     if (m_descents > 0) return stretchByDescent(system, state, end, report);
     const double usual =
       kMostEffort * std::max(effort(system), 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
@@ -273,27 +274,47 @@ bool StepDriver::fallBackToLeapfrog(System& system, double length)
   return true;
 }
 
+/// By a method that gains no energy and errs as it may; what was learned of the present one stays.
+StepDriver::Run StepDriver::runRoughly(Method method, System& system, MotionState& state, double end,
+                                       std::int64_t steps, StepReport& report)
+{
+  state.loss += closeLoss(system, state);
+  system.workLimit = m_mostWork;
+  layOut(method, system);
+  const Method other = std::exchange(m_method, method);
+  const Run result = run(system, state, end, steps, report);
+  m_method = other;
+  current().restart();
+  m_untilCheck = 0;
+  m_checkGap = 1;
+  if (result == Run::Done) {
+    report.rough = true;
+    keep(system, state, expectedError(state));
+  }
+  return result;
+}
+
 /// What always succeeds: a few damped steps that gain no energy.
 bool StepDriver::stretchByDescent(System& system, MotionState& state, double end, StepReport& report)
 {
   const double length = end - state.time;
-  state.loss += closeLoss(system, state);
-  system.workLimit = m_mostWork;
-  const Method other = m_method;
   layOut(m_descent, system);
-  m_method = m_descent;
-  const double affordable = 0.5 * effort(system) * length / kFrame / current().stepCost(system, length);
+  const double stepCost = m_candidates[m_descent].integrator->stepCost(system, length);
+  const double affordable = 0.5 * effort(system) * length / kFrame / stepCost;
   const auto steps = static_cast<std::int64_t>(std::clamp(affordable, 1.0, kMostDescentSteps));
-  const Run result = run(system, state, end, steps, report);
-  m_method = other;
-  current().restart();
+  const Run result = runRoughly(m_descent, system, state, end, steps, report);
   sayDescent(system);
   if (result != Run::Done) return giveUp(result, report), false;
-  report.rough = true;
-  m_untilCheck = 0;
-  m_checkGap = 1;
-  keep(system, state, expectedError(state));
   if (--m_descents <= 0) reconsider(system);
+  return true;
+}
+
+/// What keeps time.
+bool StepDriver::stretchByBlocks(System& system, MotionState& state, double end, StepReport& report)
+{
+  const Run result = runRoughly(m_blocks, system, state, end, 1, report);
+  sayBlocks(system);
+  if (result != Run::Done) return giveUp(result, report), false;
   return true;
 }
 

@@ -166,6 +166,7 @@ private:
   void weighEffort(const System& system, Candidate& candidate) const;
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);
+  bool wantsBlocks(const System& system, double plainCost) const noexcept;
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
   Method cheapestExplicit(const System& system, double patience);
@@ -196,6 +197,9 @@ private:
   Run runAgain(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   bool fallBackToLeapfrog(System& system, double length);
   bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
+  bool stretchByBlocks(System& system, MotionState& state, double end, StepReport& report);
+  Run runRoughly(Method method, System& system, MotionState& state, double end, std::int64_t steps,
+                 StepReport& report);
   /// Since the start of the stretch [J].
   struct EnergyBalance {
     double gained = 0.0;     ///< without work; what dampers have taken counts as a loss
@@ -233,6 +237,7 @@ private:
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
   void sayDescent(const System& system);
+  void sayBlocks(const System& system);
   void keep(const System& system, const MotionState& state, double error) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(Run failure, StepReport& report);
@@ -245,6 +250,7 @@ private:
   bool m_auto = false;
   Method m_leapfrog = 0, m_implicit = 0; ///< the planner's first explicit choice and its refuge
   Method m_descent = 0;                  ///< where that fails, too
+  Method m_blocks = 0;                   ///< for whoever keeps time with a clock
   Method m_method = 0;
   std::string m_name, m_why;
   std::string m_limitText;             ///< of the last advance(), if its work limit ended it
@@ -256,6 +262,7 @@ private:
   double m_boundPatience = 1.0; ///< how much longer than usual it may be
   bool m_toleranceGivenUp = false;
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
+  bool m_byBlocks = false;              ///< the clock wants them now
   double m_leastCost = 0.0;             ///< of a frame, whatever the tolerance [spring evaluations]
   double m_floorStep = 0.0;             ///< smallest implicit step while the tolerance is given up [s]
   double m_grown = 0.0, m_growth = 0.0; ///< energy that appeared up to the present stretch, up to its end [J]

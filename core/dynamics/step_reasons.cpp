@@ -36,6 +36,13 @@ void StepDriver::sayDescent(const System& system)
            "stiffness or the loads, raise the masses, or allow more effort";
 }
 
+void StepDriver::sayBlocks(const System& system)
+{
+  explain(system);
+  m_name = integratorTable()[m_blocks].name;
+  m_why += "; to keep time, one damped step is taken for each frame, whose error is some per cent";
+}
+
 void StepDriver::explain(const System& system)
 {
   m_name = integratorTable()[m_method].name;

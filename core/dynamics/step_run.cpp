@@ -27,7 +27,7 @@ std::int64_t StepDriver::stepsLeft(const System& system, double step, const Step
   return m_maxSteps > 0 ? std::clamp<std::int64_t>(m_maxSteps - report.steps, 0, steps) : steps;
 }
 
-/// Descent damps only what its frame of reference leaves it.
+/// Descents damp only what their frames of reference leave them.
 StepResult StepDriver::runInFrames(System& system, MotionState& state, double end, std::int64_t steps,
                                    StepReport& report)
 {
@@ -51,7 +51,7 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
   const bool isLimited = allowed < steps;
   if (isLimited && allowed == 0) return Run::Limit;
   const double runEnd = isLimited ? begin + static_cast<double>(allowed) * h : end;
-  const bool isInFrame = m_method == m_descent && !m_bodies.isEmpty();
+  const bool isInFrame = current().brakesBodies() && !m_bodies.isEmpty();
   const std::int64_t count = std::min(allowed, steps);
   const StepResult result = isInFrame ? runInFrames(system, state, runEnd, count, report)
                                       : current().run(system, state, runEnd, count, report);

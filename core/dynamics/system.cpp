@@ -129,6 +129,13 @@ ESM_CPU_CLONES double sumOfSquares(const NodeArray& a, const NodeArray& b) noexc
   return sumLanes(sum);
 }
 
+double sumOfProducts(const NodeArray& a, const NodeArray& b) noexcept
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
+  return sum;
+}
+
 ESM_CPU_CLONES double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y,
                               const Lanes* z) noexcept
 {
@@ -190,12 +197,17 @@ double System::elasticEnergy(const NodeArray& x) const noexcept
   return m_forces.elasticEnergy(x.data()) + toolEnergy(x);
 }
 
-double System::storedEnergy(const NodeArray& x) const noexcept
+double System::weightEnergy(const NodeArray& x) const noexcept
 {
-  if (m_frame == nullptr) return elasticEnergy(x) + m_forces.gravityEnergy(x.data());
+  if (m_frame == nullptr) return m_forces.gravityEnergy(x.data());
   double energy = 0.0; // of what is left of the weight: both apart could hide the springs by rounding
   for (std::size_t i = 0; i < x.size(); ++i) energy -= dot(m_forces.weight(i) + m_frame[i], x[i]);
-  return elasticEnergy(x) + energy;
+  return energy;
+}
+
+double System::storedEnergy(const NodeArray& x) const noexcept
+{
+  return elasticEnergy(x) + weightEnergy(x);
 }
 
 Eigen::Vector3d System::toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept

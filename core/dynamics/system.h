@@ -124,7 +124,8 @@ public:
 
   double kineticEnergy(const NodeArray& v) const noexcept;
   double elasticEnergy(const NodeArray& x) const noexcept; ///< springs, anchors, tools [J]
-  double storedEnergy(const NodeArray& x) const noexcept;  ///< elastic and of weight [J]
+  double weightEnergy(const NodeArray& x) const noexcept;  ///< and of the frame's forces [J]
+  double storedEnergy(const NodeArray& x) const noexcept;  ///< both [J]
   Eigen::Vector3d toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept;
 
   std::int64_t springsEvaluated = 0; ///< since the caller set it to 0
@@ -150,6 +151,8 @@ private:
 /// Of all lanes of the nodes, and of the differences of two arrays.
 double sumOfSquares(const NodeArray& a) noexcept;
 double sumOfSquares(const NodeArray& a, const NodeArray& b) noexcept; ///< @pre of one size
+
+double sumOfProducts(const NodeArray& a, const NodeArray& b) noexcept; ///< @pre of one size
 
 /// y -= factor x, over `count` nodes. @return y.z, of the new y.
 double takeOff(std::size_t count, double factor, const Lanes* x, Lanes* y, const Lanes* z) noexcept;

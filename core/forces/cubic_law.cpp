@@ -17,6 +17,16 @@ struct Cubic {
     f = k * e * (1.0 + a * (e * e));
   }
   template <class Group>
+  ESM_INLINE static void tangent(const Group& group, const Lanes& e, Lanes& f, Lanes& slope) noexcept
+  {
+    Lanes k, a;
+    group.lawRow(0, k);
+    group.lawRow(1, a);
+    const Lanes stiffening = a * (e * e);
+    f = k * e * (1.0 + stiffening);
+    slope = k * (1.0 + 3.0 * stiffening);
+  }
+  template <class Group>
   ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
     Lanes k, a;
@@ -43,6 +53,12 @@ ESM_CPU_CLONES double cubicTensions(const SpringBatch& batch, const Lanes* x, co
   return detail::tensionPass<Cubic>(batch, x, v, tension);
 }
 
+ESM_CPU_CLONES void cubicTangents(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                  const TangentShares& shares, Lanes* rows) noexcept
+{
+  detail::tangentPass<Cubic>(batch, x, v, shares, rows);
+}
+
 class CubicLaw final : public SpringLawKernel {
 public:
   double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -60,6 +76,12 @@ public:
                   double* tension) const noexcept override
   {
     return cubicTensions(batch, x, v, tension);
+  }
+
+  void tangents(const SpringBatch& batch, const Lanes* x, const Lanes* v, const TangentShares& shares,
+                Lanes* rows) const noexcept override
+  {
+    cubicTangents(batch, x, v, shares, rows);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

@@ -100,6 +100,19 @@ struct Exponential {
     growthOf(rate * e, growth);
     f = factor * growth;
   }
+  template <class Group>
+  ESM_INLINE static void tangent(const Group& group, const Lanes& e, Lanes& f, Lanes& slope) noexcept
+  {
+    Lanes factor, rate, inside, growth;
+    group.lawRow(0, factor);
+    group.lawRow(1, rate);
+    const Lanes s = rate * e;
+    keepInside(s, inside);
+    expMinusOne(inside, growth);
+    const Lanes steepness = growth + 1.0;
+    f = factor * (growth + steepness * (s - inside));
+    slope = factor * rate * steepness;
+  }
   /// The same bits. Springs of tissue that strains by a tenth need no more than beyondLine(), half of the
   /// work, and whether all of several groups are such is asked once.
   static constexpr bool kTakesGroupsTogether = true;
@@ -174,6 +187,12 @@ ESM_CPU_CLONES double exponentialTensions(const SpringBatch& batch, const Lanes*
   return detail::tensionPass<Exponential>(batch, x, v, tension);
 }
 
+ESM_CPU_CLONES void exponentialTangents(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                        const TangentShares& shares, Lanes* rows) noexcept
+{
+  detail::tangentPass<Exponential>(batch, x, v, shares, rows);
+}
+
 class ExponentialLaw final : public SpringLawKernel {
 public:
   double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -191,6 +210,12 @@ public:
                   double* tension) const noexcept override
   {
     return exponentialTensions(batch, x, v, tension);
+  }
+
+  void tangents(const SpringBatch& batch, const Lanes* x, const Lanes* v, const TangentShares& shares,
+                Lanes* rows) const noexcept override
+  {
+    exponentialTangents(batch, x, v, shares, rows);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

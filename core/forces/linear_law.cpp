@@ -16,6 +16,12 @@ struct Linear {
     f = k * e;
   }
   template <class Group>
+  ESM_INLINE static void tangent(const Group& group, const Lanes& e, Lanes& f, Lanes& slope) noexcept
+  {
+    group.lawRow(0, slope);
+    f = slope * e;
+  }
+  template <class Group>
   ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
     Lanes k;
@@ -41,6 +47,12 @@ ESM_CPU_CLONES double linearTensions(const SpringBatch& batch, const Lanes* x, c
   return detail::tensionPass<Linear>(batch, x, v, tension);
 }
 
+ESM_CPU_CLONES void linearTangents(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                   const TangentShares& shares, Lanes* rows) noexcept
+{
+  detail::tangentPass<Linear>(batch, x, v, shares, rows);
+}
+
 class LinearLaw final : public SpringLawKernel {
 public:
   double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -58,6 +70,12 @@ public:
                   double* tension) const noexcept override
   {
     return linearTensions(batch, x, v, tension);
+  }
+
+  void tangents(const SpringBatch& batch, const Lanes* x, const Lanes* v, const TangentShares& shares,
+                Lanes* rows) const noexcept override
+  {
+    linearTangents(batch, x, v, shares, rows);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

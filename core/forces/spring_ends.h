@@ -96,6 +96,19 @@ struct FourEnds {
     at(force, a3) += f3;
     at(force, b3) -= f3;
   }
+  /// The same value to both ends.
+  ESM_INLINE void addToBoth(Lanes* values, const Lanes& f0, const Lanes& f1, const Lanes& f2,
+                            const Lanes& f3) const noexcept
+  {
+    at(values, a0) += f0;
+    at(values, b0) += f0;
+    at(values, a1) += f1;
+    at(values, b1) += f1;
+    at(values, a2) += f2;
+    at(values, b2) += f2;
+    at(values, a3) += f3;
+    at(values, b3) += f3;
+  }
   /// The same with the forces group.d{x,y,z} * group.scale, transposed: products of the differences, which
   /// have to wait on the stack, and a broadcast for each took 4 % longer.
   template <class Group>

@@ -108,6 +108,13 @@ struct SpringResponse {
   double tangent = 0.0; ///< df/de [N/m]
 };
 
+/// How much of each part of a spring's tangent goes into a matrix: of a step of length h, h and h^2.
+struct TangentShares {
+  double viscosity, stiffness;
+};
+/// Rows of four springs' blocks in a SpringMatrix: x, y and z of the direction u, axial - lateral, lateral.
+inline constexpr std::size_t kTangentRows = 5;
+
 /// One elastic law. Implementations are stateless and live for ever; see springLawKernel() for the table.
 class SpringLawKernel {
 public:
@@ -132,6 +139,14 @@ public:
   /// null. @return the largest absolute one.
   virtual double tensions(const SpringBatch& batch, const Lanes* x, const Lanes* v,
                           double* tension) const noexcept = 0;
+
+  /// The convex part of the tangents of a batch, kTangentRows rows for each group of four springs:
+  ///
+  ///     axial = stiffness max(f', 0) + viscosity c,   lateral = stiffness max(T/l, 0);
+  ///
+  /// 0 for springs that are slack, too short, or only fill up. Equal bits, as above.
+  virtual void tangents(const SpringBatch& batch, const Lanes* x, const Lanes* v, const TangentShares& shares,
+                        Lanes* rows) const noexcept = 0;
 
   /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents and
   /// tests.

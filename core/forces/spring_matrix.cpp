@@ -10,7 +10,7 @@ namespace {
 ESM_CPU_CLONES void addBlocks(const SpringBatch& batch, const Lanes* row, const Lanes* z, Lanes* y) noexcept
 {
   const std::size_t groups = batch.paddedCount() / 4, recordRows = batch.recordRows();
-  for (std::size_t i = 0; i < groups; ++i, row += 5) {
+  for (std::size_t i = 0; i < groups; ++i, row += kTangentRows) {
     const detail::FourEnds ends(&batch.record[i * recordRows]);
     Lanes d0, d1, d2, d3, dx, dy, dz, f0, f1, f2, f3;
     ends.difference(z, d0, d1, d2, d3);
@@ -22,7 +22,45 @@ ESM_CPU_CLONES void addBlocks(const SpringBatch& batch, const Lanes* row, const 
   }
 }
 
+ESM_CPU_CLONES void addBlocksOf(const SpringBatch& batch, const Lanes* row, Lanes* straight,
+                                Lanes* mixed) noexcept
+{
+  const std::size_t groups = batch.paddedCount() / 4, recordRows = batch.recordRows();
+  for (std::size_t i = 0; i < groups; ++i, row += kTangentRows) {
+    const detail::FourEnds ends(&batch.record[i * recordRows]);
+    const Lanes x = row[0] * row[3], y = row[1] * row[3], z = row[2] * row[3];
+    Lanes f0, f1, f2, f3;
+    detail::transposeBack(x * row[0] + row[4], y * row[1] + row[4], z * row[2] + row[4], f0, f1, f2, f3);
+    ends.addToBoth(straight, f0, f1, f2, f3);
+    detail::transposeBack(x * row[1], x * row[2], y * row[2], f0, f1, f2, f3);
+    ends.addToBoth(mixed, f0, f1, f2, f3);
+  }
+}
+
 } // namespace
+
+void SpringMatrix::assignTangents(const std::vector<SpringBatch>& batches, const Lanes* x, const Lanes* v,
+                                  const TangentShares& shares)
+{
+  std::size_t groups = 0;
+  for (const SpringBatch& batch : batches) groups += batch.paddedCount() / 4;
+  m_rows.resize(groups * kRows);
+  Lanes* rows = m_rows.data();
+  for (const SpringBatch& batch : batches) {
+    springLawKernel(batch.law).tangents(batch, x, v, shares, rows);
+    rows += batch.paddedCount() / 4 * kRows;
+  }
+}
+
+void SpringMatrix::addDiagonal(const std::vector<SpringBatch>& batches, Lanes* straight,
+                               Lanes* mixed) const noexcept
+{
+  const Lanes* row = m_rows.data();
+  for (const SpringBatch& batch : batches) {
+    addBlocksOf(batch, row, straight, mixed);
+    row += batch.paddedCount() / 4 * kRows;
+  }
+}
 
 void SpringMatrix::addProduct(const std::vector<SpringBatch>& batches, const Lanes* z,
                               Lanes* y) const noexcept

@@ -44,11 +44,17 @@ public:
         }
       }
   }
+  /// The convex part of the springs' tangents at x, v; see SpringLawKernel::tangents(). Allocates if the
+  /// springs are others than before.
+  void assignTangents(const std::vector<SpringBatch>& batches, const Lanes* x, const Lanes* v,
+                      const TangentShares& shares);
+  /// Adds the blocks that A has on its diagonal, an entry per node: xx, yy, zz and xy, xz, yz.
+  void addDiagonal(const std::vector<SpringBatch>& batches, Lanes* straight, Lanes* mixed) const noexcept;
   /// y += A z, over all nodes.
   void addProduct(const std::vector<SpringBatch>& batches, const Lanes* z, Lanes* y) const noexcept;
 
 private:
-  static constexpr std::size_t kRows = 5; ///< x, y and z of u, axial - lateral, lateral
+  static constexpr std::size_t kRows = kTangentRows;
 
   NodeArray m_rows; ///< of each four springs, batch by batch
 };

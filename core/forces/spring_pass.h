@@ -306,4 +306,48 @@ ESM_INLINE double tensionPass(const SpringBatch& batch, const Lanes* x, const La
                       : tensionPass<Law, false, false>(batch, x, v, each);
 }
 
+/// SpringLawKernel::tangents(). `Law::tangent(group, e, f, slope)` gives f(e) and df/de of a SpringGroup.
+template <class Law, bool damped, bool alike>
+ESM_INLINE void tangentPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                            const TangentShares& shares, Lanes* rows) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < batch.paddedCount(); i += FourEnds::kCount, rows += kTangentRows) {
+    const SpringGroup<Law, damped, alike> springs(batch, i);
+    GroupInFlight group;
+    Stretch stretch;
+    readGroup(springs, x, v, group);
+    measureGroup(springs, group, stretch);
+    Lanes tension, axial, drag = zero;
+    Law::tangent(springs, stretch.extension, tension, axial);
+    axial = axial > zero ? axial * shares.stiffness : zero;
+    Lanes lateral = tension * stretch.inverse;
+    if constexpr (damped) {
+      springs.viscosity(drag);
+      lateral += drag * group.slip * stretch.inverseSquare;
+    }
+    lateral = lateral > zero ? lateral * shares.stiffness : zero;
+    axial += drag * shares.viscosity;
+    LaneBits isSlack = stretch.inverse == zero;
+    if (batch.tensionOnly) isSlack |= stretch.extension <= zero;
+    rows[0] = group.dx * stretch.inverse;
+    rows[1] = group.dy * stretch.inverse;
+    rows[2] = group.dz * stretch.inverse;
+    rows[3] = isSlack ? zero : axial - lateral;
+    rows[4] = isSlack ? zero : lateral;
+  }
+}
+
+template <class Law>
+ESM_INLINE void tangentPass(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                            const TangentShares& shares, Lanes* rows) noexcept
+{
+  if constexpr (canBeAlike(Law::kLaw))
+    if (batch.alike)
+      return batch.damped ? tangentPass<Law, true, true>(batch, x, v, shares, rows)
+                          : tangentPass<Law, false, true>(batch, x, v, shares, rows);
+  return batch.damped ? tangentPass<Law, true, false>(batch, x, v, shares, rows)
+                      : tangentPass<Law, false, false>(batch, x, v, shares, rows);
+}
+
 } // namespace esm::detail

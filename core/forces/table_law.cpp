@@ -72,6 +72,21 @@ struct Table {
     f = factor * values;
   }
   template <class Group>
+  ESM_INLINE static void tangent(const Group& group, const Lanes& e, Lanes& f, Lanes& slope) noexcept
+  {
+    Lanes factor, perLength, values;
+    group.lawRow(0, factor);
+    group.lawRow(1, perLength);
+    const Lanes strain = e * perLength;
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+      const TableLines& table = tableOf(group.batch, group.first + lane);
+      values[lane] = valueAt(table, strain[lane]);
+      slope[lane] = table.slope[lineAt(table, strain[lane])];
+    }
+    f = factor * values;
+    slope *= factor * perLength;
+  }
+  template <class Group>
   ESM_INLINE static void energy(const Group& group, const Lanes& e, Lanes& result) noexcept
   {
     Lanes factor, perLength;
@@ -103,6 +118,12 @@ ESM_CPU_CLONES double tableTensions(const SpringBatch& batch, const Lanes* x, co
   return detail::tensionPass<Table>(batch, x, v, tension);
 }
 
+ESM_CPU_CLONES void tableTangents(const SpringBatch& batch, const Lanes* x, const Lanes* v,
+                                  const TangentShares& shares, Lanes* rows) noexcept
+{
+  detail::tangentPass<Table>(batch, x, v, shares, rows);
+}
+
 class TableLaw final : public SpringLawKernel {
 public:
   double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
@@ -120,6 +141,12 @@ public:
                   double* tension) const noexcept override
   {
     return tableTensions(batch, x, v, tension);
+  }
+
+  void tangents(const SpringBatch& batch, const Lanes* x, const Lanes* v, const TangentShares& shares,
+                Lanes* rows) const noexcept override
+  {
+    tableTangents(batch, x, v, shares, rows);
   }
 
   SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept override

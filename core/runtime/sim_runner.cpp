@@ -60,6 +60,7 @@ void SimRunner::carryOut(command::Load&& load)
   load.settings.effort = ladder.effort();
   load.settings.workLimit = 0.0; // the clock and the effort bound it
   const bool isAuto = load.settings.solver == "auto";
+  load.settings.keepsTime = true;
   Result<Simulation> fresh =
     Simulation::create(std::move(load.net), std::move(load.loads), std::move(load.settings));
   if (!fresh) {

@@ -1,0 +1,190 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/incremental_descent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace esm {
+namespace {
+
+constexpr int kMostPulls = 8;              ///< back to the start, see step()
+constexpr double kShortest = 1.0 / 4096.0; ///< of a Newton step [1]
+
+double freeKinetic(const System& system, const NodeArray& v) noexcept
+{
+  double energy = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (system.isFree(i)) energy += 0.5 * system.mass()[i] * dot(v[i], v[i]);
+  return energy;
+}
+
+/// Books energy that has come without the loads' work: supports have put it in. What is gone is lost, but
+/// first what supports had put in: they move before the net may follow, and what they stretch in a jump
+/// and the net gives up in the next steps was never in the motion that is seen. Heat of it stays work; more
+/// than the net has left is rounding.
+void lend(EnergySums& sums, double appeared, double heat, double left) noexcept
+{
+  sums.loss += std::max(-appeared - sums.lent, 0.0);
+  const double lent = std::max(sums.lent + appeared, 0.0), made = std::clamp(heat, 0.0, lent);
+  sums.work += made;
+  sums.mostLent = std::max(sums.mostLent, lent);
+  sums.setLent(lent - made, left);
+}
+
+} // namespace
+
+void IncrementalDescent::prepare(const System& system)
+{
+  for (NodeArray* array : {&m_x, &m_y, &m_trial, &m_w, &m_force, &m_change})
+    array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+  m_damper.assign(system.forces().damperSize(), Lanes{0, 0, 0, 0});
+  layOut(system);
+}
+
+double IncrementalDescent::stableStep(const FastestMode&) const noexcept
+{
+  return std::numeric_limits<double>::infinity();
+}
+
+double IncrementalDescent::stepCost(const System& system, double /*h*/)
+{
+  const auto springs = static_cast<double>(system.forces().activeSprings());
+  return 0.5 * m_effort.iterations * (matrixCost(system) + 6.0 * springs);
+}
+
+StepResult IncrementalDescent::step(System& system, MotionState& state, double h, double end,
+                                    StepReport& report)
+{
+  ++report.steps;
+  m_x = state.x; // same size: no allocation
+  m_w = state.v;
+  system.place(end, m_x, m_w);
+  const Goal goal{state.v, h, end};
+  const double moved = system.storedEnergy(m_x);
+  const double before = system.schedule().movesAnyNow() ? system.storedEnergy(state.x) : moved;
+  if (!std::isfinite(before) || !std::isfinite(moved)) return StepResult::NonFinite;
+  Sums sums = descend(system, goal, start(system, goal, moved), report);
+  if (!std::isfinite(sums.stored)) return StepResult::NonFinite;
+  double work = 0.0, left = 0.0;
+  for (int pull = 0;; ++pull) {
+    if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
+    work = sums.loadWork + h * (sums.heatPower + dragPower(system, sums));
+    left = freeKinetic(system, state.v) + moved - sums.stored + work;
+    if (left >= 0.0 || pull > kMostPulls) break;
+    // A moving support or tool worked through its dampers less than the descent took: not so far.
+    for (std::size_t i = 0; i < m_y.size(); ++i)
+      m_y[i] = pull < kMostPulls ? m_x[i] + (m_y[i] - m_x[i]) * 0.25 : m_x[i];
+    sums = look(system, goal, m_y);
+  }
+  const double kinetic = freeKinetic(system, m_w);
+  if (kinetic > left) {
+    const double share = std::sqrt(std::max(left, 0.0) / kinetic);
+    for (std::size_t i = 0; i < m_w.size(); ++i)
+      if (system.isFree(i)) m_w[i] *= share;
+  }
+  const double heat = h * sums.heatPower, kineticLeft = system.kineticEnergy(m_w);
+  const double appeared =
+    (sums.stored - before) + (kineticLeft - system.kineticEnergy(state.v)) + heat - work;
+  lend(state, appeared, heat, kineticLeft + std::max(sums.elastic, 0.0));
+  state.advanceTo(end, m_y, m_w, work, heat);
+  return StepResult::Done;
+}
+
+/// P and its parts at y; sets m_w to the velocity that leads there, m_force to - h dP/dy of the free nodes.
+IncrementalDescent::Sums IncrementalDescent::look(System& system, const Goal& goal, NodeArray& y) noexcept
+{
+  Sums sums;
+  slopesTo(y.size(), 1.0 / goal.h, system.inverseMass().data(), m_x.data(), y.data(), m_w.data());
+  // The sum of f w; what it leaves in m_force is overwritten.
+  sums.loadWork = goal.h * system.schedule().addForces(goal.end, m_w.data(), m_force.data());
+  const Rates rates = system.evaluate(goal.end, y, m_w, m_force, m_damper.data()); // places the supports
+  sums.heatPower = rates.heat;
+  sums.elastic = system.elasticEnergy(y);
+  sums.stored = sums.elastic + system.weightEnergy(y);
+  double inertia = 0.0;
+  for (std::size_t i = 0; i < y.size(); ++i) {
+    if (!system.isFree(i)) {
+      m_force[i] = Lanes{0, 0, 0, 0};
+      continue;
+    }
+    const Lanes jump = m_w[i] - goal.v[i];
+    inertia += 0.5 * system.mass()[i] * dot(jump, jump);
+    m_force[i] = m_force[i] * goal.h - jump * system.mass()[i];
+  }
+  sums.potential = inertia + sums.stored - sums.loadWork + 0.5 * goal.h * sums.heatPower;
+  return sums;
+}
+
+/// Power [W] of all viscous forces on the free nodes at y and w, of which this was the last look. What the
+/// dampers turn into heat beyond what they take from the nodes, moving supports and tools have put in.
+double IncrementalDescent::dragPower(System& system, const Sums& sums) noexcept
+{
+  const auto leads = [](const ToolSpring& tool) { return !tool.targetVelocity.isZero(0.0); };
+  if (!system.schedule().movesAnyNow() && std::ranges::none_of(system.tools(), leads)) return -sums.heatPower;
+  std::fill(m_trial.begin(), m_trial.end(), Lanes{0, 0, 0, 0});
+  system.addDamping(m_damper.data(), m_w, m_trial);
+  const std::vector<double>& own = system.forces().nodeViscosity();
+  double power = 0.0;
+  for (std::size_t i = 0; i < m_w.size(); ++i)
+    if (system.isFree(i))
+      power += dot(m_trial[i], m_w[i]) - (own.empty() ? 0.0 : own[i] * dot(m_w[i], m_w[i]));
+  for (const ToolSpring& tool : system.tools()) {
+    const auto i = static_cast<std::size_t>(tool.node);
+    if (system.isFree(i)) power += tool.viscosity * dot(toLanes(tool.targetVelocity), m_w[i]);
+  }
+  return power;
+}
+
+/// The first y: where the velocity leads, if P is less there than what it is at rest without the dampers that
+/// supports move; else at rest.
+IncrementalDescent::Sums IncrementalDescent::start(System& system, const Goal& goal, double moved) noexcept
+{
+  if (m_effort.coasts) {
+    for (std::size_t i = 0; i < m_y.size(); ++i)
+      m_y[i] = system.isFree(i) ? m_x[i] + goal.v[i] * goal.h : m_x[i];
+    const Sums sums = look(system, goal, m_y);
+    if (sums.potential <= freeKinetic(system, goal.v) + moved) return sums;
+  }
+  m_y = m_x; // same size: no allocation
+  return look(system, goal, m_y);
+}
+
+IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal& goal, Sums best,
+                                                     StepReport& report)
+{
+  double gained = 0.0;
+  for (int iteration = 0; iteration < m_effort.iterations; ++iteration) {
+    ++report.newtonIterations;
+    if (!setMatrix(system, m_y, m_w, goal.h, report)) break;
+    m_change = m_force; // same size: no allocation
+    solve(system, m_change, iteration == 0 ? &goal.v : nullptr);
+    const double foretold = 0.5 * sumOfProducts(m_force, m_change); // a model of second order
+    bool found = false, beyond = false;
+    double gain = 0.0;
+    for (double fraction = 1.0; fraction >= kShortest && !found; fraction *= 0.25) {
+      advanceNodes(m_y.size(), fraction * goal.h, m_y.data(), m_change.data(), m_trial.data());
+      const Sums next = look(system, goal, m_trial);
+      found = next.potential < best.potential;
+      beyond = beyond || !std::isfinite(next.potential);
+      if (!found) continue;
+      gain = best.potential - next.potential;
+      best = next;
+      std::swap(m_y, m_trial);
+    }
+    if (!found) {
+      // Loads past all reason: to stay where it is would hide them.
+      if (!beyond || iteration > 0) return look(system, goal, m_y);
+      best.stored = std::numeric_limits<double>::infinity();
+      return best;
+    }
+    gained += gain;
+    const bool isAsForetold = std::abs(gain - foretold) <= m_effort.asForetold * foretold;
+    if (isAsForetold || gain <= m_effort.enough * gained) break;
+  }
+  return best; // and m_w is that of y
+}
+
+} // namespace esm

@@ -1,0 +1,177 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/step_gradients.h"
+
+#include "core/forces/spring_pass.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace esm {
+namespace {
+
+constexpr std::size_t kLatest = 4;
+
+ESM_INLINE Lanes blockTimes(const NodeBlock& block, const Lanes& value) noexcept
+{
+  return block.column[0] * value[0] + block.column[1] * value[1] + block.column[2] * value[2];
+}
+
+/// Of symmetric blocks, by their adjugate; 0 for held nodes. @return whether all are finite.
+ESM_CPU_CLONES bool invert(std::size_t count, const double* inverseMass, const Lanes* straight,
+                           const Lanes* mixed, NodeBlock* inverse) noexcept
+{
+  double probe = 0.0; // NaN once anything is not finite
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!(inverseMass[i] > 0.0)) {
+      inverse[i] = NodeBlock{};
+      continue;
+    }
+    const double xx = straight[i][0], yy = straight[i][1], zz = straight[i][2];
+    const double xy = mixed[i][0], xz = mixed[i][1], yz = mixed[i][2];
+    const double axx = yy * zz - yz * yz, axy = xz * yz - xy * zz, axz = xy * yz - xz * yy;
+    const double over = 1.0 / (xx * axx + xy * axy + xz * axz);
+    probe += over * 0.0;
+    const Lanes columns[3] = {Lanes{axx, axy, axz, 0} * over,
+                              Lanes{axy, xx * zz - xz * xz, xy * xz - xx * yz, 0} * over,
+                              Lanes{axz, xy * xz - xx * yz, xx * yy - xy * xy, 0} * over};
+    for (std::size_t k = 0; k < 3; ++k) inverse[i].column[k] = columns[k];
+  }
+  return probe == 0.0;
+}
+
+/// product += diagonal p. @return p.product
+ESM_CPU_CLONES double addOwn(std::size_t count, const double* diagonal, const Lanes* p,
+                             Lanes* product) noexcept
+{
+  Lanes sum = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    product[i] += p[i] * diagonal[i];
+    sum += p[i] * product[i];
+  }
+  return sumLanes(sum);
+}
+
+/// x += step p, r -= step product, z = inverse r. @return r.z
+ESM_CPU_CLONES double advanceBy(std::size_t count, double step, const Lanes* p, const Lanes* product,
+                                const NodeBlock* inverse, Lanes* x, Lanes* r, Lanes* z) noexcept
+{
+  Lanes sum = {0, 0, 0, 0};
+  for (std::size_t i = 0; i < count; ++i) {
+    x[i] += p[i] * step;
+    r[i] -= product[i] * step;
+    z[i] = blockTimes(inverse[i], r[i]);
+    sum += r[i] * z[i];
+  }
+  return sumLanes(sum);
+}
+
+/// p = z + keep p
+ESM_CPU_CLONES void turnTo(std::size_t count, double keep, const Lanes* z, Lanes* p) noexcept
+{
+  for (std::size_t i = 0; i < count; ++i) p[i] = z[i] + p[i] * keep;
+}
+
+} // namespace
+
+void StepGradients::prepare(const System& system)
+{
+  const std::size_t nodes = system.nodeCount();
+  for (NodeArray* array : {&m_residual, &m_direction, &m_product, &m_scaled, &m_straight, &m_mixed})
+    array->assign(nodes, Lanes{0, 0, 0, 0});
+  m_diagonal.assign(nodes, 0.0);
+  m_inverse.assign(nodes, {});
+  m_pressure.resize(system.forces().pressure().bodyCount());
+  for (PressureColumn& column : m_pressure) column.gradient.assign(nodes, Lanes{0, 0, 0, 0});
+}
+
+bool StepGradients::set(const System& system, const NodeArray& x, const NodeArray& v, double h)
+{
+  const ForceModel& forces = system.forces();
+  const std::vector<double>& drag = forces.massDrag();
+  for (std::size_t i = 0; i < m_diagonal.size(); ++i)
+    m_diagonal[i] = system.mass()[i] + (drag.empty() ? 0.0 : h * drag[i]);
+  const auto hold = [&](Index node, double viscosity, double stiffness) {
+    m_diagonal[static_cast<std::size_t>(node)] += h * viscosity + h * h * stiffness;
+  };
+  for (const Anchor& anchor : forces.anchors()) hold(anchor.node, anchor.viscosity, anchor.stiffness);
+  for (const ToolSpring& tool : system.tools()) hold(tool.node, tool.viscosity, tool.stiffness);
+  for (std::size_t i = 0; i < m_diagonal.size(); ++i) {
+    const double own = m_diagonal[i];
+    m_straight[i] = Lanes{own, own, own, 0};
+    m_mixed[i] = Lanes{0, 0, 0, 0};
+  }
+  m_springs.assignTangents(forces.batches(), x.data(), v.data(), {h, h * h});
+  m_springs.addDiagonal(forces.batches(), m_straight.data(), m_mixed.data());
+  const Pressure& pressure = forces.pressure();
+  for (std::size_t body = 0; body < m_pressure.size(); ++body) {
+    PressureColumn& column = m_pressure[body];
+    std::fill(column.gradient.begin(), column.gradient.end(), Lanes{0, 0, 0, 0});
+    pressure.addGradient(body, x.data(), column.gradient.data());
+    for (std::size_t i = 0; i < m_inverse.size(); ++i)
+      if (!system.isFree(i)) column.gradient[i] = Lanes{0, 0, 0, 0};
+    column.stiffness = h * h * pressure.stiffness(body);
+  }
+  return invert(m_inverse.size(), system.inverseMass().data(), m_straight.data(), m_mixed.data(),
+                m_inverse.data());
+}
+
+/// m_product = A m_direction. @return the curvature in that direction.
+double StepGradients::multiply(System& system) noexcept
+{
+  system.solverWork += kPerIteration * static_cast<double>(system.forces().activeSprings());
+  std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0});
+  m_springs.addProduct(system.forces().batches(), m_direction.data(), m_product.data());
+  for (const PressureColumn& column : m_pressure) {
+    double along = 0.0;
+    for (std::size_t i = 0; i < m_direction.size(); ++i) along += dot(column.gradient[i], m_direction[i]);
+    advanceNodes(m_product.size(), column.stiffness * along, m_product.data(), column.gradient.data(),
+                 m_product.data());
+  }
+  return addOwn(m_product.size(), m_diagonal.data(), m_direction.data(), m_product.data());
+}
+
+int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* first, double smallPart,
+                         int most) noexcept
+{
+  const std::size_t nodes = m_inverse.size();
+  m_residual.swap(vector);
+  std::fill(vector.begin(), vector.end(), Lanes{0, 0, 0, 0});
+  std::fill(m_direction.begin(), m_direction.end(), Lanes{0, 0, 0, 0});
+  double step = 0.0, all = 0.0; // what the terms lower the potential by
+  if (first != nullptr) {
+    double slope = 0.0;
+    for (std::size_t i = 0; i < nodes; ++i) {
+      if (!system.isFree(i)) continue;
+      m_direction[i] = (*first)[i];
+      slope += dot(m_direction[i], m_residual[i]);
+    }
+    const double curvature = multiply(system);
+    if (curvature > 0.0) step = slope / curvature;
+    all = step * slope;
+  }
+  double square = advanceBy(nodes, step, m_direction.data(), m_product.data(), m_inverse.data(),
+                            vector.data(), m_residual.data(), m_scaled.data());
+  m_direction = m_scaled; // same size: no allocation
+  std::array<double, kLatest> latest;
+  latest.fill(std::numeric_limits<double>::infinity());
+  int iterations = 0;
+  while (iterations < most && square > 0.0 && !system.isExhausted()) {
+    const double curvature = multiply(system);
+    if (!(curvature > 0.0)) break; // rounding
+    const double term = square * square / curvature;
+    const double next = advanceBy(nodes, square / curvature, m_direction.data(), m_product.data(),
+                                  m_inverse.data(), vector.data(), m_residual.data(), m_scaled.data());
+    turnTo(nodes, next / square, m_scaled.data(), m_direction.data());
+    square = next;
+    all += term;
+    latest[static_cast<std::size_t>(iterations++) % kLatest] = term;
+    if (std::accumulate(latest.begin(), latest.end(), 0.0) <= smallPart * all) break;
+  }
+  return iterations;
+}
+
+} // namespace esm
