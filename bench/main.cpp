@@ -19,6 +19,7 @@ int usage()
     stderr,
     "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
     "       esm_bench verify [SCENE...] [TOLERANCE...]   what finer runs find of missed tolerances\n"
+    "       esm_bench hand PROJECT...   how soon a pulled organ answers, and whether it keeps time\n"
     "       esm_bench kernel|stability|growth|skip|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
     "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
   return 2;
@@ -40,6 +41,7 @@ int run(const std::vector<std::string>& words)
   if (words[0] == "stability") return runStability(rest);
   if (words[0] == "growth") return runGrowth(rest);
   if (words[0] == "realtime") return runRealTime(rest);
+  if (words[0] == "hand") return runHand(rest);
   if (words[0] == "verify") return runVerify(rest);
   if (words[0] == "fuzzy") return runFuzzy(rest);
   if (words[0] == "remesh") return runRemesh(rest);

@@ -17,6 +17,9 @@ int runStability(const std::vector<std::string>& words);
 int runGrowth(const std::vector<std::string>& words);
 /// The uterus pulled and let go: the share of the frame time used, and the largest net that keeps up.
 int runRealTime(const std::vector<std::string>& words);
+/// Projects as the window's simulation runs them, a node pulled and held: the time until a picture has moved,
+/// between two pictures, and the share of real time. Words: project files.
+int runHand(const std::vector<std::string>& words);
 /// Tolerances that are missed: how many of them finer runs see and mend. Words: scenes and tolerances.
 int runVerify(const std::vector<std::string>& words);
 /// Evaluations per second of fuzzy rule bases, beside fuzzylite.

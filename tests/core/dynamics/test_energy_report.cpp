@@ -73,7 +73,7 @@ TEST(EnergyReport, LeavesNothingOverInRandomNets)
 TEST(EnergyReport, LeavesNothingOverWithAnyMethod)
 {
   for (const std::string solver : {"leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4",
-                                   "dopri5", "implicit", "multirate", "descent", "lie"})
+                                   "dopri5", "implicit", "multirate", "descent", "block-descent", "lie"})
     for (std::uint32_t seed = 101; seed <= 104; ++seed) {
       const EnergyReport report = reportOf(storyOf(seed), solver, 1e-3);
       EXPECT_TRUE(report.isKept(1e-3))

@@ -1,0 +1,231 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// The step that keeps time under a hand: its matrix, its laws, and that `auto` takes it when the clock asks.
+#include "core/dynamics/implicit_matrix.h"
+#include "core/dynamics/step_gradients.h"
+#include "tests/core/dynamics/skip_nets.h"
+#include "tests/support/stress_run.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace esm::test {
+namespace {
+
+constexpr double kFrameTime = 1.0 / 60.0;
+
+/// Springs of a law, some slack, some pressed, some without dampers, all in motion.
+SpringNet livelyNet(SpringLaw law)
+{
+  SpringNet net = randomNet(7, 60, law);
+  net.initialVelocity = Eigen::Matrix3Xd::Random(3, net.nodeCount());
+  for (Index s = 0; s < net.springCount(); ++s) {
+    if (s % 3 == 0) net.tensionOnly[static_cast<std::size_t>(s)] = 1;
+    if (s % 4 == 0) net.viscosity[s] = 0.0;
+  }
+  net.fixed[0] = net.fixed[5] = 1;
+  for (Index i = 10; i < 20; ++i) addAnchor(net, i, net.restPosition.col(i), 3.0, 0.2);
+  return net;
+}
+
+NodeArray scatteredOver(std::size_t count)
+{
+  NodeArray values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    const double t = static_cast<double>(i);
+    values[i] = Lanes{std::sin(1.0 + 2.0 * t), std::cos(3.0 * t), std::sin(0.7 * t), 0.0};
+  }
+  return values;
+}
+
+double distance(const NodeArray& a, const NodeArray& b)
+{
+  double square = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i) square += dot(a[i] - b[i], a[i] - b[i]);
+  return std::sqrt(square);
+}
+
+/// A sheet of 900 nodes, so stiff that plain steps cost 30 times the effort, its rim fixed, held in the middle.
+SpringNet stiffSheet()
+{
+  SpringNet net = sheet(30, 2e-3, 4e4);
+  net.mass.setConstant(1e-5);
+  net.viscosity.setConstant(0.05);
+  for (Index i = 0; i < net.nodeCount(); ++i) {
+    const Index row = i / 30, column = i % 30;
+    net.fixed[static_cast<std::size_t>(i)] = row == 0 || row == 29 || column == 0 || column == 29;
+  }
+  return net;
+}
+
+ToolSpring handAt(const SpringNet& net, double height)
+{
+  ToolSpring hand;
+  hand.node = 15 * 30 + 15;
+  hand.target = net.restPosition.col(hand.node) + Eigen::Vector3d(0, 0, height);
+  hand.stiffness = 2e3;
+  return hand;
+}
+
+SolverSettings onTheClock()
+{
+  SolverSettings settings;
+  settings.tolerance = 1e-2;
+  settings.effort = 2e5;
+  settings.workLimit = 0.0;
+  settings.keepsTime = true;
+  return settings;
+}
+
+} // namespace
+
+// The rows that a pass over springs fills are what each spring says of itself. Rounding: a few sums.
+TEST(BlockDescent, TangentsAreThoseOfTheSprings)
+{
+  for (const SpringLaw law : {SpringLaw::Linear, SpringLaw::Cubic, SpringLaw::Exponential}) {
+    const SpringNet net = livelyNet(law);
+    const System system(net, {});
+    const MotionState motion = startOf(net);
+    const auto& batches = system.forces().batches();
+    std::vector<SpringTangent> tangents;
+    system.forces().springTangents(motion.x.data(), motion.v.data(), tangents);
+    const double h = 0.01;
+    SpringMatrix passed, told;
+    passed.assignTangents(batches, motion.x.data(), motion.v.data(), {h, h * h});
+    told.assign(batches, [&](std::size_t s) {
+      const SpringTangent& tangent = tangents[s];
+      return SpringMatrix::Block{tangent.direction,
+                                 h * h * std::max(tangent.axial, 0.0) + h * tangent.viscous,
+                                 h * h * std::max(tangent.lateral, 0.0)};
+    });
+    const NodeArray z = scatteredOver(motion.x.size());
+    NodeArray one(z.size(), Lanes{0, 0, 0, 0}), other = one;
+    passed.addProduct(batches, z.data(), one.data());
+    told.addProduct(batches, z.data(), other.data());
+    EXPECT_LT(distance(one, other), 1e-13 * std::sqrt(sumOfSquares(other))) << static_cast<int>(law);
+    EXPECT_GT(sumOfSquares(other), 0.0);
+  }
+}
+
+// Conjugate gradients that are let run find what the factor of the same matrix finds: 1e-6 for an energy that
+// is left of 1e-14.
+TEST(BlockDescent, GradientsSolveTheMatrixOfTheStep)
+{
+  for (const SpringLaw law : {SpringLaw::Linear, SpringLaw::Cubic, SpringLaw::Exponential}) {
+    const SpringNet net = livelyNet(law);
+    System system(net, {});
+    const MotionState motion = startOf(net);
+    ToolSpring tool;
+    tool.node = 30;
+    tool.stiffness = 50.0;
+    tool.viscosity = 1.0;
+    system.setTools({&tool, 1}, motion.x);
+    const double h = 0.05;
+    ImplicitMatrix factored;
+    factored.prepare(system);
+    ASSERT_TRUE(factored.factor(system, motion.x, motion.v, ImplicitMatrix::Shares::ofStep(h), true));
+    StepGradients gradients;
+    gradients.prepare(system);
+    ASSERT_TRUE(gradients.set(system, motion.x, motion.v, h));
+    NodeArray exact = scatteredOver(motion.x.size()), found = exact;
+    const NodeArray first = scatteredOver(motion.x.size());
+    factored.solve(exact);
+    gradients.solve(system, found, &first, 1e-14, 1000);
+    EXPECT_LT(distance(found, exact), 1e-6 * std::sqrt(sumOfSquares(exact))) << static_cast<int>(law);
+    for (int axis = 0; axis < 3; ++axis) EXPECT_EQ(found[5][axis], 0.0) << "a held node";
+  }
+}
+
+// Whatever the net, a step of a frame gains nothing but rounding.
+TEST(BlockDescent, GainsNoEnergyAtAll)
+{
+  SolverSettings settings = windowSettings();
+  settings.solver = "block-descent";
+  settings.fixedStep = kFrameTime;
+  const StressSummary summary = sweepStress(0, 1000, settings, 1e-12, 1.0);
+  EXPECT_EQ(summary.cases, 1000);
+}
+
+// Half the step, half the error.
+TEST(BlockDescent, IsOfFirstOrder)
+{
+  for (const SpringLaw law : {SpringLaw::Linear, SpringLaw::Exponential}) {
+    SpringNet net = randomNet(21, 10, law);
+    net.initialVelocity = Eigen::Matrix3Xd::Zero(3, 10);
+    net.initialVelocity(0, 3) = 1.0;
+    net.fixed[0] = 1;
+    const auto endOf = [&](const std::string& solver, double step) {
+      Simulation simulation = simulate(net, {}, fixedSteps(solver, step));
+      advanceWell(simulation, 0.25);
+      return simulation.state().position;
+    };
+    const Eigen::Matrix3Xd exact = endOf("rk4", 1e-4);
+    const double coarse = (endOf("block-descent", 1e-3) - exact).norm();
+    const double fine = (endOf("block-descent", 5e-4) - exact).norm();
+    EXPECT_NEAR(std::log2(coarse / fine), 1.0, 0.25) << static_cast<int>(law);
+  }
+}
+
+// A free body that is thrown: its centre of mass goes along the parabola, to 1e-9 of the way.
+TEST(BlockDescent, AFreeBodyFallsAsItMust)
+{
+  SpringNet net = randomNet(3, 40);
+  net.initialVelocity = Eigen::Matrix3Xd::Random(3, net.nodeCount());
+  Loads loads;
+  loads.gravity = {0, 0, -9.81};
+  const double mass = net.mass.sum(), time = 0.5;
+  const Eigen::Vector3d begin = net.restPosition * net.mass.matrix() / mass;
+  const Eigen::Vector3d velocity = net.initialVelocity * net.mass.matrix() / mass;
+  Simulation simulation = simulate(net, loads, fixedSteps("block-descent", kFrameTime));
+  advanceWell(simulation, time);
+  const Eigen::Vector3d way = velocity * time + 0.5 * time * time * loads.gravity;
+  const Eigen::Vector3d end = simulation.state().position * net.mass.matrix() / mass;
+  EXPECT_LT((end - begin - way).norm(), 1e-9 * way.norm());
+  const Eigen::Vector3d momentum = mass * (velocity + time * loads.gravity);
+  EXPECT_LT((simulation.momentum() - momentum).norm(), 1e-9 * momentum.norm());
+}
+
+// Who keeps time gets the first picture after a step's work, not after checks and retries, and is told that it
+// is rough. Thirty passes for a step leave room for twice as many iterations as it takes.
+TEST(BlockDescent, KeepsTimeFromTheFirstFrameOn)
+{
+  const SpringNet net = stiffSheet();
+  Simulation simulation = simulate(net, {}, onTheClock());
+  const ToolSpring hand = handAt(net, 2e-3);
+  simulation.setTools({&hand, 1});
+  for (int frame = 0; frame < 10; ++frame) {
+    const StepReport report = simulation.advance(kFrameTime);
+    ASSERT_TRUE(report.good()) << simulation.why();
+    EXPECT_EQ(simulation.solverName(), "block-descent");
+    EXPECT_TRUE(report.rough);
+    EXPECT_LT(report.springsEvaluated, 30 * net.springCount()) << "frame " << frame;
+  }
+  EXPECT_NE(simulation.why().find("to keep time"), std::string::npos) << simulation.why();
+  ASSERT_TRUE(simulation.setAccuracy(1e-2, 1e9)); // time enough
+  ASSERT_TRUE(simulation.advance(kFrameTime).good());
+  EXPECT_NE(simulation.solverName(), "block-descent");
+}
+
+// And what it shows is near: a hand that lifts the middle in a third of a second, against a fine run. The
+// steps of a frame themselves err some per cent.
+TEST(BlockDescent, FollowsTheHandWithinSomePerCent)
+{
+  const SpringNet net = stiffSheet();
+  SolverSettings fine;
+  fine.tolerance = 1e-3;
+  Simulation quick = simulate(net, {}, onTheClock()), exact = simulate(net, {}, fine);
+  double error = 0.0, way = 0.0;
+  for (int frame = 1; frame <= 30; ++frame) {
+    const ToolSpring hand = handAt(net, 5e-3 * std::min(frame / 20.0, 1.0));
+    for (Simulation* simulation : {&quick, &exact}) {
+      simulation->setTools({&hand, 1});
+      ASSERT_TRUE(simulation->advance(kFrameTime).good()) << simulation->why();
+    }
+    error += (quick.state().position - exact.state().position).squaredNorm();
+    way += (exact.state().position - net.restPosition).squaredNorm();
+  }
+  EXPECT_LT(std::sqrt(error / way), 0.1);
+}
+
+} // namespace esm::test
