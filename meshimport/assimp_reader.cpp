@@ -56,6 +56,7 @@ Result<Mesh> readAssimp(std::string_view bytes, const std::string& origin, FileS
   if (!reply) return reply.error();
   story.format = std::move(reply->format);
   story.stated = reply->stated;
+  story.isPlaced = true;
   story.notes.insert(story.notes.end(), reply->notes.begin(), reply->notes.end());
   return std::move(reply->mesh);
 }
