@@ -101,7 +101,7 @@ fs::path ModelFolder::find(std::string_view name, const fs::path& from)
 {
   if (name.empty()) return {};
   if (isOnline(name)) {
-    lose(name, kOnline);
+    miss(std::string(name), kOnline);
     return {};
   }
   std::string reason;
@@ -176,8 +176,8 @@ ModelFolder::lostParts(std::string_view document,
                        [&](const std::string& found) { return mayBeOne(found, plainName(lost.name)); });
   });
   if (!document.empty()) dropGuesses(missed, document);
+  if (counts) std::erase_if(missed, [&](const Lost& lost) { return !counts(lost.name); });
   all.insert(all.end(), missed.begin(), missed.end());
-  if (counts) std::erase_if(all, [&](const Lost& lost) { return !counts(lost.name); });
   std::vector<std::string> sentences;
   for (const Lost& lost : std::span(all).first(std::min(all.size(), kMostNamed)))
     sentences.push_back("Its part '" + shown(lost.name) + "' is missing here: " + lost.reason + ".");

@@ -32,7 +32,7 @@ public:
   /// What was lost under this name is read from another place.
   void forget(std::string_view name);
 
-  /// A sentence for each lost part that `counts` holds for.
+  /// A sentence for each part that was lost, or asked for in vain if `counts` holds for its name.
   /// @param document of a library that asks for one part under several names ("a/b.bin", "b.bin"): what was
   /// found under one of them is not lost, and what was not is named as it stands there
   std::vector<std::string> lostParts(std::string_view document = {},

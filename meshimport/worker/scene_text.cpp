@@ -76,6 +76,10 @@ std::string inQuotes(std::string_view plain)
       text += "&amp;";
     else if (c == '"')
       text += "&quot;";
+    else if (c == ' ')
+      text += "%20"; // blanks end a name in a list
+    else if (c == '%')
+      text += "%25";
     else
       text += c;
   }
