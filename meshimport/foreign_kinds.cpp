@@ -179,6 +179,8 @@ constexpr LineSign kTags[] = {
   {"<febio_spec", {"an FEBio model", kDeckOut}},
   {"<xdmf", {"an XDMF file", kDeckOut}},
   {"<world", {"an XGL scene", kSceneOut}}, // the library loses its transforms and points
+  {"<irr_scene", {"an Irrlicht scene", kSceneOut}},
+  {"<mesh xmlns=\"http://irrlicht", {"an Irrlicht mesh", kSceneOut}},
   {"<node", {"a SOFA scene", "choose the mesh file that it names"}},
 };
 
@@ -199,6 +201,8 @@ constexpr EndingKind kNamedEndings[] = {
   {"jt", {"a JT part", kCadOut}},
   {"x_t", {"a Parasolid part", kCadOut}},
   {"x_b", {"a Parasolid part", kCadOut}},
+  {"irr", {"an Irrlicht scene", kSceneOut}},
+  {"irrmesh", {"an Irrlicht mesh", kSceneOut}},
   {"mtl", {"a list of an OBJ's materials", "choose the .obj that it belongs to"}},
   {"gcode", {"a program for a 3D printer", kOtherOut}},
   {"scad", {"an OpenSCAD script", "render it in OpenSCAD and save that as STL or OFF"}},
