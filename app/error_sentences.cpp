@@ -25,7 +25,6 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "Cannot allocate memory"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "is a folder, not a file"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "is %1, not a file"),
-  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it is a device, not a file"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a device"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a pipe"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a socket"),
@@ -300,6 +299,20 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "an %1 scene"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "an %1 point cloud"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "an %1 document"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "a binary OFF"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "an X3D scene in the encoding of VRML"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "save it as .x3d in XML, or as VRML 97 (.wrl)"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "a program for a 3D printer"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "a list of an OBJ's materials"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "choose the .obj that it belongs to"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "a project of this program"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "open it, or ask esm info of it"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "a net with numbers of its own"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "open it, or make a project of it by esm import"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it needs the glTF extension %1, which is not read"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "save it without (gltfpack: with -noq and without -c)"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "a shape uses vertex %1, counted from 0, but it has %2"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "mend it in the program it comes from"),
 };
 
 } // namespace

@@ -19,14 +19,14 @@ namespace {
 constexpr std::size_t kLargestFile = std::size_t{1} << 30; ///< assimp takes up to forty times as much memory
 
 /// What assimp reads beside the formats of our own, sorted. Left out: mere textures, motions and cameras, and
-/// "xml" and "prj", which mean too many things, those of our own, and XGL, which the library places and reads
-/// wrongly.
+/// "xml" and "prj", which mean too many things, those of our own, XGL, which the library places and reads
+/// wrongly, and Irrlicht's, of which it finds nothing.
 constexpr std::string_view kEndings[] = {
-  "3d",   "3ds",  "3mf",     "ac",  "ac3d", "acc",  "amf", "ase",  "ask",     "assbin", "b3d", "blend",
-  "bsp",  "bvh",  "cob",     "csm", "dae",  "enff", "fbx", "glb",  "gltf",    "hmp",    "ifc", "ifczip",
-  "iqm",  "irr",  "irrmesh", "lwo", "lws",  "lxo",  "md2", "md3",  "md5mesh", "mdc",    "mdl", "mesh",
-  "mot",  "ms3d", "ndo",     "nff", "ogex", "pk3",  "pmx", "q3o",  "q3s",     "scn",    "sib", "smd",
-  "step", "stp",  "ter",     "uc",  "vta",  "x",    "x3d", "x3db", "zae"};
+  "3d",    "3ds",    "3mf",  "ac",  "ac3d", "acc",  "amf",  "ase", "ask",     "assbin", "b3d",
+  "blend", "bsp",    "bvh",  "cob", "csm",  "dae",  "enff", "fbx", "glb",     "gltf",   "hmp",
+  "ifc",   "ifczip", "iqm",  "lwo", "lws",  "lxo",  "md2",  "md3", "md5mesh", "mdc",    "mdl",
+  "mesh",  "mot",    "ms3d", "ndo", "nff",  "ogex", "pk3",  "pmx", "q3o",     "q3s",    "scn",
+  "sib",   "smd",    "step", "stp", "ter",  "uc",   "vta",  "x",   "x3d",     "x3db",   "zae"};
 static_assert(std::is_sorted(std::begin(kEndings), std::end(kEndings)));
 
 std::string endingOf(const std::string& origin)
@@ -56,6 +56,7 @@ Result<Mesh> readAssimp(std::string_view bytes, const std::string& origin, FileS
   if (!reply) return reply.error();
   story.format = std::move(reply->format);
   story.stated = reply->stated;
+  story.isPlaced = true;
   story.notes.insert(story.notes.end(), reply->notes.begin(), reply->notes.end());
   return std::move(reply->mesh);
 }

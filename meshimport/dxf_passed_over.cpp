@@ -11,8 +11,9 @@ namespace esm {
 
 namespace {
 
-constexpr std::size_t kMostKinds = 64, kMostNamed = 6, kLongestName = 30;
+constexpr std::size_t kMostKinds = 64, kMostNamed = 6, kLongestName = 30, kMostParts = 20;
 constexpr std::string_view kCurves[] = {"SPLINE", "CIRCLE", "ARC", "ELLIPSE", "HELIX", "MLINE", "LEADER"};
+constexpr std::string_view kFilled[] = {"SOLID", "TRACE", "HATCH", "MPOLYGON"};
 constexpr std::string_view kSolids[] = {"3DSOLID",
                                         "BODY",
                                         "REGION",
@@ -107,6 +108,15 @@ void DxfPassedOver::tellNotes(std::vector<std::string>& notes) const
     notes.push_back(std::to_string(total) +
                     " entities that are no lines or faces were passed over: " + kinds() + ".");
   for (const std::string& part : hidden()) notes.push_back(part + " were passed over.");
+  std::size_t named = 0;
+  for (const std::string& part : m_parts) {
+    if (named++ == kMostParts) {
+      notes.push_back(std::to_string(m_parts.size() - kMostParts) + " more of its parts are missing.");
+      break;
+    }
+    notes.push_back("Its part '" + part +
+                    "' is missing here: external drawings are not read; bind them in the drawing program.");
+  }
 }
 
 std::string DxfPassedOver::reason() const
@@ -114,9 +124,13 @@ std::string DxfPassedOver::reason() const
   std::vector<std::string> parts = hidden();
   const bool isHidden = !parts.empty();
   if (!m_kinds.empty()) parts.push_back(kinds());
+  if (!m_parts.empty())
+    parts.push_back("external drawings ('" + *m_parts.begin() + (m_parts.size() > 1 ? "' ...)" : "')"));
   std::vector<std::string> waysOut;
   if (holdsOneOf(kCurves, m_kinds)) waysOut.push_back("convert curves to polylines in the drawing program");
   if (holdsOneOf(kSolids, m_kinds)) waysOut.push_back("save solids and surfaces as STL");
+  if (holdsOneOf(kFilled, m_kinds)) waysOut.push_back("draw filled areas as 3DFACE or polylines");
+  if (!m_parts.empty()) waysOut.push_back("bind external drawings in the drawing program");
   if (isHidden) waysOut.push_back("move what is wanted to model space and show it");
   return (parts.empty() ? "" : ", only " + joined(parts, ", ")) +
          (waysOut.empty() ? "" : "; " + joined(waysOut, ", "));

@@ -18,6 +18,8 @@ class DxfPassedOver {
 public:
   void addKind(std::string_view name);
   void addPaper() { ++m_paper; }
+  /// A placed block whose lines are in another drawing.
+  void addPart(std::string_view name) { m_parts.insert(std::string(name.substr(0, 160))); }
   /// An entry of the table of layers.
   void addLayer(const DxfEntity& layer);
   /// Whether the entity shows if it lies on this layer; if not, it is counted. A block on a layer that is off
@@ -32,6 +34,7 @@ private:
   std::vector<std::string> hidden() const;
   std::string kinds() const;
   std::map<std::string, std::size_t, std::less<>> m_kinds;
+  std::set<std::string> m_parts;         ///< files
   std::set<std::string> m_frozen, m_off; ///< layers, in lower case
   std::set<std::string> m_hiddenLayers;  ///< some of those that something lies on
   std::size_t m_paper = 0, m_invisible = 0, m_onHiddenLayer = 0;

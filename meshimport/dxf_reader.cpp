@@ -47,6 +47,7 @@ Eigen::Matrix3d axesOf(const DxfEntity& entity)
 struct Block {
   Eigen::Vector3d base;
   DxfEntities entities;
+  std::string_view file; ///< where its entities are, if they are in another drawing
 };
 
 class DxfParser {
@@ -67,6 +68,8 @@ public:
     if (m_bulges > 0) notes.push_back(std::to_string(m_bulges) + " arcs of polylines became their chords.");
     return finishMesh(std::move(m_raw), m_origin, notes, m_control);
   }
+
+  bool hasPlacedBlocks() const { return m_hasPlaced; }
 
 private:
   Error wrong(long line, const std::string& text) const
@@ -109,12 +112,18 @@ private:
 
   void addBlock(const DxfEntity& block, DxfEntities& entities)
   {
-    m_blocks.emplace(std::string(block.text(2)), Block{block.point(10), entities});
+    constexpr long long kExternal = 4 | 8; // attached or overlaid
+    Block& made =
+      m_blocks.emplace(std::string(block.text(2)), Block{block.point(10), entities, {}}).first->second;
+    bool isEmpty = true;
     const std::string name = asciiLower(block.text(2));
     const bool isSheet = name.starts_with("*paper_space") || name.starts_with("$paper_space");
     DxfEntity entity;
-    while (entities.next(entity) && entity.name != "ENDBLK")
+    while (entities.next(entity) && entity.name != "ENDBLK") {
+      isEmpty = false;
       if (isSheet && !isPart(entity) && entity.name != "VIEWPORT") m_passedOver.addPaper();
+    }
+    if (isEmpty && (block.integer(70) & kExternal) != 0) made.file = block.text(1);
   }
 
   /// Of the entity before it.
@@ -290,6 +299,8 @@ private:
       m_passedOver.addKind("INSERT without its block");
       return {};
     }
+    if (!block->second.file.empty()) m_passedOver.addPart(block->second.file);
+    m_hasPlaced = true;
     if (depth >= kDeepest) return wrong(entity.line, "blocks are nested too deep; is a block inside itself?");
     const Eigen::Vector3d scale(entity.number(41, 1.0), entity.number(42, 1.0), entity.number(43, 1.0));
     const Eigen::Matrix3d axes = axesOf(entity);
@@ -344,7 +355,7 @@ private:
   std::size_t m_readAgain; ///< bytes of blocks that may still be placed
   DxfPassedOver m_passedOver;
   std::size_t m_bulges = 0, m_count = 0;
-  bool m_hasEnd = false;
+  bool m_hasEnd = false, m_hasPlaced = false;
 };
 
 constexpr std::string_view kBinaryMagic = "AutoCAD Binary DXF";
@@ -368,7 +379,10 @@ Result<Mesh> readDxf(std::string_view bytes, const std::string& origin, FileStor
   if (bytes.substr(0, kBinaryMagic.size()) == kBinaryMagic)
     return fault(ErrorCode::Unsupported, origin, 0, "binary DXF is not read; save it as DXF in text (ASCII)");
   bytes = withoutByteOrderMark(bytes);
-  return DxfParser(bytes, origin, control).run(notes);
+  DxfParser parser(bytes, origin, control);
+  Result<Mesh> mesh = parser.run(notes);
+  story.isPlaced = parser.hasPlacedBlocks();
+  return mesh;
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/file_bytes.h"
 
+#include "core/base/file_io.h"
 #include "core/base/hash.h"
 #include "core/base/large_pages.h"
 #include "core/base/machine_memory.h"
@@ -85,11 +86,16 @@ bool FileBytes::hold(std::size_t capacity)
 
 Result<FileBytes> FileBytes::read(const std::filesystem::path& path, WorkControl* control)
 {
+  const auto noFile = [&](const std::string& kind) {
+    return unreadable(path, "is " + (kind.empty() ? "a device" : kind) + ", not a file");
+  };
+  if (const std::string kind = specialFileKind(path); !kind.empty()) // opening a device may do something
+    return noFile(kind);
   const OpenFile file(path);
   struct stat info = {};
   if (file.get() < 0 || ::fstat(file.get(), &info) != 0) return unreadable(path, errno);
   if (S_ISDIR(info.st_mode)) return unreadable(path, "is a folder, not a file");
-  if (!S_ISREG(info.st_mode)) return unreadable(path, "it is a device, not a file");
+  if (!S_ISREG(info.st_mode)) return noFile(specialFileKind(path));
   const auto promised = static_cast<std::size_t>(std::max<off_t>(info.st_size, 0));
   const Error tooLarge =
     fault(ErrorCode::Unsupported, path.string(), 0,

@@ -35,6 +35,7 @@ Result<Mesh> readInventor(std::string_view, const std::string& origin, FileStory
   if (!reply) return reply.error();
   story.format = std::move(reply->format);
   story.stated = reply->stated;
+  story.isPlaced = true;
   story.notes.insert(story.notes.end(), reply->notes.begin(), reply->notes.end());
   return std::move(reply->mesh);
 }

@@ -91,6 +91,7 @@ Result<ImportedMesh> readMesh(const std::filesystem::path& path, WorkControl* co
   Result<Mesh> mesh = reader->read(bytes, origin, story, control);
   if (!mesh) return mesh.error();
   imported.stated = story.stated;
+  imported.isPlaced = story.isPlaced;
   imported.format = std::move(story.format);
   imported.notes = std::move(story.notes);
   imported.mesh = std::move(*mesh);
@@ -105,7 +106,8 @@ void tellUnused(ImportedMesh& imported)
 
 void tellNearVertices(ImportedMesh& imported, WorkControl* control)
 {
-  const NearVertices near = findNearVertices(imported.mesh, imported.edges, control);
+  const NearVertices near = findNearVertices(
+    imported.mesh, imported.edges, imported.isPlaced ? NearWhere::Everywhere : NearWhere::Open, control);
   if (near.count == 0) return;
   const std::string tolerance = formatDouble(near.tolerance, 2);
   imported.notes.push_back(std::to_string(near.count) + " vertices nearly meet others, within " + tolerance +

@@ -33,6 +33,7 @@ struct ImportedMesh {
   std::vector<Index> vertexOfFile; ///< file vertex -> vertex of `mesh`
   std::uint64_t fingerprint = 0;   ///< fingerprintOf() the file's bytes
   std::vector<std::string> notes;  ///< what was passed over or repaired, one sentence each
+  bool isPlaced = false;           ///< as FileStory has it
 };
 
 /// Reads by content, not by the file's ending: OBJ (with `l` lines), STL (both), PLY (all three encodings) by
@@ -47,6 +48,7 @@ struct FileStory {
   std::string format;             ///< "OBJ", "STL (binary)", ...
   std::vector<std::string> notes; ///< what was passed over or repaired, one sentence each
   StatedFrame stated;             ///< unit and axes, as far as the file itself states them
+  bool isPlaced = false;          ///< transforms have put parts into place, which rounds them apart
 };
 
 /// One mesh format. Adding one is one file and one line in readerTable().

@@ -20,9 +20,9 @@ constexpr unsigned kRules = TextCursor::HashComments | TextCursor::BackslashJoin
 /// Statements without geometry of ours.
 bool isOrdinaryKeyword(std::string_view word)
 {
-  constexpr std::array<std::string_view, 19> kWords{
-    "vt",  "vn",     "vp",       "o",        "g",     "s",          "mg",        "mtllib", "usemtl", "maplib",
-    "lod", "usemap", "c_interp", "d_interp", "bevel", "shadow_obj", "trace_obj", "call",   "csh"};
+  constexpr std::array<std::string_view, 17> kWords{
+    "vt",     "vn",  "vp",     "o",        "g",        "s",     "mg",         "mtllib",   "usemtl",
+    "maplib", "lod", "usemap", "c_interp", "d_interp", "bevel", "shadow_obj", "trace_obj"};
   return std::find(kWords.begin(), kWords.end(), word) != kWords.end();
 }
 
@@ -82,6 +82,8 @@ private:
     if (isOrdinaryKeyword(word)) return {};
     if (isPassedOverGeometry(word)) {
       ++m_passedOver;
+    } else if (word == "call") { // the statements of another file, which would stand here
+      if (m_called++ == 0) m_firstCalled = m_cursor.word();
     } else if (m_unknown++ == 0) {
       m_firstUnknown = line;
     }
@@ -161,6 +163,10 @@ private:
     if (m_passedOver > 0)
       notes.push_back(std::to_string(m_passedOver) +
                       " statements for points, curves or free-form surfaces were passed over.");
+    if (m_called > 0)
+      notes.push_back("Its part '" + std::string(m_firstCalled.substr(0, 160)) + "' is missing here" +
+                      (m_called > 1 ? " (and " + std::to_string(m_called - 1) + " more)" : "") +
+                      ": files that an OBJ calls are not read.");
     if (m_unknown > 0)
       notes.push_back(std::to_string(m_unknown) +
                       " lines with unknown keywords were passed over, the first is line " +
@@ -173,7 +179,8 @@ private:
   std::vector<Index> m_corners; ///< of the current statement
   std::vector<Forward> m_forward;
   const char* m_doubt; ///< for messages about a file that ends within a line
-  std::size_t m_thinFaces = 0, m_passedOver = 0, m_unknown = 0;
+  std::size_t m_thinFaces = 0, m_passedOver = 0, m_unknown = 0, m_called = 0;
+  std::string_view m_firstCalled;
   long m_firstUnknown = 0;
 };
 

@@ -19,11 +19,34 @@ struct NamedLength {
   double metres;
 };
 
-/// By the group code 70 behind $INSUNITS; 0 is "no unit".
-constexpr double kDxfUnits[] = {0.0,       0.0254, 0.3048, 1609.344, 1e-3, 1e-2, 1.0,  1e3,  0.0254e-6,
-                                0.0254e-3, 0.9144, 1e-10,  1e-9,     1e-6, 0.1,  10.0, 100.0};
-constexpr long long kDxfSurveyFoot = 21;
 constexpr double kSurveyFoot = 1200.0 / 3937.0; ///< of the United States, by definition
+
+/// By the group code 70 behind $INSUNITS; 0 is "no unit". The last are astronomers' and surveyors'.
+constexpr double kDxfUnits[] = {0.0,
+                                0.0254,
+                                0.3048,
+                                1609.344,
+                                1e-3,
+                                1e-2,
+                                1.0,
+                                1e3,
+                                0.0254e-6,
+                                0.0254e-3,
+                                0.9144,
+                                1e-10,
+                                1e-9,
+                                1e-6,
+                                0.1,
+                                10.0,
+                                100.0,
+                                1e9,
+                                1.495978707e11,
+                                9.4607304725808e15,
+                                3.0856776e16,
+                                kSurveyFoot,
+                                kSurveyFoot / 12.0,
+                                3.0 * kSurveyFoot,
+                                5280.0 * kSurveyFoot};
 
 constexpr NamedLength kPrinterUnits[] = {{"micron", 1e-6},     {"millimeter", 1e-3}, {"millimeters", 1e-3},
                                          {"centimeter", 1e-2}, {"inch", 0.0254},     {"foot", 0.3048},
@@ -46,7 +69,6 @@ StatedFrame statedByDxf(std::string_view bytes)
   });
   if (variable == entity.groups.end() || std::next(variable) == entity.groups.end()) return stated;
   const long long code = parseInteger(std::next(variable)->value).value_or(0);
-  if (code == kDxfSurveyFoot) stateMetres(stated, kSurveyFoot);
   if (code > 0 && code < static_cast<long long>(std::size(kDxfUnits)))
     stateMetres(stated, kDxfUnits[static_cast<std::size_t>(code)]);
   return stated;
@@ -60,12 +82,20 @@ StatedFrame axesNamed(std::string_view name)
   return stated;
 }
 
-/// "... SPACE=LPS ..."
+/// "... SPACE=LPS ..."; "WORKSPACE=LPS" and "SPACE=LPST" mean something else.
 StatedFrame statedBySpace(std::string_view text)
 {
   constexpr std::string_view kSpace = "SPACE=";
-  const std::size_t place = text.find(kSpace);
-  return place == text.npos ? StatedFrame{} : axesNamed(text.substr(place + kSpace.size(), 3));
+  const auto isInWord = [&](std::size_t at) {
+    const char c = at < text.size() ? asciiLower(text[at]) : ' ';
+    return (c >= 'a' && c <= 'z') || c == '_';
+  };
+  for (std::size_t at = text.find(kSpace); at != text.npos; at = text.find(kSpace, at + 1)) {
+    const std::size_t name = at + kSpace.size();
+    if ((at > 0 && isInWord(at - 1)) || isInWord(name + 3)) continue;
+    if (const StatedFrame stated = axesNamed(text.substr(name, 3)); stated.patientAxes) return stated;
+  }
+  return {};
 }
 
 /// The first `count` lines.

@@ -430,10 +430,6 @@
         <translation>ist %1, keine Datei</translation>
     </message>
     <message>
-        <source>it is a device, not a file</source>
-        <translation>das ist ein Gerät, keine Datei</translation>
-    </message>
-    <message>
         <source>a device</source>
         <translation>ein Gerät</translation>
     </message>
@@ -1440,6 +1436,62 @@
     <message>
         <source>an %1 document</source>
         <translation>ein %1-Dokument</translation>
+    </message>
+    <message>
+        <source>a binary OFF</source>
+        <translation>eine binäre OFF-Datei</translation>
+    </message>
+    <message>
+        <source>an X3D scene in the encoding of VRML</source>
+        <translation>eine X3D-Szene in der Schreibweise von VRML</translation>
+    </message>
+    <message>
+        <source>save it as .x3d in XML, or as VRML 97 (.wrl)</source>
+        <translation>speichern Sie sie als .x3d in XML oder als VRML 97 (.wrl)</translation>
+    </message>
+    <message>
+        <source>a program for a 3D printer</source>
+        <translation>ein Programm für einen 3D-Drucker</translation>
+    </message>
+    <message>
+        <source>a list of an OBJ&apos;s materials</source>
+        <translation>eine Liste der Materialien einer OBJ-Datei</translation>
+    </message>
+    <message>
+        <source>choose the .obj that it belongs to</source>
+        <translation>wählen Sie die .obj-Datei, zu der sie gehört</translation>
+    </message>
+    <message>
+        <source>a project of this program</source>
+        <translation>ein Projekt dieses Programms</translation>
+    </message>
+    <message>
+        <source>open it, or ask esm info of it</source>
+        <translation>öffnen Sie es, oder befragen Sie es mit esm info</translation>
+    </message>
+    <message>
+        <source>a net with numbers of its own</source>
+        <translation>ein Netz mit eigenen Zahlen</translation>
+    </message>
+    <message>
+        <source>open it, or make a project of it by esm import</source>
+        <translation>öffnen Sie es, oder machen Sie mit esm import ein Projekt daraus</translation>
+    </message>
+    <message>
+        <source>it needs the glTF extension %1, which is not read</source>
+        <translation>sie braucht die glTF-Erweiterung %1, die nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>save it without (gltfpack: with -noq and without -c)</source>
+        <translation>speichern Sie sie ohne diese (gltfpack: mit -noq und ohne -c)</translation>
+    </message>
+    <message>
+        <source>a shape uses vertex %1, counted from 0, but it has %2</source>
+        <translation>eine Form verwendet Ecke %1, von 0 an gezählt, hat aber %2</translation>
+    </message>
+    <message>
+        <source>mend it in the program it comes from</source>
+        <translation>bessern Sie sie in dem Programm aus, aus dem sie kommt</translation>
     </message>
 </context>
 <context>

@@ -32,6 +32,29 @@ bool mayBeThousands(std::string_view text)
   return isDigits(whole) && whole.size() <= 3 && whole[0] != '0' && isDigits(rest) && rest.size() == 3;
 }
 
+/// "1,002.5", "1.002,5", "1 002,5", "1'002.5": groups of three digits and a decimal sign of another kind, or
+/// more than one group.
+bool hasThousands(std::string_view text)
+{
+  text = withoutSign(text);
+  const std::size_t first = std::min(text.find_first_not_of("0123456789"), text.size());
+  constexpr std::string_view kSigns[] = {",", ".", "'", " ", "\u00A0", "\u202F", "\u2019"};
+  const auto* const sign = std::find_if(std::begin(kSigns), std::end(kSigns), [&](std::string_view known) {
+    return text.substr(first, known.size()) == known;
+  });
+  if (first == 0 || first > 3 || sign == std::end(kSigns)) return false;
+  const auto isGroup = [&] {
+    const std::string_view digits = text.substr(std::min(sign->size(), text.size()), 3);
+    return text.substr(0, sign->size()) == *sign && digits.size() == 3 && isDigits(digits);
+  };
+  int groups = 0;
+  text.remove_prefix(first);
+  for (; isGroup(); ++groups) text.remove_prefix(sign->size() + 3);
+  const bool isDecimalSign = *sign == "," || *sign == ".";
+  const bool hasFraction = !text.empty() && (text[0] == ',' || text[0] == '.') && isDigits(text.substr(1));
+  return hasFraction ? groups > 0 : text.empty() && groups > (isDecimalSign ? 1 : 0);
+}
+
 std::string inQuotes(std::string_view text)
 {
   return '\'' + std::string(text.substr(0, 60)) + (text.size() > 60 ? "...'" : "'");
@@ -156,6 +179,8 @@ CsvNumber CsvReader::number(std::string_view text)
 {
   using Kind = CsvNumber::Kind;
   const std::size_t comma = text.find(',');
+  if (hasThousands(text))
+    return {Kind::Unclear, 0.0, inQuotes(text) + " has signs between its thousands; write it without them"};
   if (comma == std::string_view::npos) {
     const auto value = parseDouble(text);
     if (!value) return {Kind::Text};

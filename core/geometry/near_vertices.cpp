@@ -14,7 +14,7 @@ namespace esm {
 namespace {
 
 constexpr double kFloatSteps = 1e-6;  ///< of the largest coordinate: eight steps of float32 there
-constexpr double kShareOfEdge = 1e-3; ///< of a border edge, far below what a mesh has on purpose
+constexpr double kShareOfEdge = 1e-3; ///< of such an edge, far below what a mesh has on purpose
 
 /// Rounded up to one digit, as one would type it.
 double roundedUp(double value)
@@ -25,13 +25,13 @@ double roundedUp(double value)
 
 } // namespace
 
-NearVertices findNearVertices(const Mesh& mesh, const EdgeList& edges, WorkControl* control)
+NearVertices findNearVertices(const Mesh& mesh, const EdgeList& edges, NearWhere where, WorkControl* control)
 {
   NearVertices near;
-  std::vector<Index> open; // ends of the edges that belong to less than two triangles
+  std::vector<Index> open; // where it is looked: by default ends of edges of less than two triangles
   double length = 0.0, largest = 0.0;
   for (Eigen::Index e = 0; e < edges.ends.cols(); ++e) {
-    if (e < edges.surfaceEdges && edges.triangleCount[e] != 1) continue;
+    if (where == NearWhere::Open && e < edges.surfaceEdges && edges.triangleCount[e] != 1) continue;
     const Eigen::Vector3d a = mesh.position.col(edges.ends(0, e)), b = mesh.position.col(edges.ends(1, e));
     if (!a.allFinite() || !b.allFinite()) continue;
     open.insert(open.end(), {edges.ends(0, e), edges.ends(1, e)});

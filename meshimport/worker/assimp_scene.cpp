@@ -9,6 +9,7 @@
 #include "meshimport/worker/folder_files.h"
 #include "meshimport/worker/limits.h"
 #include "meshimport/worker/opened_archive.h"
+#include "meshimport/worker/scene_text.h"
 
 #include <Eigen/Geometry>
 
@@ -123,25 +124,36 @@ bool isScene(std::string_view name)
   return endsWithOneOf(name, foreignEndings()) || endsWithOneOf(name, ownEndings());
 }
 
-bool isNoPicture(std::string_view name)
+/// The library guesses at further names for what a glTF names; only that counts, and no pictures.
+bool isBuffer(std::string_view name, std::string_view gltf)
 {
   constexpr std::string_view kPictures[] = {"png",  "jpg", "jpeg", "webp", "ktx",
                                             "ktx2", "dds", "gif",  "bmp",  "tga"};
-  return name.find('.') != name.npos && !endsWithOneOf(name, kPictures);
+  return gltf.find('"' + std::string(name) + '"') != gltf.npos && !endsWithOneOf(name, kPictures);
 }
 
 } // namespace
 
 WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, const std::string& ending)
 {
+  const bool isGltf = ending == "gltf" || ending == "glb";
+  WorkerReply reply;
+  if (const std::string extension = isGltf ? unreadableExtension(bytes) : std::string(); !extension.empty()) {
+    reply.refusal = fault(ErrorCode::Unsupported, origin, 0,
+                          "it needs the glTF extension " + extension +
+                            ", which is not read; save it without (gltfpack: with -noq and without -c)");
+    return reply;
+  }
   const OpenedArchive archive = openArchive(bytes, ending);
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   auto* files = new FolderFiles(origin, archive.bytes(bytes), ending, allowFor); // owned by the importer
   importer.SetIOHandler(files);
-  WorkerReply reply;
   const aiScene* scene = importer.ReadFile(files->name(), 0);
-  reply.notes = files->folder().lostParts(ending == "gltf" || ending == "glb" ? isNoPicture : isScene);
+  reply.notes = files->folder().lostParts(
+    bytes, [&](std::string_view name) { return isGltf ? isBuffer(name, bytes) : isScene(name); });
+  for (const std::string& path : archive.lost)
+    reply.notes.push_back("Its part '" + path + "' is missing here: the archive does not hold it.");
   if (!scene) {
     const std::string complaint = importer.GetErrorString();
     reply.refusal =

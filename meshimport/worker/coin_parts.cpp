@@ -7,6 +7,7 @@
 #include <Inventor/SbImage.h>
 #include <Inventor/SoDB.h>
 #include <Inventor/VRMLnodes/SoVRMLInline.h>
+#include <Inventor/actions/SoSearchAction.h>
 #include <Inventor/nodes/SoSeparator.h>
 #include <Inventor/nodes/SoWWWInline.h>
 
@@ -29,6 +30,34 @@ void fetchInline(const SbString&, void* to, SoWWWInline* node)
   }
   if (SoSeparator* const part = SoDB::readAll(&input)) node->setChildData(part);
   parts.open.resize(depth); // the last file of an input is never popped
+}
+
+std::vector<SoVRMLInline*> inlinesIn(SoNode* scene)
+{
+  SoSearchAction search;
+  search.setType(SoVRMLInline::getClassTypeId());
+  search.setInterest(SoSearchAction::ALL);
+  search.setSearchingAll(TRUE);
+  search.apply(scene);
+  std::vector<SoVRMLInline*> found;
+  for (int i = 0; i < search.getPaths().getLength(); ++i)
+    found.push_back(static_cast<SoVRMLInline*>(search.getPaths()[i]->getTail()));
+  std::sort(found.begin(), found.end());
+  found.erase(std::unique(found.begin(), found.end()), found.end()); // one node may hang in many places
+  return found;
+}
+
+/// The part at the first place but the foremost, which Coin has tried; null if there is none.
+SoSeparator* partElsewhere(CoinParts& parts, const SoMFString& places)
+{
+  for (int i = 1; i < places.getNum(); ++i) {
+    PartInput input(parts);
+    if (!input.pushFile(places[i].getString())) continue;
+    SoSeparator* const part = SoDB::readAll(&input);
+    for (int earlier = 0; part && earlier < i; ++earlier) parts.folder.forget(places[earlier].getString());
+    return part;
+  }
+  return nullptr;
 }
 
 /// No picture is wanted, so none is opened.
@@ -85,6 +114,20 @@ void readInlinesFrom(CoinParts& parts)
   SoVRMLInline::setReadAsSoFile(TRUE);
   SoWWWInline::setReadAsSoFile(FALSE);
   SoWWWInline::setFetchURLCallBack(fetchInline, &parts);
+}
+
+void readOtherPlaces(CoinParts& parts, SoNode* scene)
+{
+  const std::size_t depth = parts.open.size();
+  for (SoVRMLInline* const node : inlinesIn(scene)) {
+    if (node->url.getNum() == 0) continue;
+    if (node->getChildData())
+      parts.enter(node->url[0].getString()); // once more, for what it names itself
+    else if (SoSeparator* const part = partElsewhere(parts, node->url))
+      node->setChildData(part);
+    if (SoNode* const part = node->getChildData()) readOtherPlaces(parts, part);
+    parts.open.resize(depth);
+  }
 }
 
 } // namespace esm

@@ -9,6 +9,8 @@
 #include <cstddef>
 #include <vector>
 
+class SoNode;
+
 namespace esm {
 
 /// The files that a scene of Coin's is made of while it is read.
@@ -39,5 +41,9 @@ private:
 
 /// Makes WWWInline nodes read their parts too. @pre SoDB::init(); `parts` lives as long as scenes are read
 void readInlinesFrom(CoinParts& parts);
+
+/// Inline nodes may name several places, of which the first that is there counts; Coin looks for the first
+/// name alone.
+void readOtherPlaces(CoinParts& parts, SoNode* scene);
 
 } // namespace esm

@@ -26,6 +26,7 @@
 #include <Inventor/nodes/SoVertexProperty.h>
 
 #include <algorithm>
+#include <cstdint>
 #include <string>
 
 namespace esm {
@@ -36,6 +37,7 @@ struct Collected {
   RawMesh raw;
   std::size_t points = 0;
   bool hasUnits = false;
+  std::string wrongIndex; ///< the first shape that uses vertices which it does not have
 
   Index add(SoCallbackAction* action, const SoPrimitiveVertex* vertex)
   {
@@ -116,10 +118,62 @@ void stripLooks(SoNode* node)
       static_cast<SoMFInt32*>(field)->setNum(0);
 }
 
+template <typename Field>
+const Field* fieldOf(const SoNode* node, const char* name)
+{
+  const SoField* const field = node->getField(name);
+  return field && field->isOfType(Field::getClassTypeId()) ? static_cast<const Field*>(field) : nullptr;
+}
+
+std::int64_t wholeNumber(const SoNode* node, const char* name)
+{
+  const auto* const field = fieldOf<SoSFInt32>(node, name);
+  return field ? field->getValue() : 0;
+}
+
+/// How many vertices a shape's numbers reach for; 0 where it has none.
+std::int64_t verticesUsed(const SoNode* node)
+{
+  std::int64_t used = 0;
+  if (const auto* const indices = fieldOf<SoMFInt32>(node, "coordIndex")) {
+    for (int i = 0; indices->getNum() > 1 && i < indices->getNum(); ++i)
+      used = std::max<std::int64_t>(used, (*indices)[i] + std::int64_t{1});
+  } else if (const auto* const counts = fieldOf<SoMFInt32>(node, "numVertices")) {
+    for (int i = 0; i < counts->getNum(); ++i)
+      used += std::max<std::int64_t>((*counts)[i], 0); // -1: all others
+    used += wholeNumber(node, "startIndex");
+  } else {
+    used = wholeNumber(node, "verticesPerRow") * wholeNumber(node, "verticesPerColumn");
+  }
+  return used;
+}
+
+std::int64_t verticesThere(SoCallbackAction* action, const SoNode* node)
+{
+  if (const auto* const coord = fieldOf<SoSFNode>(node, "coord")) { // of VRML97
+    const auto* const points = coord->getValue() ? fieldOf<SoMFVec3f>(coord->getValue(), "point") : nullptr;
+    return points ? points->getNum() : 0;
+  }
+  if (const auto* const own = fieldOf<SoSFNode>(node, "vertexProperty"); own && own->getValue())
+    if (const auto* const points = fieldOf<SoMFVec3f>(own->getValue(), "vertex");
+        points && points->getNum() > 0)
+      return points->getNum();
+  return action->getNumCoordinates();
+}
+
 // The scene is ours, only the action takes its nodes as const.
 
-SoCallbackAction::Response beforeShape(void*, SoCallbackAction*, const SoNode* node)
+SoCallbackAction::Response beforeShape(void* to, SoCallbackAction* action, const SoNode* node)
 {
+  auto& collected = *static_cast<Collected*>(to);
+  const std::int64_t used = verticesUsed(node), there = verticesThere(action, node);
+  if (used > there) { // the library would read what lies behind them in memory
+    if (collected.wrongIndex.empty())
+      collected.wrongIndex = "a shape uses vertex " + std::to_string(used - 1) +
+                             ", counted from 0, but it has " + std::to_string(there) +
+                             "; mend it in the program it comes from";
+    return SoCallbackAction::PRUNE;
+  }
   stripLooks(const_cast<SoNode*>(node));
   return SoCallbackAction::CONTINUE;
 }
@@ -145,7 +199,7 @@ void collect(SoNode* scene, Collected& collected)
         SoTexture::getClassTypeId(), SoTextureCoordinate2::getClassTypeId(),
         SoTextureCoordinateBinding::getClassTypeId(), SoVRMLAppearance::getClassTypeId()})
     action.addPreCallback(looks, passOver, nullptr);
-  action.addPreCallback(SoShape::getClassTypeId(), beforeShape, nullptr);
+  action.addPreCallback(SoShape::getClassTypeId(), beforeShape, &collected);
   action.addPreCallback(SoVertexProperty::getClassTypeId(), beforeProperty, nullptr);
   action.addPreCallback(SoUnits::getClassTypeId(), onUnits, &collected);
   action.addTriangleCallback(SoShape::getClassTypeId(), onTriangle, &collected);
@@ -175,16 +229,20 @@ WorkerReply readWithCoin(std::string_view bytes, const std::string& origin, cons
   input.setBuffer(bytes.data(), bytes.size());
   SoSeparator* const scene =
     SoDB::readAll(&input); // never released: this process ends when the reply is sent
+  if (scene) {
+    scene->ref();
+    readOtherPlaces(parts, scene);
+  }
   WorkerReply reply;
   reply.notes = parts.folder.lostParts();
   if (!scene)
     return refused(ErrorCode::BadFormat, origin,
                    "the Coin library cannot read it (" + complaint + ")" + withSemicolons(reply.notes) +
                      "; save it as OBJ, PLY or STL");
-  scene->ref();
 
   Collected collected;
   collect(scene, collected);
+  if (!collected.wrongIndex.empty()) return refused(ErrorCode::InvalidValue, origin, collected.wrongIndex);
   if (collected.raw.isEmpty())
     return refused(ErrorCode::EmptyResult, origin,
                    "it was read, but it holds neither a face nor a line" + withSemicolons(reply.notes));

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/worker/folder_files.h"
 
+#include "core/base/ascii_case.h"
 #include "core/base/file_io.h"
+#include "meshimport/worker/scene_text.h"
 
 #include <algorithm>
 #include <cstring>
@@ -53,6 +55,9 @@ FolderFiles::FolderFiles(const fs::path& model, std::string_view bytes, std::str
   : m_folder(model), m_model(m_folder.path() / model.filename()), m_bytes(bytes), m_announce(announce)
 {
   if (!ending.empty()) m_model.replace_extension(ending);
+  if (ending == "x3d") m_plain = plainX3d(bytes, m_folder, false);
+  if (ending == "dae") m_plain = plainCollada(bytes, m_folder);
+  if (!m_plain.empty()) m_bytes = m_plain;
 }
 
 bool FolderFiles::isModel(const fs::path& file) const
@@ -74,6 +79,8 @@ Assimp::IOStream* FolderFiles::Open(const char* file, const char* mode)
   std::error_code code;
   if (const std::uintmax_t size = fs::file_size(whole, code); !code) m_announce(size);
   Result<std::string> bytes = readFile(whole);
+  if (bytes && asciiLower(whole.extension().string()) == ".x3d")
+    if (std::string plain = plainX3d(*bytes, m_folder, true); !plain.empty()) *bytes = std::move(plain);
   if (bytes) return new MemoryStream(std::move(*bytes));
   m_folder.lose(file, "it cannot be read");
   return nullptr;

@@ -37,6 +37,7 @@ private:
 
   mutable ModelFolder m_folder; ///< remembers what was asked for
   std::filesystem::path m_model;
+  std::string m_plain; ///< the model as the library bears it; empty where that is its bytes
   std::string_view m_bytes;
   void (*m_announce)(std::uint64_t bytes);
 };

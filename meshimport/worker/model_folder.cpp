@@ -5,6 +5,7 @@
 #include "core/base/ascii_case.h"
 
 #include <algorithm>
+#include <map>
 #include <span>
 
 namespace esm {
@@ -18,6 +19,7 @@ const char* const kNoFile = "it is no regular file and stays closed";
 const char* const kAbsent = "there is no such file in the model's folder";
 const char* const kOnline = "nothing is fetched from other machines";
 constexpr std::size_t kMostNamed = 20;      ///< lost parts; more are counted
+constexpr std::size_t kMostMissed = 1000;   ///< names that are remembered
 constexpr std::size_t kMostNameShown = 160; ///< bytes of a name in a sentence
 
 int hexDigit(char c)
@@ -41,6 +43,13 @@ std::string plainName(std::string_view name)
     }
   }
   return plain;
+}
+
+/// Whether both may mean one file: the shorter name is the end of the longer one.
+bool mayBeOne(std::string_view a, std::string_view b)
+{
+  if (a.size() < b.size()) std::swap(a, b);
+  return a.substr(a.size() - b.size()) == b && (a.size() == b.size() || a[a.size() - b.size() - 1] == '/');
 }
 
 std::string lastPart(std::string_view name)
@@ -68,6 +77,7 @@ ModelFolder::ModelFolder(const fs::path& model)
 {
   std::error_code code;
   m_folder = fs::weakly_canonical(fs::absolute(model, code).parent_path(), code);
+  m_model = fs::weakly_canonical(m_folder / model.filename(), code);
 }
 
 fs::path ModelFolder::beneath(const fs::path& file, std::string& reason) const
@@ -91,7 +101,7 @@ fs::path ModelFolder::find(std::string_view name, const fs::path& from)
 {
   if (name.empty()) return {};
   if (isOnline(name)) {
-    lose(name, kOnline);
+    miss(std::string(name), kOnline);
     return {};
   }
   std::string reason;
@@ -99,29 +109,75 @@ fs::path ModelFolder::find(std::string_view name, const fs::path& from)
   for (const fs::path& folder : {from.empty() ? m_folder : from, m_folder})
     for (const std::string& spelling : {std::string(local), plainName(local)})
       if (fs::path found = beneath(folder / spelling, reason); !found.empty()) {
-        m_found.insert(lastPart(name));
+        m_found.insert(withoutFolder(plainName(local)));
         return found;
       }
-  const std::string folder = m_folder.string() + "/"; // a library may have put it before the name
-  if (name.substr(0, folder.size()) == folder) name.remove_prefix(folder.size());
-  m_missed.emplace(lastPart(name), Lost{std::string(name), reason});
+  miss(withoutFolder(std::string(name)), reason);
   return {};
+}
+
+/// A library may have put the folder before the name.
+std::string ModelFolder::withoutFolder(const std::string& name) const
+{
+  const std::string folder = m_folder.string() + "/";
+  return name.compare(0, folder.size(), folder) == 0 ? name.substr(folder.size()) : name;
+}
+
+void ModelFolder::miss(const std::string& name, const std::string& reason)
+{
+  const bool isKnown =
+    std::any_of(m_missed.begin(), m_missed.end(), [&](const Lost& missed) { return missed.name == name; });
+  if (!isKnown && m_missed.size() < kMostMissed) m_missed.push_back({name, reason});
 }
 
 void ModelFolder::lose(std::string_view name, const std::string& reason)
 {
-  m_missed.erase(lastPart(name));
-  for (const Lost& lost : m_lost)
-    if (lost.name == name) return;
+  forget(name);
   m_lost.push_back({std::string(name), reason});
 }
 
-std::vector<std::string> ModelFolder::lostParts(bool (*counts)(std::string_view name)) const
+void ModelFolder::forget(std::string_view name)
 {
-  std::vector<Lost> all = m_lost;
-  for (const auto& [last, lost] : m_missed)
-    if (m_found.count(last) == 0) all.push_back(lost);
-  if (counts) std::erase_if(all, [counts](const Lost& lost) { return !counts(lost.name); });
+  std::erase_if(m_missed, [&](const Lost& lost) { return mayBeOne(plainName(lost.name), plainName(name)); });
+  std::erase_if(m_lost, [&](const Lost& lost) { return lost.name == name; });
+}
+
+/// Of names with the same last part those that stand in the document, or else the first.
+void ModelFolder::dropGuesses(std::vector<Lost>& all, std::string_view document)
+{
+  const auto isWritten = [&](const Lost& lost) {
+    std::string windows = lost.name;
+    std::replace(windows.begin(), windows.end(), '/', '\\');
+    return document.find(lost.name) != document.npos || document.find(windows) != document.npos;
+  };
+  std::map<std::string, std::vector<Lost>> byLastPart;
+  for (Lost& lost : all) byLastPart[lastPart(lost.name)].push_back(std::move(lost));
+  all.clear();
+  for (auto& [last, group] : byLastPart) {
+    const auto guesses = std::stable_partition(group.begin(), group.end(), isWritten);
+    // "part.bin" stands in "../part.bin", too
+    for (auto lost = group.begin(); lost != guesses; ++lost)
+      if (std::none_of(group.begin(), guesses, [&](const Lost& other) {
+            return other.name.size() > lost->name.size() &&
+                   mayBeOne(plainName(other.name), plainName(lost->name));
+          }))
+        all.push_back(*lost);
+    if (guesses == group.begin()) all.push_back(group.front());
+  }
+}
+
+std::vector<std::string>
+ModelFolder::lostParts(std::string_view document,
+                       const std::function<bool(std::string_view name)>& counts) const
+{
+  std::vector<Lost> missed = m_missed, all = m_lost;
+  std::erase_if(missed, [&](const Lost& lost) {
+    return std::any_of(m_found.begin(), m_found.end(),
+                       [&](const std::string& found) { return mayBeOne(found, plainName(lost.name)); });
+  });
+  if (!document.empty()) dropGuesses(missed, document);
+  if (counts) std::erase_if(missed, [&](const Lost& lost) { return !counts(lost.name); });
+  all.insert(all.end(), missed.begin(), missed.end());
   std::vector<std::string> sentences;
   for (const Lost& lost : std::span(all).first(std::min(all.size(), kMostNamed)))
     sentences.push_back("Its part '" + shown(lost.name) + "' is missing here: " + lost.reason + ".");

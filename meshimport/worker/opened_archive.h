@@ -4,15 +4,17 @@
 
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace esm {
 
 /// What is known of a format that is an archive by design.
 struct OpenedArchive {
-  std::string text;    ///< of the scene in it, as far as unit and axes need it; empty if it is no archive
-  std::string without; ///< a 3MF without its pictures, on which the library crashes; else empty
+  std::string text;  ///< of the scene in it, as far as unit and axes need it; empty if it is no archive
+  std::string plain; ///< a 3MF of one model and without pictures, on which the library crashes; else empty
+  std::vector<std::string> lost; ///< files that the scene names and the archive does not hold
 
-  std::string_view bytes(std::string_view whole) const { return without.empty() ? whole : without; }
+  std::string_view bytes(std::string_view whole) const { return plain.empty() ? whole : plain; }
 };
 
 /// @param ending of the format; "3mf" and "zae" are opened

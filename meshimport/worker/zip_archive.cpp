@@ -94,6 +94,18 @@ std::string unpack(const ZipEntry& entry, std::size_t most)
   return out;
 }
 
+ZipEntry storedEntry(const ZipEntry& like, std::string_view bytes, std::string& record)
+{
+  record = like.record;
+  std::string numbers;
+  appendFour(numbers, ::crc32_z(0, reinterpret_cast<const Bytef*>(bytes.data()), bytes.size()));
+  appendFour(numbers, bytes.size());
+  appendFour(numbers, bytes.size());
+  record.replace(10, 2, 2, '\0'); // the method
+  record.replace(16, numbers.size(), numbers);
+  return {like.name, bytes, record, 0, static_cast<std::uint32_t>(bytes.size())};
+}
+
 std::string makeZip(const std::vector<ZipEntry>& entries)
 {
   std::string archive, directory;

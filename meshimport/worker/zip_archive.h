@@ -26,6 +26,9 @@ std::optional<std::vector<ZipEntry>> listZip(std::string_view archive);
 /// At most the first `most` bytes of the file; shorter where the data are damaged.
 std::string unpack(const ZipEntry& entry, std::size_t most);
 
+/// An entry like this one with these bytes, not packed. Views into `bytes` and into `record`, which is made.
+ZipEntry storedEntry(const ZipEntry& like, std::string_view bytes, std::string& record);
+
 /// An archive of these files alone; nothing is unpacked for it.
 std::string makeZip(const std::vector<ZipEntry>& entries);
 

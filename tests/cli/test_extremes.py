@@ -60,6 +60,12 @@ class Extremes(ProgramTest):
         self.write("triangle.json", json.dumps({**TRIANGLE, "nodes": {**TRIANGLE["nodes"], "mass": [1e-3] * 3}}))
         self.check_flight("triangle.json", 0)
 
+    def test_the_work_of_attempts_that_were_thrown_away_is_not_counted(self):
+        """A node leaps by 100 m within a picosecond; on the way to steps that hold, attempts did 1e57 J."""
+        self.run_anyhow("simulate", self.take("discarded_attempts.json"), "--duration", "0.5", "--report", "r.json")
+        report = self.read_json("r.json")
+        self.assertLess(abs(report["external_work"]), 1.0)
+
     def test_every_run_has_its_work_limit(self):
         """Of 2e5 force passes a sixtieth of a second, whatever the net; what was reached is said and kept."""
         seconds = 0.5

@@ -78,7 +78,10 @@ class OutputsAndTerminal(ProgramTest):
 
     def test_a_pipe_is_no_input(self):
         os.mkfifo(self.folder / "in.esm")
-        self.assertIn("is a pipe", self.refused("validate", "in.esm"))
+        for command in (("validate",), ("info",), ("import", "--update"), ("simulate",), ("inspect",)):
+            self.assertIn("is a pipe", self.refused(*command, "in.esm"), command)
+        for command in (("validate",), ("import", "--update"), ("inspect",)):
+            self.assertIn("is a device", self.refused(*command, "/dev/zero"), command)
 
     def test_a_byte_order_mark_is_no_fault(self):
         self.write("bom.json", b"\xef\xbb\xbf" + json.dumps(OSCILLATOR).encode())

@@ -110,8 +110,7 @@ public:
     expect("if");
     flatten(readAny(0), rule.antecedent);
     expect("then");
-    do rule.consequents.push_back(readProposition(true));
-    while (accept("and") || (m_asFcl && accept(",")));
+    readConclusions(rule, 0);
     if (accept("with")) {
       rule.weight = readNumber(m_word);
       next();
@@ -158,6 +157,19 @@ private:
     if (accept(word)) return;
     throw Fault{m_word.data(), "here '" + std::string(word) + "' was expected" +
                                  (m_word.empty() ? std::string() : ", not " + shown(m_word))};
+  }
+
+  /// Many FCL writers put brackets around them.
+  void readConclusions(Rule& rule, int depth)
+  {
+    do {
+      if (m_asFcl && depth < kDepth && accept("(")) {
+        readConclusions(rule, depth + 1);
+        expect(")");
+      } else {
+        rule.consequents.push_back(readProposition(true));
+      }
+    } while (accept("and") || (m_asFcl && accept(",")));
   }
 
   Branch readAny(int depth) { return readChain(Kind::Or, depth); }

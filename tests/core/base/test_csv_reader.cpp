@@ -82,7 +82,7 @@ TEST(CsvReader, NumbersHavePointsOrCommasButNotBoth)
   EXPECT_EQ(numbersOf("a\n2,5\n5\n"), "2.500 5.000 ");
   EXPECT_EQ(numbersOf("a\n\"2,5\"\n5\n"), "2.500 5.000 ");
   EXPECT_EQ(numbersOf("a,b\n2.5,x\n+5,1e-1\n"), "2.500 ? 5.000 0.100 ");
-  EXPECT_EQ(numbersOf("a;b\n1.234,5;1,2,3\n"), "? ? ");
+  EXPECT_EQ(numbersOf("a;b\n1,23,4;1,2,3\n"), "? ? ");
   EXPECT_EQ(numbersOf("a;b\n2,5;1\n1.5;1\n"),
             "'1.5' has a decimal point, line 2 a decimal comma; write one of both throughout");
   EXPECT_EQ(numbersOf("a;b\n2.5;1\n1,5;1\n"),
@@ -100,6 +100,17 @@ TEST(CsvReader, AmbiguousCommasAreNamedNotGuessed)
     rowsOf("a,b\n2,5,x\n")[0][0],
     "t.csv:2: column 3: the row has 3 cells, the header 2; are there decimal commas? Then put such cells "
     "in quotes, separate cells by semicolons, or write points");
+}
+
+// Groups of three digits with a sign of their own between them.
+TEST(CsvReader, ThousandsSetApartAreNamedNotGuessed)
+{
+  for (const std::string number : {"1.234,5", "1,234.5", "1'234.5", "1 234,5", "1\u00A0234", "-12\u202F345,6",
+                                   "1.234.567", "1\u2019234.5"})
+    EXPECT_EQ(numbersOf("a;b\n" + number + ";1\n"),
+              "'" + number + "' has signs between its thousands; write it without them");
+  EXPECT_EQ(numbersOf("a;b\n1.234;1\n"), "1.234 1.000 ");
+  EXPECT_EQ(numbersOf("a;b\n1 23;12 3456\n"), "? ? ");
 }
 
 TEST(CsvReader, CellsAreWrittenSoThatTheyAreReadBack)
