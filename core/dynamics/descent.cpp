@@ -17,7 +17,6 @@ private:
   bool setMatrix(System& system, const NodeArray& y, const NodeArray& w, double h,
                  StepReport& report) override
   {
-    if (m_matrix.freeCount() == 0) return false;
     ++report.factorizations;
     return m_matrix.factor(system, y, w, ImplicitMatrix::Shares::ofStep(h), true);
   }

@@ -21,19 +21,6 @@ double freeKinetic(const System& system, const NodeArray& v) noexcept
   return energy;
 }
 
-/// Books energy that has come without the loads' work: supports have put it in. What is gone is lost, but
-/// first what supports had put in: they move before the net may follow, and what they stretch in a jump
-/// and the net gives up in the next steps was never in the motion that is seen. Heat of it stays work; more
-/// than the net has left is rounding.
-void lend(EnergySums& sums, double appeared, double heat, double left) noexcept
-{
-  sums.loss += std::max(-appeared - sums.lent, 0.0);
-  const double lent = std::max(sums.lent + appeared, 0.0), made = std::clamp(heat, 0.0, lent);
-  sums.work += made;
-  sums.mostLent = std::max(sums.mostLent, lent);
-  sums.setLent(lent - made, left);
-}
-
 } // namespace
 
 void IncrementalDescent::prepare(const System& system)
@@ -69,7 +56,8 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
   Sums sums = descend(system, goal, start(system, goal, moved), report);
   if (!std::isfinite(sums.stored)) return StepResult::NonFinite;
   double work = 0.0, left = 0.0;
-  for (int pull = 0;; ++pull) {
+  int pull = 0;
+  for (;; ++pull) {
     if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
     work = sums.loadWork + h * (sums.heatPower + dragPower(system, sums));
     left = freeKinetic(system, state.v) + moved - sums.stored + work;
@@ -79,16 +67,19 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
       m_y[i] = pull < kMostPulls ? m_x[i] + (m_y[i] - m_x[i]) * 0.25 : m_x[i];
     sums = look(system, goal, m_y);
   }
+  report.rough = report.rough || !m_isDone || pull > 0;
   const double kinetic = freeKinetic(system, m_w);
   if (kinetic > left) {
     const double share = std::sqrt(std::max(left, 0.0) / kinetic);
     for (std::size_t i = 0; i < m_w.size(); ++i)
       if (system.isFree(i)) m_w[i] *= share;
   }
-  const double heat = h * sums.heatPower, kineticLeft = system.kineticEnergy(m_w);
-  const double appeared =
-    (sums.stored - before) + (kineticLeft - system.kineticEnergy(state.v)) + heat - work;
-  lend(state, appeared, heat, kineticLeft + std::max(sums.elastic, 0.0));
+  const double heat = h * sums.heatPower;
+  const double kineticBefore = system.kineticEnergy(state.v), kineticLeft = system.kineticEnergy(m_w);
+  // Energy that has come without the loads' work supports have put in.
+  const double appeared = (sums.stored - before) + (kineticLeft - kineticBefore) + heat - work;
+  if (appeared > 0.0) state.loan.lend(appeared, kineticBefore + std::max(system.elasticEnergy(state.x), 0.0));
+  state.settle(std::max(-appeared, 0.0), heat, kineticLeft + std::max(sums.elastic, 0.0));
   state.advanceTo(end, m_y, m_w, work, heat);
   return StepResult::Done;
 }
@@ -156,9 +147,13 @@ IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal&
                                                      StepReport& report)
 {
   double gained = 0.0;
+  m_isDone = true;
+  const auto isFree = [](double inverseMass) { return inverseMass > 0.0; };
+  if (std::ranges::none_of(system.inverseMass(), isFree)) return best;
   for (int iteration = 0; iteration < m_effort.iterations; ++iteration) {
     ++report.newtonIterations;
-    if (!setMatrix(system, m_y, m_w, goal.h, report)) break;
+    m_isDone = setMatrix(system, m_y, m_w, goal.h, report);
+    if (!m_isDone) break;
     m_change = m_force; // same size: no allocation
     solve(system, m_change, iteration == 0 ? &goal.v : nullptr);
     const double foretold = 0.5 * sumOfProducts(m_force, m_change); // a model of second order
@@ -183,6 +178,7 @@ IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal&
     gained += gain;
     const bool isAsForetold = std::abs(gain - foretold) <= m_effort.asForetold * foretold;
     if (isAsForetold || gain <= m_effort.enough * gained) break;
+    m_isDone = iteration + 1 < m_effort.iterations;
   }
   return best; // and m_w is that of y
 }

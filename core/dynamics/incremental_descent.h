@@ -73,7 +73,8 @@ private:
   Effort m_effort;
   NodeArray m_x; ///< at the start, supports moved [m]
   NodeArray m_y, m_trial, m_w, m_force, m_change;
-  NodeArray m_damper; ///< of the last look
+  NodeArray m_damper;   ///< of the last look
+  bool m_isDone = true; ///< the last descent got where it no longer gains much
 };
 
 } // namespace esm
