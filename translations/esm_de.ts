@@ -1441,6 +1441,10 @@
         <source>an %1 document</source>
         <translation>ein %1-Dokument</translation>
     </message>
+    <message>
+        <source>a pipe that nobody reads</source>
+        <translation>eine Pipe, die niemand liest</translation>
+    </message>
 </context>
 <context>
     <name>esm::ErrorText</name>
