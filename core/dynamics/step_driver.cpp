@@ -144,6 +144,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
     const Run result = run(system, state, end, 1, report);
     if (result != Run::Done) return giveUp(result, report), false;
+    report.rough = report.rough || m_method == m_descent; // nobody has measured its error
     keep(system, state, expectedError(state));
     return true;
   }
@@ -197,7 +198,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (m_auto && result != Run::Done && (unchecked || system.isExhausted())) break;
     const bool isCheap =
       m_method == m_implicit || count >= 32.0 || m_untilCheck <= 0; // to look at the energy
-    if (m_auto && result == Run::Done && !unchecked && isCheap &&
+    if (m_auto && result == Run::Done && !unchecked && (isCheap || hasQuickened(system, state)) &&
         energyAppeared(system, energyBalance(system, state), kCoarseGrowth))
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
@@ -340,6 +341,13 @@ bool StepDriver::energyAppeared(const System& system, const EnergyBalance& balan
   if (!(sum <= share * balance.turnedOver + least)) return true;
   m_growth = sum;
   return false;
+}
+
+/// Whether the net is so much faster than at the start of the stretch that its energy is worth two passes: a
+/// few large steps may have missed how stiff it has become.
+bool StepDriver::hasQuickened(const System& system, const MotionState& state) const noexcept
+{
+  return system.kineticEnergy(state.v) > 2.0 * system.kineticEnergy(m_start.v);
 }
 
 /// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so
