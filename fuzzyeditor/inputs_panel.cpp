@@ -62,7 +62,6 @@ InputsPanel::InputsPanel(FuzzyEvaluation* evaluation, QWidget* parent)
   m_target->setTextFormat(Qt::PlainText);
   m_target->setWordWrap(true); // a long name shall not push the fields out of sight
   m_target->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  m_target->setMinimumWidth(1);
   QFont heading = font();
   heading.setBold(true);
   heading.setPointSizeF(heading.pointSizeF() * 1.1);

@@ -197,25 +197,6 @@ TEST_F(WindowTest, EveryNumberFieldTakesEitherDecimalMark)
   EXPECT_GT(fields, 40);
 }
 
-// A common small screen, with the list of problems open beside the rules.
-TEST_F(WindowTest, TheWindowFitsAScreenOf1024Pixels)
-{
-  window->resize(1016, 700);
-  window->applyDefaultLayout();
-  QTest::qWait(50);
-  fuzzy::RuleBase rules = window->document()->ruleBase();
-  rules.rules.erase(rules.rules.begin()); // a gap
-  window->document()->setRuleBase(rules, "gap");
-  for (const Language spoken : {Language::English, Language::German}) {
-    window->setLanguage(spoken);
-    window->resize(1016, 700); // without a frame
-    EXPECT_TRUE(QTest::qWaitFor([&] { return find<QLabel>("problemsCount")->isVisible(); }, 10000));
-    QTest::qWait(50);
-    EXPECT_LE(window->minimumSizeHint().width(), 1016);
-    EXPECT_LE(window->width(), 1016);
-  }
-}
-
 TEST_F(WindowTest, RedoHasBothUsualKeys)
 {
   EXPECT_TRUE(window->actions()->redo->shortcuts().contains(QKeySequence(Qt::CTRL | Qt::Key_Y)));

@@ -48,6 +48,18 @@ TEST_F(ProblemsTest, ANewProjectHasNone)
   EXPECT_FALSE(view->isVisible()); // the rules have the room
 }
 
+// The list makes a window wider only as far as the table does: else it leaves screens of 1024 pixels.
+TEST_F(ProblemsTest, NoOtherWayToShowTheRulesIsWiderThanTheTable)
+{
+  const auto* tabs = panel.findChild<QTabWidget*>("rulesTabs");
+  for (const Language spoken : {Language::English, Language::German}) {
+    speak(spoken);
+    for (int page = 1; page < tabs->count(); ++page)
+      EXPECT_LE(tabs->widget(page)->minimumSizeHint().width(), tabs->widget(0)->minimumSizeHint().width())
+        << page;
+  }
+}
+
 // The list is of the rules in force: what is being written beside them is not free of mistakes for that.
 TEST_F(ProblemsTest, NoneIsNotSaidOfATextWithAMistake)
 {

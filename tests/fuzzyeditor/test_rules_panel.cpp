@@ -102,18 +102,6 @@ TEST_F(RulesPanelTest, NothingIsAppliedWhileAnyLineIsNoRule)
   EXPECT_EQ(editor->lines().size(), 5);
 }
 
-TEST_F(RulesPanelTest, CtrlYBringsBackWhatWasTakenBack)
-{
-  openText();
-  const QString before = editor->toPlainText();
-  type("IF hardness");
-  const QString typed = editor->toPlainText();
-  QTest::keyClick(editor, Qt::Key_Z, Qt::ControlModifier);
-  EXPECT_EQ(editor->toPlainText(), before);
-  QTest::keyClick(editor, Qt::Key_Y, Qt::ControlModifier);
-  EXPECT_EQ(editor->toPlainText(), typed);
-}
-
 TEST_F(RulesPanelTest, AMissingWordMarksTheOneBeforeIt)
 {
   openText();
