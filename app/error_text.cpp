@@ -69,7 +69,20 @@ const std::vector<Sentence>& sentences()
   return known;
 }
 
-/// The text with its %1, %2 ... filled in, whatever these hold themselves.
+std::optional<QString> knownSentence(const QString& sentence)
+{
+  for (const Sentence& one : sentences()) {
+    const QRegularExpressionMatch match = one.expression.match(sentence);
+    if (!match.hasMatch()) continue;
+    QStringList parts = match.capturedTexts().mid(1);
+    for (QString& part : parts) part = errorDetail(part);
+    return filled(QCoreApplication::translate("esm::ErrorDetail", one.text), parts);
+  }
+  return std::nullopt;
+}
+
+} // namespace
+
 QString filled(const QString& text, const QStringList& parts)
 {
   QString result;
@@ -84,20 +97,6 @@ QString filled(const QString& text, const QStringList& parts)
   }
   return result;
 }
-
-std::optional<QString> knownSentence(const QString& sentence)
-{
-  for (const Sentence& one : sentences()) {
-    const QRegularExpressionMatch match = one.expression.match(sentence);
-    if (!match.hasMatch()) continue;
-    QStringList parts = match.capturedTexts().mid(1);
-    for (QString& part : parts) part = errorDetail(part);
-    return filled(QCoreApplication::translate("esm::ErrorDetail", one.text), parts);
-  }
-  return std::nullopt;
-}
-
-} // namespace
 
 /// "file: line 3: what is wrong; what helps": whole if it is known, else part by part; the rest stays
 /// English.

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 
 #include <QString>
+#include <QStringList>
 
 namespace esm {
 
@@ -15,6 +16,9 @@ QString errorLead(ErrorCode code);
 /// (error_sentences.h); the rest stays in the core's English.
 QString errorDetail(const Error& error);
 QString errorDetail(const QString& detail);
+
+/// The text with its %1, %2 ... filled in, whatever these hold themselves.
+QString filled(const QString& text, const QStringList& parts);
 
 /// The lead sentence and below it the detail.
 QString errorText(const Error& error);

@@ -5,8 +5,10 @@
 #include "app/error_text.h"
 #include "app/import/defect_list.h"
 #include "app/import/format_memory.h"
+#include "app/import/note_text.h"
 #include "app/import/recipe_form.h"
 #include "app/import/unit_question.h"
+#include "app/screen_room.h"
 #include "app/theme.h"
 #include "app/viewport/scene_view.h"
 
@@ -21,6 +23,7 @@
 #include <QProgressBar>
 #include <QPushButton>
 #include <QRadioButton>
+#include <QScreen>
 #include <QScrollArea>
 #include <QSplitter>
 #include <QStyle>
@@ -66,7 +69,7 @@ ImportDialog::ImportDialog(const QStringList& paths, JobRunner* jobs, bool model
   : QDialog(parent), m_paths(paths), m_jobs(jobs), m_tissue(std::move(tissue))
 {
   setObjectName(QStringLiteral("dlgImport"));
-  resize(1280, 800);
+  resize(QSize(1280, 800).boundedTo(sizeWithoutFrame(screen()->availableSize())));
   buildWidgets(modelIsEmpty);
   m_settle.setSingleShot(true);
   m_settle.setInterval(150); // [ms]
@@ -392,7 +395,7 @@ void ImportDialog::showReport()
     m_notes->addItem(bad ? QStringLiteral("⚠ ") + text : text);
     if (bad) m_notes->item(m_notes->count() - 1)->setForeground(signalColours(palette()).warning);
   }
-  for (const std::string& note : m_preview->made.notes) m_notes->addItem(QString::fromStdString(note));
+  for (const std::string& note : m_preview->made.notes) m_notes->addItem(importNoteText(note));
   m_notes->setVisible(m_notes->count() > 0);
 
   const QLocale locale;

@@ -3,6 +3,7 @@
 #include "app/command_line.h"
 #include "app/main_window.h"
 #include "app/sample_files.h"
+#include "app/screen_room.h"
 #include "app/scripted_run.h"
 #include "app/state_dump.h"
 #include "core/base/large_pages.h"
@@ -18,6 +19,7 @@
 #include <clocale>
 #include <csignal>
 #include <cstdio>
+#include <optional>
 
 namespace {
 
@@ -96,8 +98,9 @@ int main(int argc, char** argv)
                   options.height > 0 ? options.height : window.height());
     window.applyDefaultLayout();
   }
+  std::optional<esm::ScreenKeeper> keeper;
+  if (!scripted) keeper.emplace(); // a scripted window has the size it was asked for
   window.show();
-  if (!scripted) window.keepOnScreen();
 
   // Once the event loop runs: dialogs of opening need it.
   QTimer::singleShot(0, &window, [&] {

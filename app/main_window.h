@@ -69,7 +69,6 @@ public:
   Index selectedSpring() const; ///< kNoIndex: none
   void applyDefaultLayout();
   void restoreLayout(); ///< of the last time, if there is one
-  void keepOnScreen();  ///< the whole of it, once it is shown
 
 protected:
   void closeEvent(QCloseEvent* event) override;

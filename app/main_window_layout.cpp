@@ -7,11 +7,9 @@
 #include "app/window_actions.h"
 
 #include <QAction>
-#include <QDockWidget>
 #include <QFileInfo>
 #include <QMenu>
 #include <QSettings>
-#include <QTimer>
 
 namespace esm {
 
@@ -75,17 +73,6 @@ void MainWindow::restoreLayout()
   putOnScreen(this); // the layout below is for the size that comes of it
   restoreState(settings.value(QStringLiteral("layout")).toByteArray(), kLayoutVersion);
   if (minimumSizeHint().height() > height()) applyDefaultLayout(); // it was stored on a higher screen
-}
-
-/// Window managers draw their frame after the window is shown: only then is its size known.
-void MainWindow::keepOnScreen()
-{
-  for (const int pause : {0, 500}) // [ms]
-    QTimer::singleShot(pause, this, [this] {
-      putOnScreen(this);
-      for (QDockWidget* dock : findChildren<QDockWidget*>())
-        if (dock->isFloating() && dock->isVisible()) putOnScreen(dock);
-    });
 }
 
 } // namespace esm

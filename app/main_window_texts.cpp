@@ -10,6 +10,7 @@
 #include <QActionGroup>
 #include <QDockWidget>
 #include <QEvent>
+#include <QFileInfo>
 #include <QMessageBox>
 
 namespace esm {
@@ -128,7 +129,14 @@ void MainWindow::showAbout()
 
 void MainWindow::refreshTitle()
 {
-  setWindowTitle(tr("%1[*] – Elastodynamic Shape Modeler").arg(m_document->displayName()));
+  // What "Save" would overwrite is in the title, whatever the project is called.
+  const QFileInfo file(m_document->path());
+  QString name = m_document->displayName();
+  if (!m_document->path().isEmpty())
+    name = name == file.completeBaseName() ? file.fileName()
+                                           : QStringLiteral("%1 (%2)").arg(name, file.fileName());
+  name.replace(QLatin1String("[*]"), QLatin1String("[*][*]")); // Qt's way of writing it
+  setWindowTitle(tr("%1[*] – Elastodynamic Shape Modeler").arg(name));
   setWindowModified(m_document->isModified());
 }
 

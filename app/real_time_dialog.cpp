@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/real_time_dialog.h"
 
+#include "fuzzyeditor/decimal_spin_box.h"
+
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -60,8 +61,8 @@ RealTimeDialog::RealTimeDialog(const QualityPlan& plan, QWidget* parent)
     m_order(new QListWidget(this)),
     m_up(new QPushButton(tr("Up"), this)),
     m_down(new QPushButton(tr("Down"), this)),
-    m_finest(new QDoubleSpinBox(this)),
-    m_coarsest(new QDoubleSpinBox(this))
+    m_finest(new DecimalSpinBox(this)),
+    m_coarsest(new DecimalSpinBox(this))
 {
   setObjectName(QStringLiteral("dlgRealTime"));
   setWindowTitle(tr("Real time"));

@@ -2,7 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/screen_room.h"
 
+#include <QCoreApplication>
+#include <QEvent>
 #include <QScreen>
+#include <QTimer>
 #include <QWidget>
 
 #include <algorithm>
@@ -27,6 +30,25 @@ void putOnScreen(QWidget* window)
                        outer.bottom() - inner.bottom());
   const QRect place = placeWithin(window->screen()->availableGeometry(), inner, frame);
   if (place != inner) window->setGeometry(place);
+}
+
+ScreenKeeper::ScreenKeeper(QObject* parent) : QObject(parent)
+{
+  QCoreApplication::instance()->installEventFilter(this);
+}
+
+/// Window managers draw their frame after the window is shown: only then is its size known.
+bool ScreenKeeper::eventFilter(QObject* watched, QEvent* event)
+{
+  if (event->type() != QEvent::Show || !watched->isWidgetType()) return false;
+  auto* window = static_cast<QWidget*>(watched);
+  const Qt::WindowType type = window->windowType();
+  if (!window->isWindow() || (type != Qt::Window && type != Qt::Dialog && type != Qt::Tool)) return false;
+  for (const int pause : {0, 500}) // [ms]
+    QTimer::singleShot(pause, window, [window] {
+      if (window->isVisible() && window->isWindow()) putOnScreen(window);
+    });
+  return false;
 }
 
 QSize sizeWithoutFrame(const QSize& room)

@@ -915,7 +915,7 @@
     </message>
     <message>
         <source>save it as OBJ or PLY</source>
-        <translation>als OBJ oder PLY sichern</translation>
+        <translation>als OBJ oder PLY speichern</translation>
     </message>
     <message>
         <source>there is no vertex %1, the file has %2 of them up to here</source>
@@ -1039,7 +1039,7 @@
     </message>
     <message>
         <source>save it as text or as PLY</source>
-        <translation>als Text oder PLY sichern</translation>
+        <translation>als Text oder PLY speichern</translation>
     </message>
     <message>
         <source>an OFF file begins with the counts of vertices and faces</source>
@@ -1079,7 +1079,7 @@
     </message>
     <message>
         <source>save it as DXF in text (ASCII)</source>
-        <translation>als DXF in Text (ASCII) sichern</translation>
+        <translation>als DXF in Text (ASCII) speichern</translation>
     </message>
     <message>
         <source>a VTK data set &apos;%1&apos; is no mesh of cells</source>
@@ -1087,7 +1087,7 @@
     </message>
     <message>
         <source>extract its surface and save that as POLYDATA</source>
-        <translation>die Oberfläche herausziehen und als POLYDATA sichern</translation>
+        <translation>die Oberfläche herausziehen und als POLYDATA speichern</translation>
     </message>
     <message>
         <source>&apos;%1&apos; is no part of a VTK mesh</source>
@@ -1115,7 +1115,7 @@
     </message>
     <message>
         <source>save it in format 4.1 or 2.2</source>
-        <translation>im Format 4.1 oder 2.2 sichern</translation>
+        <translation>im Format 4.1 oder 2.2 speichern</translation>
     </message>
     <message>
         <source>elements of type %1 are not read</source>
@@ -1123,7 +1123,7 @@
     </message>
     <message>
         <source>save the mesh with simpler ones</source>
-        <translation>das Netz mit einfacheren sichern</translation>
+        <translation>das Netz mit einfacheren speichern</translation>
     </message>
     <message>
         <source>there is no node %1, but an element uses it</source>
@@ -1147,7 +1147,7 @@
     </message>
     <message>
         <source>is it cut short? Otherwise save it as OBJ, PLY or STL</source>
-        <translation>ist sie abgeschnitten? Sonst als OBJ, PLY oder STL sichern</translation>
+        <translation>ist sie abgeschnitten? Sonst als OBJ, PLY oder STL speichern</translation>
     </message>
     <message>
         <source>the reader for this format took too long for a file of this size</source>
@@ -1335,11 +1335,11 @@
     </message>
     <message>
         <source>segment the organ in an imaging program such as 3D Slicer, and save its surface as STL, OBJ or PLY</source>
-        <translation>das Organ in einem Bildprogramm wie 3D Slicer segmentieren und seine Oberfläche als STL, OBJ oder PLY sichern</translation>
+        <translation>das Organ in einem Bildprogramm wie 3D Slicer segmentieren und seine Oberfläche als STL, OBJ oder PLY speichern</translation>
     </message>
     <message>
         <source>mesh it in the CAD program and save that as STL or OBJ</source>
-        <translation>im CAD-Programm vernetzen und das als STL oder OBJ sichern</translation>
+        <translation>im CAD-Programm vernetzen und das als STL oder OBJ speichern</translation>
     </message>
     <message>
         <source>convert it to VTU or Gmsh .msh, as meshio, Gmsh or the program it comes from can do</source>
@@ -1347,11 +1347,11 @@
     </message>
     <message>
         <source>make a surface of its points, in MeshLab for example, and save that as PLY</source>
-        <translation>aus ihren Punkten eine Oberfläche machen, etwa in MeshLab, und diese als PLY sichern</translation>
+        <translation>aus ihren Punkten eine Oberfläche machen, etwa in MeshLab, und diese als PLY speichern</translation>
     </message>
     <message>
         <source>save it as OBJ, PLY, STL or glTF in the program it comes from</source>
-        <translation>in dem Programm, aus dem sie kommt, als OBJ, PLY, STL oder glTF sichern</translation>
+        <translation>in dem Programm, aus dem sie kommt, als OBJ, PLY, STL oder glTF speichern</translation>
     </message>
     <message>
         <source>choose a mesh file</source>
@@ -1359,7 +1359,7 @@
     </message>
     <message>
         <source>save it as UTF-8</source>
-        <translation>als UTF-8 sichern</translation>
+        <translation>als UTF-8 speichern</translation>
     </message>
     <message>
         <source>UTF-16 text</source>
@@ -1768,11 +1768,11 @@
     </message>
     <message>
         <source>Save the path of the hand</source>
-        <translation>Weg der Hand sichern</translation>
+        <translation>Weg der Hand speichern</translation>
     </message>
     <message>
         <source>Save what the hand felt</source>
-        <translation>Sichern, was die Hand fühlte</translation>
+        <translation>Speichern, was die Hand fühlte</translation>
     </message>
     <message>
         <source>hand.csv</source>
@@ -1800,19 +1800,19 @@
     </message>
     <message>
         <source>Save path…</source>
-        <translation>Weg sichern …</translation>
+        <translation>Weg speichern …</translation>
     </message>
     <message>
         <source>Save the way of the hand: t, x, y, z in s and m</source>
-        <translation>Den Weg der Hand sichern: t, x, y, z in s und m</translation>
+        <translation>Den Weg der Hand speichern: t, x, y, z in s und m</translation>
     </message>
     <message>
         <source>Save log…</source>
-        <translation>Protokoll sichern …</translation>
+        <translation>Protokoll speichern …</translation>
     </message>
     <message>
         <source>Save what the hand felt, tick by tick: position, velocity, force, work, lateness</source>
-        <translation>Sichern, was die Hand fühlte, Takt für Takt: Lage, Geschwindigkeit, Kraft, Arbeit, Verspätung</translation>
+        <translation>Speichern, was die Hand fühlte, Takt für Takt: Lage, Geschwindigkeit, Kraft, Arbeit, Verspätung</translation>
     </message>
     <message>
         <source>Load path…</source>
@@ -1828,7 +1828,7 @@
     </message>
     <message>
         <source>A recording that was not saved is in %1</source>
-        <translation>Eine Aufzeichnung, die nicht gesichert wurde, liegt in %1</translation>
+        <translation>Eine Aufzeichnung, die nicht gespeichert wurde, liegt in %1</translation>
     </message>
 </context>
 <context>
@@ -2587,11 +2587,11 @@
     </message>
     <message>
         <source>Save project</source>
-        <translation>Projekt sichern</translation>
+        <translation>Projekt speichern</translation>
     </message>
     <message>
         <source>Saved %1</source>
-        <translation>%1 gesichert</translation>
+        <translation>%1 gespeichert</translation>
     </message>
     <message>
         <source>Projects (*.esm)</source>
@@ -2603,15 +2603,15 @@
     </message>
     <message>
         <source>Unsaved changes</source>
-        <translation>Ungesicherte Änderungen</translation>
+        <translation>Nicht gespeicherte Änderungen</translation>
     </message>
     <message>
         <source>“%1” has changes that are not saved.</source>
-        <translation>„%1“ hat Änderungen, die nicht gesichert sind.</translation>
+        <translation>„%1“ hat Änderungen, die nicht gespeichert sind.</translation>
     </message>
     <message>
         <source>Save them?</source>
-        <translation>Sollen sie gesichert werden?</translation>
+        <translation>Sollen sie gespeichert werden?</translation>
     </message>
     <message>
         <source>There is no model to export.</source>
@@ -2714,7 +2714,7 @@
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation>Sichern &amp;unter…</translation>
+        <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
         <source>Opened %1</source>
@@ -2759,6 +2759,14 @@
     <message>
         <source>Saved %1, but for a rule with a mistake.</source>
         <translation>%1 gespeichert, bis auf eine Regel mit einem Fehler.</translation>
+    </message>
+    <message>
+        <source>The simulation is paused: nothing moves until “Play” is pressed.</source>
+        <translation>Die Simulation ist angehalten: Es bewegt sich nichts, bis „Abspielen“ gedrückt wird.</translation>
+    </message>
+    <message>
+        <source>The samples were not found beside the program; is it installed whole?</source>
+        <translation>Die Beispiele fehlen neben dem Programm; ist es ganz installiert?</translation>
     </message>
 </context>
 <context>
@@ -2940,7 +2948,7 @@
     </message>
     <message>
         <source>The inputs are those of no preset.</source>
-        <translation>Die Eingaben sind die keiner Voreinstellung.</translation>
+        <translation>Die Eingaben entsprechen keiner Voreinstellung.</translation>
     </message>
     <message>
         <source>Preset</source>
@@ -4632,7 +4640,7 @@
     </message>
     <message>
         <source>Save the explanation</source>
-        <translation>Erklärung sichern</translation>
+        <translation>Erklärung speichern</translation>
     </message>
     <message>
         <source>Explanation in one sentence</source>
@@ -4640,7 +4648,7 @@
     </message>
     <message>
         <source>Copy and save the explanation</source>
-        <translation>Erklärung kopieren und sichern</translation>
+        <translation>Erklärung kopieren und speichern</translation>
     </message>
     <message>
         <source>Copy sentence</source>
@@ -4652,11 +4660,11 @@
     </message>
     <message>
         <source>Save as CSV…</source>
-        <translation>Als CSV sichern …</translation>
+        <translation>Als CSV speichern …</translation>
     </message>
     <message>
         <source>Save as JSON…</source>
-        <translation>Als JSON sichern …</translation>
+        <translation>Als JSON speichern …</translation>
     </message>
     <message>
         <source>Reason</source>
@@ -4758,11 +4766,11 @@
     </message>
     <message>
         <source>&amp;Save</source>
-        <translation>&amp;Sichern</translation>
+        <translation>&amp;Speichern</translation>
     </message>
     <message>
         <source>Save &amp;as…</source>
-        <translation>Sichern &amp;unter…</translation>
+        <translation>Speichern &amp;unter…</translation>
     </message>
     <message>
         <source>&amp;Import mesh…</source>
@@ -5055,6 +5063,277 @@
     <message>
         <source>What earlier windows could not save</source>
         <translation>Was frühere Fenster nicht speichern konnten</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Stopp</translation>
+    </message>
+</context>
+<context>
+    <name>esm::ImportNote</name>
+    <message>
+        <source>Vertices joined with others at the same place: %1.</source>
+        <translation>Mit anderen am selben Ort verbundene Eckpunkte: %1.</translation>
+    </message>
+    <message>
+        <source>Vertices that nearly meet others: %1. A weld tolerance of %2 joins them.</source>
+        <translation>Eckpunkte, die andere beinahe treffen: %1. Eine Toleranz von %2 verbindet sie.</translation>
+    </message>
+    <message>
+        <source>Points that no face or line uses, and that become no nodes: %1.</source>
+        <translation>Punkte, die keine Fläche oder Linie benutzt und die keine Knoten werden: %1.</translation>
+    </message>
+    <message>
+        <source>Single points that were passed over: %1.</source>
+        <translation>Übergangene einzelne Punkte: %1.</translation>
+    </message>
+    <message>
+        <source>Unused vertices with coordinates that are not finite numbers: %1.</source>
+        <translation>Unbenutzte Eckpunkte mit Koordinaten, die keine endlichen Zahlen sind: %1.</translation>
+    </message>
+    <message>
+        <source>Faces with more than three corners, cut into triangles: %1.</source>
+        <translation>Flächen mit mehr als drei Ecken, in Dreiecke zerlegt: %1.</translation>
+    </message>
+    <message>
+        <source>Faces with fewer than three corners, read as lines: %1.</source>
+        <translation>Flächen mit weniger als drei Ecken, als Linien gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Cells of higher order, reduced to their corners: %1.</source>
+        <translation>Zellen höherer Ordnung, auf ihre Ecken verkürzt: %1.</translation>
+    </message>
+    <message>
+        <source>Hexahedra, wedges and pyramids that became their edges: %1.</source>
+        <translation>Hexaeder, Keile und Pyramiden, von denen die Kanten blieben: %1.</translation>
+    </message>
+    <message>
+        <source>Cells that are no tetrahedra and were passed over: %1.</source>
+        <translation>Übergangene Zellen, die keine Tetraeder sind: %1.</translation>
+    </message>
+    <message>
+        <source>The file is named .%1, but its content is %2; it was read as that.</source>
+        <translation>Die Datei heißt .%1, ihr Inhalt ist aber %2; so wurde sie gelesen.</translation>
+    </message>
+    <message>
+        <source>The header promises %1 facets, but %2 are there; all of these were read.</source>
+        <translation>Der Anfang verspricht %1 Facetten, es sind aber %2 da; alle diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The header promises %1 facets, but %2 are there; all of these were read. The file may be cut short.</source>
+        <translation>Der Anfang verspricht %1 Facetten, es sind aber %2 da; alle diese wurden gelesen. Vielleicht ist die Datei abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Bytes behind the end that were passed over: %1.</source>
+        <translation>Übergangene Bytes hinter dem Ende: %1.</translation>
+    </message>
+    <message>
+        <source>The word “%1” is written in two; it was read all the same.</source>
+        <translation>Das Wort „%1“ ist getrennt geschrieben; es wurde trotzdem gelesen.</translation>
+    </message>
+    <message>
+        <source>Lines between facets that were passed over: %1 (the first begins with “%2”).</source>
+        <translation>Übergangene Zeilen zwischen den Facetten: %1 (die erste beginnt mit „%2“).</translation>
+    </message>
+    <message>
+        <source>Header lines that were passed over: %1 (the first begins with “%2”).</source>
+        <translation>Übergangene Zeilen des Anfangs: %1 (die erste beginnt mit „%2“).</translation>
+    </message>
+    <message>
+        <source>The file ends without “%1”; it may be cut short.</source>
+        <translation>Die Datei endet ohne „%1“; vielleicht ist sie abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Passed over of the element “%2”: %1.</source>
+        <translation>Übergangen vom Element „%2“: %1.</translation>
+    </message>
+    <message>
+        <source>Statements for points, curves or free-form surfaces that were passed over: %1.</source>
+        <translation>Übergangene Anweisungen für Punkte, Kurven oder Freiformflächen: %1.</translation>
+    </message>
+    <message>
+        <source>Lines with unknown keywords that were passed over: %1, the first is line %2.</source>
+        <translation>Übergangene Zeilen mit unbekannten Schlüsselwörtern: %1, die erste ist Zeile %2.</translation>
+    </message>
+    <message>
+        <source>Arcs of polylines that became their chords: %1.</source>
+        <translation>Bögen von Linienzügen, von denen die Sehnen blieben: %1.</translation>
+    </message>
+    <message>
+        <source>Entities that are no lines or faces and were passed over: %1 (%2).</source>
+        <translation>Übergangene Objekte, die weder Linien noch Flächen sind: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Entities in paper space that were passed over: %1.</source>
+        <translation>Übergangene Objekte im Papierbereich: %1.</translation>
+    </message>
+    <message>
+        <source>Invisible entities that were passed over: %1.</source>
+        <translation>Übergangene unsichtbare Objekte: %1.</translation>
+    </message>
+    <message>
+        <source>Entities on layers that are frozen or off, passed over: %1 (%2).</source>
+        <translation>Übergangene Objekte auf gefrorenen oder ausgeschalteten Layern: %1 (%2).</translation>
+    </message>
+    <message>
+        <source>Lines that begin with a colour, which was passed over: %1.</source>
+        <translation>Zeilen, die mit einer Farbe beginnen, die übergangen wurde: %1.</translation>
+    </message>
+    <message>
+        <source>Lines with twelve numbers, read as quads: %1.</source>
+        <translation>Zeilen mit zwölf Zahlen, als Vierecke gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Its part “%1” is missing here: %2.</source>
+        <translation>Ihr Teil „%1“ fehlt hier: %2.</translation>
+    </message>
+    <message>
+        <source>More of its parts that are missing: %1.</source>
+        <translation>Weitere fehlende Teile: %1.</translation>
+    </message>
+    <message>
+        <source>The kernel offers no seccomp, so the foreign reader of this format was not kept from the network.</source>
+        <translation>Der Systemkern bietet kein seccomp; der fremde Leser dieses Formats war nicht vom Netzwerk getrennt.</translation>
+    </message>
+    <message>
+        <source>Pulled along its longest axis the net was %1 times as stiff as the body; its springs are scaled by %2.</source>
+        <translation>Entlang seiner längsten Achse gezogen war das Netz %1-mal so steif wie der Körper; seine Federn sind mit %2 skaliert.</translation>
+    </message>
+    <message>
+        <source>Polygons&apos; edges are gone with the remeshing, all triangle edges are springs.</source>
+        <translation>Die Kanten der Vielecke sind mit der Neuvernetzung verloren; alle Dreieckskanten sind Federn.</translation>
+    </message>
+    <message>
+        <source>Nodes of the surface that found no wall opposite and got no strut: %1.</source>
+        <translation>Knoten der Oberfläche, die keine Wand gegenüber fanden und keine Strebe bekamen: %1.</translation>
+    </message>
+    <message>
+        <source>Removed: %1 triangles without area.</source>
+        <translation>Entfernte Dreiecke ohne Fläche: %1.</translation>
+    </message>
+    <message>
+        <source>Removed: %1 triangles that were there twice.</source>
+        <translation>Entfernte doppelte Dreiecke: %1.</translation>
+    </message>
+    <message>
+        <source>Removed: %1 lines without length or there twice.</source>
+        <translation>Entfernte Linien ohne Länge oder doppelte: %1.</translation>
+    </message>
+    <message>
+        <source>Removed: %1 vertices that nothing used.</source>
+        <translation>Entfernte unbenutzte Eckpunkte: %1.</translation>
+    </message>
+    <message>
+        <source>Vertices tied to the edges they only lay on: %1.</source>
+        <translation>An die Kanten gebundene Eckpunkte, die nur auf ihnen lagen: %1.</translation>
+    </message>
+    <message>
+        <source>Made %1 triangles of %2, with edges from %3 to %4 m.</source>
+        <translation>%1 Dreiecke aus %2 gemacht, mit Kanten von %3 bis %4 m.</translation>
+    </message>
+    <message>
+        <source>The many fine creases were taken for roughness and smoothed over; more triangles keep them.</source>
+        <translation>Die vielen feinen Falten galten als Rauheit und wurden geglättet; mehr Dreiecke erhalten sie.</translation>
+    </message>
+    <message>
+        <source>It could not come down to %1 triangles: lines, creases, seams or many small parts hold the others.</source>
+        <translation>Bis auf %1 Dreiecke ging es nicht herunter: Linien, Falten, Nähte oder viele kleine Teile halten die übrigen.</translation>
+    </message>
+    <message>
+        <source>Some edges stay more than 5 times shorter than others: lines, creases, seams or small parts hold them, and the shortest sets the time step.</source>
+        <translation>Manche Kanten bleiben über 5-mal kürzer als andere: Linien, Falten, Nähte oder kleine Teile halten sie, und die kürzeste bestimmt den Zeitschritt.</translation>
+    </message>
+    <message>
+        <source>Holes that were filled: %1, with %2 triangles.</source>
+        <translation>Gefüllte Löcher: %1, mit %2 Dreiecken.</translation>
+    </message>
+    <message>
+        <source>Borders that stay open: %1. They are larger than asked for, or not closed, or without area.</source>
+        <translation>Ränder, die offen bleiben: %1. Sie sind größer als verlangt, nicht geschlossen oder ohne Fläche.</translation>
+    </message>
+    <message>
+        <source>Left out: %1 vertices that lie nowhere (NaN or infinite), and %2 triangles on them.</source>
+        <translation>Weggelassen: %1 Eckpunkte ohne Ort (NaN oder unendlich) und %2 Dreiecke daran.</translation>
+    </message>
+    <message>
+        <source>Dropped: %1 of %2 parts, %3 elements in all.</source>
+        <translation>Weggelassen: %1 von %2 Teilen, zusammen %3 Elemente.</translation>
+    </message>
+    <message>
+        <source>Triangles turned round: %1.</source>
+        <translation>Umgedrehte Dreiecke: %1.</translation>
+    </message>
+    <message>
+        <source>Edges over which neighbours cannot agree on a side: %1. The surface is twisted like a Moebius strip.</source>
+        <translation>Kanten, über die sich Nachbarn auf keine Seite einigen können: %1. Die Fläche ist verdreht wie ein Möbiusband.</translation>
+    </message>
+    <message>
+        <source>The file states %1, which is used.</source>
+        <translation>Die Datei gibt an: %1. Das gilt.</translation>
+    </message>
+    <message>
+        <source>The file states %1; as wished, the choices hold and not that.</source>
+        <translation>Die Datei gibt an: %1. Wie gewünscht gelten statt dessen die Angaben hier.</translation>
+    </message>
+    <message>
+        <source>%1 and %2</source>
+        <translation>%1 und %2</translation>
+    </message>
+    <message>
+        <source>metres</source>
+        <translation>Meter</translation>
+    </message>
+    <message>
+        <source>decimetres</source>
+        <translation>Dezimeter</translation>
+    </message>
+    <message>
+        <source>centimetres</source>
+        <translation>Zentimeter</translation>
+    </message>
+    <message>
+        <source>millimetres</source>
+        <translation>Millimeter</translation>
+    </message>
+    <message>
+        <source>micrometres</source>
+        <translation>Mikrometer</translation>
+    </message>
+    <message>
+        <source>kilometres</source>
+        <translation>Kilometer</translation>
+    </message>
+    <message>
+        <source>inches</source>
+        <translation>Zoll</translation>
+    </message>
+    <message>
+        <source>feet</source>
+        <translation>Fuß</translation>
+    </message>
+    <message>
+        <source>yards</source>
+        <translation>Yards</translation>
+    </message>
+    <message>
+        <source>units of %1 m</source>
+        <translation>Einheiten von %1 m</translation>
+    </message>
+    <message>
+        <source>x up</source>
+        <translation>x oben</translation>
+    </message>
+    <message>
+        <source>y up</source>
+        <translation>y oben</translation>
+    </message>
+    <message>
+        <source>z up</source>
+        <translation>z oben</translation>
+    </message>
+    <message>
+        <source>a patient&apos;s axes (%1)</source>
+        <translation>Achsen des Patienten (%1)</translation>
     </message>
 </context>
 </TS>

@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/import/recipe_form.h"
 
+#include "fuzzyeditor/decimal_spin_box.h"
+
 #include <QCheckBox>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QEvent>
 #include <QFormLayout>
 #include <QGroupBox>
@@ -12,6 +13,9 @@
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
 
 namespace esm {
 
@@ -113,7 +117,7 @@ QSpinBox* RecipeForm::addCount(QFormLayout* form, const char* name, const char* 
 QDoubleSpinBox* RecipeForm::addNumber(QFormLayout* form, const char* name, const char* text, double least,
                                       double most, int decimals)
 {
-  auto* box = add(form, new QDoubleSpinBox(this), name, text);
+  auto* box = add(form, new DecimalSpinBox(this), name, text);
   box->setDecimals(decimals);
   box->setRange(least, most);
   box->setKeyboardTracking(false);
@@ -131,7 +135,7 @@ void RecipeForm::addFileGroup()
   m_useStated = addCheck(form, "importUseStated", QT_TR_NOOP("As the file itself states"));
   m_weld = add(form, new QCheckBox(this), "importWeld", QT_TR_NOOP("Join vertices at the same place"));
   m_tolerance =
-    add(form, new QDoubleSpinBox(this), "importTolerance", QT_TR_NOOP("Weld tolerance (unit of the file)"));
+    add(form, new DecimalSpinBox(this), "importTolerance", QT_TR_NOOP("Weld tolerance (unit of the file)"));
   m_tolerance->setDecimals(6);
   m_tolerance->setRange(0.0, 1e6);
   m_tolerance->setSingleStep(0.001);
@@ -264,9 +268,22 @@ void RecipeForm::setStated(const StatedFrame& stated)
   refreshEnabled();
 }
 
+/// What holds is what is shown; a choice against it begins there.
+void RecipeForm::showStated()
+{
+  const QSignalBlocker noUnit(m_unit), noAxes(m_axes);
+  for (const LengthUnit unit : kUnits)
+    if (m_stated.metres && std::abs(*m_stated.metres / metresPer(unit) - 1.0) < 1e-9)
+      m_unit->setCurrentIndex(placeOf(unit));
+  if (!m_stated.up && !m_stated.patientAxes) return;
+  const int axes = placeOf(m_stated.up.value_or(UpAxis::Z), m_stated.patientAxes.value_or(PatientAxes::None));
+  if (axes < m_axes->count()) m_axes->setCurrentIndex(axes);
+}
+
 void RecipeForm::refreshEnabled()
 {
   const bool asStated = m_useStated->isChecked();
+  if (asStated) showStated();
   m_useStated->setVisible(!m_stated.isEmpty());
   m_unit->setEnabled(!asStated || !m_stated.metres);
   m_axes->setEnabled(!asStated || !(m_stated.up || m_stated.patientAxes));

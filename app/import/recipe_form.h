@@ -53,6 +53,7 @@ private:
   QDoubleSpinBox* addNumber(QFormLayout* form, const char* name, const char* text, double least, double most,
                             int decimals);
   void retranslate();
+  void showStated();
   void refreshEnabled();
   void told();
 

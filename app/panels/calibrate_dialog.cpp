@@ -2,9 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/calibrate_dialog.h"
 
+#include "fuzzyeditor/decimal_spin_box.h"
+
 #include <QCheckBox>
 #include <QDialogButtonBox>
-#include <QDoubleSpinBox>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -17,7 +18,7 @@ constexpr double kMillimetre = 0.001; ///< [m]
 
 QDoubleSpinBox* spinBox(const char* name, const QString& description, double least, double most, double value)
 {
-  auto* box = new QDoubleSpinBox;
+  auto* box = new DecimalSpinBox;
   box->setObjectName(QLatin1String(name));
   box->setAccessibleName(description);
   box->setDecimals(2);

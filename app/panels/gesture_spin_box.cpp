@@ -10,7 +10,7 @@
 
 namespace esm {
 
-GestureSpinBox::GestureSpinBox(QWidget* parent) : QDoubleSpinBox(parent)
+GestureSpinBox::GestureSpinBox(QWidget* parent) : DecimalSpinBox(parent)
 {
   setKeyboardTracking(false);
   setFocusPolicy(Qt::StrongFocus);
@@ -32,13 +32,13 @@ void GestureSpinBox::display(double value)
 void GestureSpinBox::mousePressEvent(QMouseEvent* event)
 {
   beginGesture();
-  QDoubleSpinBox::mousePressEvent(event);
+  DecimalSpinBox::mousePressEvent(event);
 }
 
 void GestureSpinBox::keyPressEvent(QKeyEvent* event)
 {
   if (!event->isAutoRepeat()) beginGesture();
-  QDoubleSpinBox::keyPressEvent(event);
+  DecimalSpinBox::keyPressEvent(event);
 }
 
 void GestureSpinBox::wheelEvent(QWheelEvent* event)
@@ -50,13 +50,13 @@ void GestureSpinBox::wheelEvent(QWheelEvent* event)
   constexpr qint64 kPause = 700; // [ms] without rolling ends the gesture
   if (!m_lastWheel.isValid() || m_lastWheel.elapsed() > kPause) beginGesture();
   m_lastWheel.start();
-  QDoubleSpinBox::wheelEvent(event);
+  DecimalSpinBox::wheelEvent(event);
 }
 
 void GestureSpinBox::focusInEvent(QFocusEvent* event)
 {
   beginGesture();
-  QDoubleSpinBox::focusInEvent(event);
+  DecimalSpinBox::focusInEvent(event);
 }
 
 void GestureSpinBox::beginGesture()

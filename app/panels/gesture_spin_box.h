@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QDoubleSpinBox>
+#include "fuzzyeditor/decimal_spin_box.h"
+
 #include <QElapsedTimer>
 
 namespace esm {
@@ -12,7 +13,7 @@ inline constexpr double kMillimetresPerMetre = 1000.0; ///< fields show lengths 
 /// A number field that numbers its gestures: holding an arrow button or key, or rolling the wheel, is one
 /// gesture; each typed value is one of its own. Edits of one gesture become one undo step.
 /// The wheel works only in the focused field, so that scrolling a panel changes nothing by accident.
-class GestureSpinBox : public QDoubleSpinBox {
+class GestureSpinBox : public DecimalSpinBox {
   Q_OBJECT
 public:
   explicit GestureSpinBox(QWidget* parent = nullptr);

@@ -1,9 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document.h"
+#include "app/language.h"
 #include "app/panels/gesture_spin_box.h"
 #include "tests/app/sheet.h"
 
+#include <QApplication>
+#include <QClipboard>
 #include <QEvent>
 #include <QLineEdit>
 #include <QSignalSpy>
@@ -92,6 +95,31 @@ TEST(Gestures, ANumberThatIsShownAlreadyIsNotPaintedAgain)
   edit->setText(QStringLiteral("7")); // typed, not entered
   box.display(6.0);
   EXPECT_EQ(box.cleanText(), box.textFromValue(6.0));
+}
+
+// A force limit of 0.5 N that became 5 N because a language writes 0,5: either mark is taken, in any language.
+TEST(Gestures, ANumberFieldTakesEitherDecimalMark)
+{
+  LanguageSwitch language;
+  for (const Language spoken : {Language::German, Language::English})
+    for (const QString& text : {QStringLiteral("7.25"), QStringLiteral("7,25")}) {
+      language.set(spoken);
+      GestureSpinBox box;
+      box.setRange(0.0, 1000.0);
+      box.setDecimals(2);
+      box.setSuffix(QStringLiteral(" N"));
+      box.selectAll();
+      QTest::keyClicks(&box, text);
+      QTest::keyClick(&box, Qt::Key_Return);
+      EXPECT_DOUBLE_EQ(box.value(), 7.25) << qPrintable(text);
+      QApplication::clipboard()->setText(text);
+      box.setValue(1.0);
+      box.selectAll();
+      box.findChild<QLineEdit*>()->paste();
+      QTest::keyClick(&box, Qt::Key_Return);
+      EXPECT_DOUBLE_EQ(box.value(), 7.25) << qPrintable(text);
+    }
+  language.set(Language::English);
 }
 
 TEST(Gestures, TheSavedRuleBaseIsThatOfTheLastOpening)

@@ -1,7 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/import/note_text.h"
+#include "app/import/recipe_form.h"
 #include "app/import/unit_question.h"
 #include "app/import_dialog.h"
+#include "app/screen_room.h"
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"
@@ -12,6 +15,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QScreen>
 #include <QTreeWidget>
 
 using namespace esm;
@@ -368,4 +372,60 @@ TEST(UnitQuestion, ProposesTheUnitOfAUsualSize)
   EXPECT_EQ(likelyUnit(30.0), LengthUnit::Millimetre);
   EXPECT_EQ(likelyUnit(0.12), LengthUnit::Metre);
   EXPECT_FALSE(likelyUnit(50000.0)); // micrometres: none of those that are offered
+}
+
+// A dialog whose buttons are below the screen's edge is of no use: 1024 x 768 with a frame is the least.
+TEST_F(WindowTest, TheImportDialogFitsSmallScreens)
+{
+  const QString path = folder.filePath("one.obj");
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), "v 0 0 0\nv 40 0 0\nv 0 40 0\nf 1 2 3\n"));
+  JobRunner jobs;
+  for (const Language spoken : {Language::English, Language::German}) {
+    language.set(spoken);
+    ImportDialog dialog({path}, &jobs, false, defaultTissue());
+    EXPECT_LE(dialog.height(), sizeWithoutFrame(dialog.screen()->availableSize()).height());
+    dialog.resize(1016, 672);
+    dialog.show();
+    QTest::qWait(20);
+    EXPECT_LE(dialog.width(), 1016);
+    EXPECT_LE(dialog.height(), 672);
+    const auto* ok = dialog.findChild<QWidget*>("importOk");
+    EXPECT_TRUE(dialog.rect().contains(QRect(ok->mapTo(&dialog, QPoint()), ok->size())));
+  }
+}
+
+// What is told of a file is told in the window's language, and without options of the command line.
+TEST_F(WindowTest, NotesOfTheImporterAreInTheWindowsLanguage)
+{
+  const std::string welded = "988 vertices were joined with others at the same place.";
+  const std::string stated =
+    "The file states millimetres and y up, which is used (--ignore-stated uses the choices).";
+  EXPECT_EQ(importNoteText(stated), "The file states millimetres and y up, which is used.");
+  language.set(Language::German);
+  EXPECT_EQ(importNoteText(welded), "Mit anderen am selben Ort verbundene Eckpunkte: 988.");
+  EXPECT_EQ(importNoteText("a.stl: " + welded),
+            "a.stl: Mit anderen am selben Ort verbundene Eckpunkte: 988.");
+  EXPECT_EQ(importNoteText(stated), "Die Datei gibt an: Millimeter und y oben. Das gilt.");
+  EXPECT_EQ(importNoteText("3 vertices nearly meet others, within 0.5; --weld-tolerance 0.5 joins them."),
+            "Eckpunkte, die andere beinahe treffen: 3. Eine Toleranz von 0,5 verbindet sie.");
+  EXPECT_EQ(importNoteText("Something new."), "Something new.");
+}
+
+// Where the file's own frame holds, the boxes show it and not what was chosen for another file.
+TEST_F(WindowTest, TheUnitThatHoldsIsTheOneThatIsShown)
+{
+  RecipeForm form;
+  ImportRecipe recipe;
+  recipe.unit = LengthUnit::Metre;
+  form.setRecipe(recipe);
+  form.setStated({1e-3, UpAxis::Y, std::nullopt});
+  EXPECT_EQ(form.findChild<QComboBox*>("importUnit")->currentText(), "mm");
+  EXPECT_EQ(form.recipe().unit, LengthUnit::Millimetre);
+  EXPECT_EQ(form.recipe().up, UpAxis::Y);
+  form.setStated({1e-6, UpAxis::X, std::nullopt}); // neither is among the choices
+  EXPECT_EQ(form.recipe().unit, LengthUnit::Millimetre);
+  recipe.ignoreStated = true;
+  form.setRecipe(recipe);
+  form.setStated({1e-3, UpAxis::Y, std::nullopt});
+  EXPECT_EQ(form.recipe().unit, LengthUnit::Metre);
 }

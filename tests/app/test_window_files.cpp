@@ -313,9 +313,9 @@ TEST_F(WindowTest, AStoredLayoutIsBroughtBackToTheScreen)
     other.close(); // stores it
   }
   MainWindow restored(&language);
+  const ScreenKeeper keeper;
   restored.restoreLayout();
   restored.show();
-  restored.keepOnScreen();
   // Panels have a least width, which the screen of this test may not have.
   EXPECT_TRUE(QTest::qWaitFor([&] {
     const QRect place = restored.frameGeometry();
@@ -323,4 +323,24 @@ TEST_F(WindowTest, AStoredLayoutIsBroughtBackToTheScreen)
   }))
     << restored.frameGeometry().x() << ", " << restored.frameGeometry().y() << ", "
     << restored.frameGeometry().width() << " x " << restored.frameGeometry().height();
+}
+
+TEST_F(WindowTest, DialogsLargerThanTheScreenAreBroughtBackToIt)
+{
+  const QRect room = window->screen()->availableGeometry();
+  const ScreenKeeper keeper;
+  QDialog dialog(window.get());
+  dialog.setGeometry(room.right() - 100, room.bottom() - 100, room.width() + 400, room.height() + 300);
+  dialog.show();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return room.contains(dialog.frameGeometry()); }));
+}
+
+// What "Save" would overwrite is named, though the project is called otherwise.
+TEST_F(WindowTest, TheTitleNamesTheFile)
+{
+  EXPECT_TRUE(window->windowTitle().startsWith("sheet[*] "));
+  ASSERT_TRUE(window->document()->saveAs(folder.filePath("mine.esm")));
+  EXPECT_TRUE(window->windowTitle().startsWith("sheet (mine.esm)[*] ")) << qPrintable(window->windowTitle());
+  ASSERT_TRUE(window->document()->saveAs(folder.filePath("sheet.esm")));
+  EXPECT_TRUE(window->windowTitle().startsWith("sheet.esm[*] ")) << qPrintable(window->windowTitle());
 }
