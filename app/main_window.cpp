@@ -291,8 +291,10 @@ void MainWindow::connectActions()
     if (playing) statusBar()->clearMessage(); // what it says of a pause is over
   });
   connect(m_view, &SceneView::pullStarted, this, [this] {
-    if (!m_controller->isPlaying())
-      statusBar()->showMessage(tr("The simulation is paused: nothing moves until it plays (space key)."),
+    if (!m_controller->isPlaying()) // with force on the space key stops, and plays nothing
+      statusBar()->showMessage(m_controller->forceMayFlow()
+                                 ? tr("The simulation is paused: nothing moves until “Play” is pressed.")
+                                 : tr("The simulation is paused: nothing moves until it plays (space key)."),
                                15000);
   });
   connect(m_actions->tools, &QActionGroup::triggered, this, [this](QAction* action) {
@@ -348,6 +350,7 @@ void MainWindow::chooseRealTime()
 void MainWindow::emergencyStop()
 {
   m_controller->stop();
+  m_view->letGo();
   statusBar()->showMessage(tr("Stopped: force zero, node released. “Force on” lets the device feel again."),
                            6000);
 }

@@ -131,7 +131,10 @@ void MainWindow::sayOpened(const QString& name)
 bool MainWindow::openSample()
 {
   const QStringList samples = sampleFiles();
-  return !samples.isEmpty() && playSample(samples.front());
+  if (!samples.isEmpty()) return playSample(samples.front());
+  statusBar()->showMessage(tr("The samples were not found beside the program; is it installed whole?"),
+                           15000);
+  return false;
 }
 
 bool MainWindow::playSample(const QString& path)

@@ -194,6 +194,44 @@ StatusStrip::StatusStrip(QStatusBar* bar)
   bar->addPermanentWidget(m_light);
   m_device = add("lblDevice");
   m_language = add("lblLanguage");
+  m_room.setSingleShot(true);
+  m_room.setInterval(0);
+  connect(&m_room, &QTimer::timeout, this, &StatusStrip::makeRoom);
+  connect(bar, &QStatusBar::messageChanged, this, [this, bar](const QString& message) {
+    bar->setToolTip(message); // one longer than any window can be read there
+    m_room.start();
+  });
+  bar->installEventFilter(this);
+}
+
+bool StatusStrip::eventFilter(QObject*, QEvent* event)
+{
+  if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) m_room.start();
+  return false;
+}
+
+/// A label that is cut off says less than none: the least telling go first.
+void StatusStrip::makeRoom()
+{
+  const auto* bar = static_cast<QStatusBar*>(parent());
+  constexpr int kGap = 8;          // [pixel], about what the bar leaves around a label
+  constexpr int kReturnAfter = 40; // [pixel] more, so that changing digits make no label come and go
+  const auto wide = [&](const QLabel* label) { return label->sizeHint().width() + kGap; };
+  const QString message = bar->currentMessage();
+  int needed = message.isEmpty() ? wide(m_tool) : bar->fontMetrics().horizontalAdvance(message) + 2 * kGap;
+  needed += wide(m_light) + wide(m_device) + wide(m_language);
+  if (m_tolerance->isVisibleTo(bar)) needed += wide(m_tolerance);
+  bool fits = true;
+  for (QLabel* label : {m_realTime, m_nodes, m_springs, m_solver, m_derived}) {
+    const bool isThere = !label->text().isEmpty() && (label != m_derived || m_lastApply);
+    if (!isThere) {
+      label->setVisible(false);
+      continue;
+    }
+    needed += wide(label);
+    fits = fits && needed + (label->isVisibleTo(bar) ? 0 : kReturnAfter) <= bar->width();
+    label->setVisible(fits);
+  }
 }
 
 QLabel* StatusStrip::add(const char* name)
@@ -229,7 +267,7 @@ void StatusStrip::clearDerived()
 void StatusStrip::retranslate()
 {
   const QLocale locale;
-  m_derived->setVisible(m_lastApply.has_value());
+  m_room.start();
   m_derived->setToolTip(
     tr("Springs that the last edit of the tissue gave new numbers, and how long it took"));
   if (m_lastApply)
@@ -246,7 +284,9 @@ void StatusStrip::setRun(const SimSnapshot& snapshot)
 {
   const QLocale locale;
   const QString factor = locale.toString(snapshot.realTimeFactor, 'f', 2);
-  if (!snapshot.playing)
+  if (m_nodeCount == 0) // the snapshot is of the model before
+    m_realTime->clear();
+  else if (!snapshot.playing)
     m_realTime->setText(tr("t = %1 s").arg(locale.toString(snapshot.time, 'f', 2)));
   else if (snapshot.quality.rung == 0)
     m_realTime->setText(tr("real time %1×").arg(factor));
@@ -255,7 +295,8 @@ void StatusStrip::setRun(const SimSnapshot& snapshot)
   m_realTime->setToolTip(tr("Simulated time over wall time; a frame costs %1 % of its period")
                            .arg(locale.toString(100.0 * snapshot.frameCost, 'f', 0)) +
                          QLatin1Char('\n') + rungText(snapshot.quality));
-  m_solver->setText(tr("solver %1").arg(QString::fromStdString(snapshot.solver)));
+  m_solver->setText(m_nodeCount == 0 ? QString()
+                                     : tr("solver %1").arg(QString::fromStdString(snapshot.solver)));
   m_solver->setToolTip(reasonText(snapshot.message));
   showWork(snapshot);
   m_tolerance->show(snapshot);

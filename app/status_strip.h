@@ -7,6 +7,7 @@
 #include "haptics/haptic_session.h"
 
 #include <QLabel>
+#include <QTimer>
 
 #include <optional>
 #include <utility>
@@ -59,7 +60,8 @@ private:
 
 /// The fields of the status bar: tool, what the last edit derived, nodes (and how many are awake), springs
 /// (and the work on them), real time with the accuracy in force, solver and why it was chosen, a tolerance
-/// that was given up, stability, device, language.
+/// that was given up, stability, device, language. Where they and the message do not fit beside each other
+/// the lesser ones make room.
 class StatusStrip : public QObject {
   Q_OBJECT
 public:
@@ -74,12 +76,17 @@ public:
   void setLanguage(const QString& code);
   void retranslate();
 
+protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
 private:
   QLabel* add(const char* name);
+  void makeRoom();
   void showWork(const SimSnapshot& snapshot);
   QLabel *m_tool, *m_derived, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
   ToleranceNote* m_tolerance;
   StabilityLight* m_light;
+  QTimer m_room; ///< until makeRoom(), once for all that changes at a time
   Index m_nodeCount = 0, m_springCount = 0;
   std::optional<std::pair<Index, double>> m_lastApply; ///< springs, time [s]
   Index m_awakeCount = -1;                             ///< -1: nothing runs

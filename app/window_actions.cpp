@@ -107,7 +107,8 @@ void WindowActions::createActions()
   quit->setMenuRole(QAction::QuitRole);
 
   undo = with("Undo", Symbol::Undo, QKeySequence::Undo);
-  redo = with("Redo", Symbol::Redo, Qt::CTRL | Qt::SHIFT | Qt::Key_Z);
+  redo = with("Redo", Symbol::Redo);
+  redo->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
   rename = add("Rename");
 
   fit = with("Fit", Symbol::Fit);
@@ -264,17 +265,27 @@ void WindowActions::createToolBar(QMainWindow* window)
   auto* space = new QWidget(toolBar);
   space->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   toolBar->addWidget(space);
-  toolBar->addAction(stop);
-  auto* stopButton = qobject_cast<QToolButton*>(toolBar->widgetForAction(stop));
+  createStopBar(window);
+  for (const QToolBar* bar : {toolBar, stopBar})
+    for (QAction* action : bar->actions())
+      if (QWidget* widget = bar->widgetForAction(action); widget != nullptr && widget->objectName().isEmpty())
+        widget->setObjectName(QStringLiteral("tool_") + action->objectName());
+}
+
+/// A bar of its own, which narrow windows do not fold away, and which cannot be hidden.
+void WindowActions::createStopBar(QMainWindow* window)
+{
+  stopBar = window->addToolBar(QString());
+  stopBar->setObjectName(QStringLiteral("stopBar"));
+  stopBar->setMovable(false);
+  stopBar->toggleViewAction()->setVisible(false);
+  stopBar->addAction(stop);
+  auto* stopButton = qobject_cast<QToolButton*>(stopBar->widgetForAction(stop));
   stopButton->setToolButtonStyle(Qt::ToolButtonTextOnly);
   stopButton->setStyleSheet(
     QStringLiteral("QToolButton { background: #c22f2a; color: white; font-weight: bold; "
                    "border: 1px solid #8f1f1b; border-radius: 3px; padding: 4px 14px; }"
                    "QToolButton:hover { border: 2px solid palette(text); }"));
-  for (QAction* action : toolBar->actions())
-    if (QWidget* widget = toolBar->widgetForAction(action);
-        widget != nullptr && widget->objectName().isEmpty())
-      widget->setObjectName(QStringLiteral("tool_") + action->objectName());
 }
 
 void WindowActions::setPlaying(bool playing)
@@ -380,10 +391,13 @@ void WindowActions::retranslateMenus()
   hapticsMenu->setTitle(tr("&Haptics"));
   helpMenu->setTitle(tr("Hel&p"));
   toolBar->setWindowTitle(tr("Tool bar"));
-  for (QAction* action : toolBar->actions())
-    if (QWidget* widget = toolBar->widgetForAction(action);
-        widget != nullptr && widget->inherits("QToolButton"))
-      widget->setAccessibleName(QString(action->text()).remove(QLatin1Char('&')).remove(QStringLiteral("…")));
+  stopBar->setWindowTitle(tr("Stop"));
+  for (const QToolBar* bar : {toolBar, stopBar})
+    for (QAction* action : bar->actions())
+      if (QWidget* widget = bar->widgetForAction(action);
+          widget != nullptr && widget->inherits("QToolButton"))
+        widget->setAccessibleName(
+          QString(action->text()).remove(QLatin1Char('&')).remove(QStringLiteral("…")));
 }
 
 } // namespace esm

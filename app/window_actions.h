@@ -37,7 +37,7 @@ public:
   // === Places
   QMenu *fileMenu, *recentMenu, *sampleMenu, *editMenu, *viewMenu, *docksMenu, *colouringMenu, *themeMenu,
     *languageMenu, *tissueMenu, *simulationMenu, *toolMenu, *solverMenu, *hapticsMenu, *helpMenu;
-  QToolBar* toolBar;
+  QToolBar *toolBar, *stopBar;
   QComboBox* colouringBox = nullptr; ///< in the tool bar; follows `colouring`
 
   void setPlaying(bool playing); ///< Play becomes Pause
@@ -48,6 +48,7 @@ private:
   void createActions();
   void createMenus(QMainWindow* window);
   void createToolBar(QMainWindow* window);
+  void createStopBar(QMainWindow* window);
   void retranslateFileAndEdit();
   void retranslateViewAndTissue();
   void retranslateRun();

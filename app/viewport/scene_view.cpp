@@ -186,6 +186,11 @@ const Eigen::Matrix3Xd& SceneView::marks() const
   return m_impl->model.marks();
 }
 
+void SceneView::letGo()
+{
+  if (m_impl->input) m_impl->input->letGo();
+}
+
 void SceneView::setTool(Tool tool)
 {
   m_impl->tool = tool;

@@ -59,6 +59,7 @@ public:
 
   // === Camera and tools
   void setTool(Tool tool);
+  void letGo(); ///< of the node that the mouse pulls, if there is one
   Tool tool() const;
   void fit();
   /// Glides within a moment to where the points fill the picture, but no nearer than `nearest` [m] wide.

@@ -4,6 +4,7 @@
 #include "app/import/recipe_form.h"
 #include "app/import/unit_question.h"
 #include "app/import_dialog.h"
+#include "app/screen_room.h"
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"
@@ -14,6 +15,7 @@
 #include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
+#include <QScreen>
 #include <QTreeWidget>
 
 using namespace esm;
@@ -381,6 +383,7 @@ TEST_F(WindowTest, TheImportDialogFitsSmallScreens)
   for (const Language spoken : {Language::English, Language::German}) {
     language.set(spoken);
     ImportDialog dialog({path}, &jobs, false, defaultTissue());
+    EXPECT_LE(dialog.height(), sizeWithoutFrame(dialog.screen()->availableSize()).height());
     dialog.resize(1016, 672);
     dialog.show();
     QTest::qWait(20);

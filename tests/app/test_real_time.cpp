@@ -127,6 +127,38 @@ TEST_F(RealTimeTest, TheStatusBarShowsAccuracyWorkAndSleep)
   snapshot.playing = false;
   strip.setRun(snapshot);
   EXPECT_EQ(label("lblNodes")->text(), "64 nodes");
+  strip.setNet(0, 0); // a new project: the run is that of another model
+  strip.setRun(snapshot);
+  EXPECT_TRUE(label("lblRealTime")->text().isEmpty());
+  EXPECT_TRUE(label("lblSolver")->text().isEmpty());
+}
+
+// A message or a label that is cut off tells nothing: lesser ones make room, and come back.
+TEST_F(RealTimeTest, TheStatusBarMakesRoomForAMessage)
+{
+  QStatusBar bar;
+  StatusStrip strip(&bar);
+  strip.setTool("Pull");
+  strip.setNet(64, 161);
+  strip.setDerived({}, 1e-3);
+  strip.setRun(running(Stability::Good));
+  bar.resize(1100, 24);
+  bar.show();
+  const auto label = [&](const char* name) { return bar.findChild<QLabel*>(QLatin1String(name)); };
+  ASSERT_TRUE(QTest::qWaitFor([&] { return label("lblDerived")->isVisible(); }));
+  const QString message(120, 'x');
+  bar.showMessage(message);
+  ASSERT_TRUE(QTest::qWaitFor([&] { return !label("lblDerived")->isVisible(); }));
+  QTest::qWait(30);
+  EXPECT_TRUE(label("lblStable")->isVisible());
+  EXPECT_GE(label("lblStable")->width(), label("lblStable")->sizeHint().width());
+  int end = bar.width();
+  for (const QLabel* shown : bar.findChildren<QLabel*>())
+    if (shown->isVisible()) end = std::min(end, shown->x());
+  EXPECT_LT(bar.fontMetrics().horizontalAdvance(message), end);
+  EXPECT_EQ(bar.toolTip(), message);
+  bar.clearMessage();
+  EXPECT_TRUE(QTest::qWaitFor([&] { return label("lblDerived")->isVisible(); }));
 }
 
 // Said while it is so, also when paused or late, and while the motion comes from there; not without a cause.

@@ -20,6 +20,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QDoubleSpinBox>
 #include <QFile>
 #include <QJsonDocument>
 #include <QJsonObject>
@@ -27,6 +28,7 @@
 #include <QLineEdit>
 #include <QListWidget>
 #include <QPlainTextEdit>
+#include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTreeWidget>
@@ -141,6 +143,64 @@ TEST_F(WindowTest, PullShowsForceAndStopEndsIt)
   window->actions()->stop->trigger();
   EXPECT_TRUE(QTest::qWaitFor([&] { return run->snapshot().grabbedNode == kNoIndex; }, 5000));
   EXPECT_FALSE(run->isPulling());
+}
+
+// While force is on the space key stops, so it is not named as what plays.
+TEST_F(WindowTest, APullWhilePausedNamesTheWayOutThatWorks)
+{
+  const auto said = [&] {
+    emit window->sceneView()->pullStarted(27, 0.0, 0.0, 0.0);
+    window->controller()->endPull();
+    return window->statusBar()->currentMessage();
+  };
+  EXPECT_TRUE(said().contains("space key"));
+  EXPECT_TRUE(
+    QTest::qWaitFor([&] { return window->controller()->hapticStatus().state == DeviceState::Idle; }));
+  window->controller()->arm();
+  ASSERT_TRUE(window->controller()->forceMayFlow());
+  EXPECT_TRUE(said().contains("paused") && !said().contains("space key")) << qPrintable(said());
+  window->controller()->disarm();
+}
+
+// The way to stop is never folded away, however narrow the window is.
+TEST_F(WindowTest, StopStaysInTheToolBarOfANarrowWindow)
+{
+  for (QDockWidget* dock : window->findChildren<QDockWidget*>()) dock->hide();
+  for (const Language spoken : {Language::English, Language::German}) {
+    window->setLanguage(spoken);
+    window->resize(600, 500);
+    QTest::qWait(50);
+    auto* stop = find<QWidget>("tool_actStop");
+    EXPECT_FALSE(find<QWidget>("colouringBox")->isVisible()) << window->width(); // others have no room
+    ASSERT_TRUE(stop->isVisible());
+    EXPECT_TRUE(window->rect().contains(QRect(stop->mapTo(window.get(), QPoint()), stop->size())));
+    EXPECT_GE(stop->width(), stop->sizeHint().width());
+  }
+}
+
+// No field of the window drops one of the decimal marks.
+TEST_F(WindowTest, EveryNumberFieldTakesEitherDecimalMark)
+{
+  int fields = 0;
+  for (const Language spoken : {Language::English, Language::German}) {
+    window->setLanguage(spoken);
+    for (const QDoubleSpinBox* box : window->findChildren<QDoubleSpinBox*>())
+      for (const char* number : {"0.5", "0,5"}) {
+        if (box->decimals() == 0) continue;
+        ++fields;
+        QString text = box->prefix() + QLatin1String(number) + box->suffix();
+        int position = static_cast<int>(text.size());
+        EXPECT_NE(box->validate(text, position), QValidator::Invalid)
+          << qPrintable(box->objectName()) << " " << qPrintable(text);
+      }
+  }
+  EXPECT_GT(fields, 40);
+}
+
+TEST_F(WindowTest, RedoHasBothUsualKeys)
+{
+  EXPECT_TRUE(window->actions()->redo->shortcuts().contains(QKeySequence(Qt::CTRL | Qt::Key_Y)));
+  EXPECT_TRUE(window->actions()->redo->shortcuts().contains(QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_Z)));
 }
 
 // Only after "Force on" the device feels the pull, and never more than the limit.
