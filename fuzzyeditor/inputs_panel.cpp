@@ -60,6 +60,8 @@ InputsPanel::InputsPanel(FuzzyEvaluation* evaluation, QWidget* parent)
   m_target->setObjectName("inputsTarget");
   m_outputsTitle->setObjectName("outputsTitle");
   m_target->setTextFormat(Qt::PlainText);
+  m_target->setWordWrap(true); // a long name shall not push the fields out of sight
+  m_target->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   QFont heading = font();
   heading.setBold(true);
   heading.setPointSizeF(heading.pointSizeF() * 1.1);

@@ -174,6 +174,13 @@ void ProblemsView::activate(const QModelIndex& index)
   }
 }
 
+void ProblemsView::setTextHasMistakes(bool has)
+{
+  if (has == m_textHasMistakes) return;
+  m_textHasMistakes = has;
+  showCount();
+}
+
 void ProblemsView::showCount()
 {
   const int count = static_cast<int>(m_finder->findings().size()); // those beyond the list's end included
@@ -181,7 +188,7 @@ void ProblemsView::showCount()
   m_count->setAccessibleName(tr("%n problem(s)", "", count));
   m_count->setVisible(count > 0);
   setVisible(count > 0); // else the rules may have the room
-  const bool none = count == 0 && m_finder->isCurrent();
+  const bool none = count == 0 && m_finder->isCurrent() && !m_textHasMistakes;
   m_none->setText(none ? tr("No problems") : QString());
   m_none->setToolTip(none ? tr("Every place has a rule, and every rule counts.") : QString());
 }

@@ -53,6 +53,8 @@ public:
   ProblemFinder* finder() const { return m_finder; }
   ProblemsModel* model() const { return m_model; }
   QLabel* noneLabel() const { return m_none; }
+  /// The list is of the rules in force; while the text has mistakes, none in it does not mean none at all.
+  void setTextHasMistakes(bool has);
 
 signals:
   void rulesRequested(int rule, int otherRule); ///< the other may be -1
@@ -73,6 +75,7 @@ private:
   BadgeLabel* m_count;
   QListView* m_list;
   QLabel* m_none;
+  bool m_textHasMistakes = false;
 };
 
 } // namespace esm

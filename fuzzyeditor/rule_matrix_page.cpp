@@ -117,6 +117,7 @@ RuleMatrixPage::RuleMatrixPage(FuzzyEvaluation* evaluation, QWidget* parent)
                                    std::pair(m_outputLabel, m_output)}) {
     label->setBuddy(box);
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents); // names change with the language
+    box->setMinimumWidth(50); // rather cut off than a window wider than a small screen
     choices->addWidget(label);
     choices->addWidget(box);
     connect(box, &QComboBox::activated, this, [this, box = box] { takeChoice(box); });

@@ -64,13 +64,28 @@ void RuleTextEditor::setLines(const QStringList& lines)
   document()->setModified(false);
 }
 
+namespace {
+
+/// As users of other systems know it; Qt has but Ctrl+Shift+Z on this one.
+bool isOtherRedo(const QKeyEvent& key)
+{
+  return key.key() == Qt::Key_Y && key.modifiers() == Qt::ControlModifier;
+}
+
+} // namespace
+
 bool RuleTextEditor::event(QEvent* event)
 {
-  if (event->type() == QEvent::ShortcutOverride && !document()->isModified()) {
+  if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
-    if (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo)) {
+    if (!document()->isModified() &&
+        (key->matches(QKeySequence::Undo) || key->matches(QKeySequence::Redo) || isOtherRedo(*key))) {
       event->ignore(); // for the window's undo action
       return false;
+    }
+    if (isOtherRedo(*key)) {
+      event->accept();
+      return true;
     }
   }
   return QPlainTextEdit::event(event);
@@ -93,6 +108,7 @@ void RuleTextEditor::keyPressEvent(QKeyEvent* event)
     propose(true);
     return;
   }
+  if (isOtherRedo(*event)) return redo();
   QPlainTextEdit::keyPressEvent(event);
   const QString typed = event->text();
   if (typed.isEmpty() || !typed.back().isPrint()) {

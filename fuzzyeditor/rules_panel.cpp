@@ -280,6 +280,7 @@ void RulesPanel::retranslate()
   for (QToolButton* button : findChildren<QToolButton*>())
     if (button->defaultAction()) button->setAccessibleName(button->defaultAction()->toolTip());
   m_tabs->setTabText(0, tr("Table"));
+  m_problemsView->setTextHasMistakes(m_textPage->hasMistakes());
   m_tabs->setTabText(1, m_textPage->hasMistakes() ? tr("Text (with mistakes)") : tr("Text"));
   m_tabs->setTabText(2, tr("Matrix"));
   m_tabs->setAccessibleName(tr("Ways to show the rules"));

@@ -7,6 +7,7 @@
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QScrollArea>
 #include <QSlider>
 #include <QToolButton>
 
@@ -38,6 +39,16 @@ struct InputsPanelTest : PanelTest {
     QTest::keyClick(spin, Qt::Key_Return);
   }
 };
+
+TEST_F(InputsPanelTest, ALongNameOfARegionPushesNoFieldOutOfSight)
+{
+  QWidget* content = panel.findChild<QScrollArea*>()->widget();
+  const int before = content->minimumSizeHint().width();
+  document.target = QString(80, 'W');
+  emit document.inputsChanged();
+  EXPECT_TRUE(panel.findChild<QLabel*>("inputsTarget")->text().contains(document.target));
+  EXPECT_EQ(content->minimumSizeHint().width(), before);
+}
 
 TEST_F(InputsPanelTest, OneDragIsOneUndoStepAndFieldsFollow)
 {

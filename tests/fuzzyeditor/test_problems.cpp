@@ -3,6 +3,7 @@
 #include "core/tissue/tissue_model.h"
 #include "fuzzyeditor/problems_view.h"
 #include "fuzzyeditor/rule_table_model.h"
+#include "fuzzyeditor/rule_text_editor.h"
 #include "fuzzyeditor/rules_panel.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
@@ -45,6 +46,35 @@ TEST_F(ProblemsTest, ANewProjectHasNone)
   EXPECT_FALSE(count->isVisible());
   EXPECT_EQ(panel.findChild<QLabel*>("problemsNone")->text(), "No problems");
   EXPECT_FALSE(view->isVisible()); // the rules have the room
+}
+
+// The list makes a window wider only as far as the table does: else it leaves screens of 1024 pixels.
+TEST_F(ProblemsTest, NoOtherWayToShowTheRulesIsWiderThanTheTable)
+{
+  const auto* tabs = panel.findChild<QTabWidget*>("rulesTabs");
+  for (const Language spoken : {Language::English, Language::German}) {
+    speak(spoken);
+    for (int page = 1; page < tabs->count(); ++page)
+      EXPECT_LE(tabs->widget(page)->minimumSizeHint().width(), tabs->widget(0)->minimumSizeHint().width())
+        << page;
+  }
+}
+
+// The list is of the rules in force: what is being written beside them is not free of mistakes for that.
+TEST_F(ProblemsTest, NoneIsNotSaidOfATextWithAMistake)
+{
+  look();
+  auto* none = panel.findChild<QLabel*>("problemsNone");
+  auto* editor = panel.findChild<RuleTextEditor*>("rulesText");
+  panel.findChild<QTabWidget*>("rulesTabs")->setCurrentIndex(1);
+  editor->moveCursor(QTextCursor::End);
+  editor->textCursor().insertText("\nIF nonsense");
+  QTest::keyClick(editor, Qt::Key_Return, Qt::ControlModifier);
+  EXPECT_TRUE(none->text().isEmpty()) << qPrintable(none->text());
+  editor->document()->undo();
+  QTest::keyClick(editor, Qt::Key_Return, Qt::ControlModifier);
+  look();
+  EXPECT_EQ(none->text(), "No problems");
 }
 
 // Two neighbouring rules are deleted: the list says where the gap is, Return goes there, the output takes its
