@@ -27,6 +27,7 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "is %1, not a file"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a device"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a pipe"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "a pipe that nobody reads"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a socket"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "cannot be read"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "cannot be read (%1)"),

@@ -16,6 +16,7 @@
 #include <QTimer>
 
 #include <clocale>
+#include <csignal>
 #include <cstdio>
 
 namespace {
@@ -64,6 +65,7 @@ void runScript(esm::MainWindow& window, const esm::CommandLine& options)
 int main(int argc, char** argv)
 {
   esm::keepBigArraysInHeap();
+  std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a fault of writing, not the end
   esm::CommandLine options;
   if (const int code = esm::parseCommandLine(argc, argv, options); code >= 0) return code;
 

@@ -7,10 +7,12 @@
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <csignal>
 #include <cstdlib>
 #include <exception>
 #include <iostream>
 #include <string_view>
+#include <system_error>
 #include <unistd.h>
 
 namespace {
@@ -73,6 +75,10 @@ Exit guardedRun(int argc, char** argv)
     return run(argc, argv);
   } catch (const std::bad_alloc&) {
     say("not enough memory");
+  } catch (const std::system_error& fault) {
+    const bool isThread = fault.code() == std::errc::resource_unavailable_try_again;
+    say(isThread ? "not enough memory for one more thread, or too many processes"
+                 : std::string("internal error: ") + fault.what());
   } catch (const std::exception& fault) {
     say(std::string("internal error: ") + fault.what());
   }
@@ -85,6 +91,7 @@ int main(int argc, char** argv)
 {
   esm::keepBigArraysInHeap();
   std::set_terminate(endUncaught);
+  std::signal(SIGXFSZ, SIG_IGN); // a file beyond the limit of its size is a fault of writing, not the end
   const Exit exit = guardedRun(argc, argv);
   const bool json =
     std::any_of(argv + 1, argv + argc, [](const char* word) { return std::string_view(word) == "--json"; });

@@ -1493,6 +1493,10 @@
         <source>mend it in the program it comes from</source>
         <translation>bessern Sie sie in dem Programm aus, aus dem sie kommt</translation>
     </message>
+    <message>
+        <source>a pipe that nobody reads</source>
+        <translation>eine Pipe, die niemand liest</translation>
+    </message>
 </context>
 <context>
     <name>esm::ErrorText</name>

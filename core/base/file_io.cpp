@@ -28,6 +28,9 @@ std::string specialKind(mode_t mode)
 Status writeInto(const std::filesystem::path& path, std::string_view bytes)
 {
   const int file = ::open(path.c_str(), O_WRONLY | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (file < 0 && errno == ENXIO)
+    return Error{ErrorCode::FileUnwritable,
+                 path.string() + ": cannot be written, it is a pipe that nobody reads"};
   if (file < 0) return fileUnwritable(path, errno);
   ::fcntl(file, F_SETFL, ::fcntl(file, F_GETFL) & ~O_NONBLOCK);
   const bool written = writeAll(file, bytes);
@@ -70,6 +73,19 @@ std::string specialFileKind(const std::filesystem::path& path)
 {
   struct stat info = {};
   return ::stat(path.c_str(), &info) == 0 ? specialKind(info.st_mode) : std::string();
+}
+
+Result<std::filesystem::path> behindLinks(const std::filesystem::path& path)
+{
+  constexpr int kMostLinks = 40; // as the kernel follows
+  std::filesystem::path file = path;
+  for (int links = 0; links < kMostLinks; ++links) {
+    std::error_code code;
+    const std::filesystem::path next = std::filesystem::read_symlink(file, code);
+    if (code) return file; // no link
+    file = file.parent_path() / next;
+  }
+  return fileUnwritable(path, ELOOP);
 }
 
 Result<std::string> readFile(const std::filesystem::path& path)
@@ -121,15 +137,9 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
       return Error{ErrorCode::FileUnwritable,
                    path.string() + ": cannot be written, it is " + kind + "; name a file"};
   }
-  // A link is followed, so that saving through one changes the file it names and leaves the link.
-  std::error_code code;
-  std::filesystem::path target = path;
-  if (std::filesystem::is_symlink(path, code)) {
-    const auto resolved = std::filesystem::weakly_canonical(path, code);
-    if (!code) target = resolved;
-  }
-  Result<TemporaryBeside> temporary = TemporaryBeside::create(target, TemporaryBeside::Kind::File);
+  Result<TemporaryBeside> temporary = TemporaryBeside::create(path, TemporaryBeside::Kind::File);
   if (!temporary) return temporary.error();
+  const std::filesystem::path& target = temporary->target();
 
   struct stat old = {};
   const bool exists = ::stat(target.c_str(), &old) == 0;
@@ -141,8 +151,12 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
   if (exists && keepBackup) {
     // A hard link keeps the old bytes under the new name without a moment in which `path` is absent.
     const std::string backup = target.string() + ".bak";
+    if (const std::string kind = specialFileKind(backup); !kind.empty())
+      return Error{ErrorCode::FileUnwritable,
+                   backup + ": cannot be written, it is " + kind + "; move it away"};
     ::unlink(backup.c_str());
     if (::link(target.c_str(), backup.c_str()) != 0) {
+      std::error_code code;
       std::filesystem::copy_file(target, backup, std::filesystem::copy_options::overwrite_existing, code);
       if (code) return fileUnwritable(path, code.value());
     }

@@ -13,6 +13,10 @@ namespace esm {
 /// "a device", "a pipe" or "a socket" if that is what stands at `path` (links are followed), else empty.
 std::string specialFileKind(const std::filesystem::path& path);
 
+/// The file that writing to `path` changes: links are followed, also one whose file does not exist yet.
+/// Errors: FileUnwritable (links that lead in a circle).
+Result<std::filesystem::path> behindLinks(const std::filesystem::path& path);
+
 /// The whole file as bytes. Errors: FileUnreadable (absent, a folder, a device, pipe or socket, no
 /// permission).
 Result<std::string> readFile(const std::filesystem::path& path);

@@ -71,13 +71,16 @@ int createOnce(std::string& name, TemporaryBeside::Kind kind)
 
 } // namespace
 
-Result<TemporaryBeside> TemporaryBeside::create(const fs::path& target, Kind kind)
+Result<TemporaryBeside> TemporaryBeside::create(const fs::path& wanted, Kind kind)
 {
+  const Result<fs::path> file = behindLinks(wanted);
+  if (!file) return file.error();
+  const fs::path& target = *file;
   sweep(target.has_parent_path() ? target.parent_path() : fs::path("."));
   for (;;) {
     std::string name = target.string().append(kMark).append(kPlaces);
     const int descriptor = createOnce(name, kind);
-    if (descriptor < 0) return fileUnwritable(target, errno);
+    if (descriptor < 0) return fileUnwritable(wanted, errno);
     struct stat info = {};
     ::flock(descriptor, LOCK_EX);
     if (::fstat(descriptor, &info) == 0 && info.st_nlink > 0)

@@ -9,7 +9,7 @@
 
 namespace esm {
 
-/// A new file or folder beside `target`, on the same file system, to be filled and then to take the target's
+/// A new file or folder beside `target` (where that is a link: beside what it leads to), on the same file system, to be filled and then to take the target's
 /// name. Its name is "<target>.esm-tmp-XXXXXX", and it is locked (flock) as long as this object lives. So
 /// create() can tell what killed programs left in the folder, whose lock is free, and removes it first.
 class TemporaryBeside {
@@ -22,6 +22,7 @@ public:
   TemporaryBeside& operator=(TemporaryBeside&&) = delete;
   ~TemporaryBeside(); ///< removes what did not take the name, or what it replaced
 
+  const std::filesystem::path& target() const noexcept { return m_target; } ///< behind all links
   const std::filesystem::path& path() const noexcept { return m_path; }
   int descriptor() const noexcept { return m_descriptor; } ///< of a file: open for writing
 

@@ -72,6 +72,51 @@ TEST_F(FileIo, SavingThroughALinkKeepsTheLink)
   EXPECT_EQ(*readFile(folder / "real.esm"), "2");
 }
 
+// rename() would put the file in the place of the link, and what it leads to would never come into being.
+TEST_F(FileIo, WritingThroughALinkThatLeadsNowhereYetMakesItsFile)
+{
+  std::filesystem::create_directories(folder / "disk");
+  std::filesystem::create_symlink("disk/real.esm", folder / "second");
+  std::filesystem::create_symlink(folder / "second", folder / "first");
+  ASSERT_TRUE(writeFileAtomically(folder / "first", "1"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "first"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "second"));
+  EXPECT_EQ(*readFile(folder / "disk" / "real.esm"), "1");
+}
+
+TEST_F(FileIo, LinksInACircleAreRefused)
+{
+  std::filesystem::create_symlink("b", folder / "a");
+  std::filesystem::create_symlink("a", folder / "b");
+  const Status status = writeFileAtomically(folder / "a", "1");
+  ASSERT_FALSE(status);
+  EXPECT_NE(status.error().detail.find("symbolic links"), std::string::npos) << status.error().detail;
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "a"));
+}
+
+TEST_F(FileIo, ASeriesIsWrittenThroughItsLink)
+{
+  std::ofstream(folder / "real.csv") << "old";
+  std::filesystem::create_symlink("real.csv", folder / "link.csv");
+  {
+    auto temporary = TemporaryBeside::create(folder / "link.csv", TemporaryBeside::Kind::File);
+    ASSERT_TRUE(temporary);
+    ASSERT_TRUE(writeAll(temporary->descriptor(), "new"));
+    ASSERT_TRUE(temporary->takeName());
+  }
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
+  EXPECT_EQ(*readFile(folder / "real.csv"), "new");
+}
+
+TEST_F(FileIo, APipeAtThePlaceOfTheBackupIsNotReplaced)
+{
+  ASSERT_TRUE(writeFileAtomically(folder / "a.esm", "1"));
+  ASSERT_EQ(::mkfifo((folder / "a.esm.bak").c_str(), 0600), 0);
+  EXPECT_FALSE(writeFileAtomically(folder / "a.esm", "2", true));
+  EXPECT_TRUE(std::filesystem::is_fifo(folder / "a.esm.bak"));
+  EXPECT_EQ(*readFile(folder / "a.esm"), "1");
+}
+
 TEST_F(FileIo, ErrorsNameTheFileAndTheCause)
 {
   EXPECT_NE(readFile(folder / "none").error().detail.find("none: cannot be read (No such file"),
