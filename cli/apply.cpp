@@ -3,6 +3,7 @@
 #include "cli/apply_edits.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "cli/rules_file.h"
 #include "core/base/json_line.h"
 #include "core/project/project_io.h"
@@ -148,7 +149,10 @@ void addApply(CLI::App& program, Work& work)
   command->footer("Example:\n  esm apply uterus.esm -o poked.esm --set hardness=0.3 \\\n"
                   "    --region \"0,0,0.03,0.02,0.02,0.02\" --set \"hardness=very hard\" \\\n"
                   "    --fix-box \"-1,-1,-1,1,1,0.005\" --poke \"0,0,0.06,0,0,-0.5,0.01\"");
-  command->callback([options, &work] { work = [options] { return apply(*options); }; });
+  command->callback([options, &work] {
+    keepFilesApart({options->rules}, {options->output}); // a project may be changed in place
+    work = [options] { return apply(*options); };
+  });
 }
 
 } // namespace esm::cli

@@ -5,6 +5,7 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "core/base/file_io.h"
 #include "core/project/net_format.h"
 #include "core/project/project_io.h"
@@ -77,7 +78,10 @@ void addExport(CLI::App& program, Work& work)
     ->required();
   addJsonFlag(*command, options->json);
   command->footer("Example:\n  esm export uterus.esm -o uterus.vtu");
-  command->callback([options, &work] { work = [options] { return exportProject(*options); }; });
+  command->callback([options, &work] {
+    keepFilesApart({options->file}, exportedFiles(options->output));
+    work = [options] { return exportProject(*options); };
+  });
 }
 
 } // namespace esm::cli

@@ -4,6 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "core/base/file_io.h"
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
@@ -121,7 +122,10 @@ void addEval(CLI::App& fuzzy, Work& work)
                ? std::string()
                : "--resolution takes 'exact', 'file' or a whole number from 1 to 1000000, not '" + text + "'";
     });
-  command->callback([options, &work] { work = [options] { return evaluateFuzzy(*options); }; });
+  command->callback([options, &work] {
+    keepFilesApart({options->source.file, options->input}, {options->output});
+    work = [options] { return evaluateFuzzy(*options); };
+  });
 }
 
 } // namespace
@@ -157,7 +161,10 @@ void addFuzzy(CLI::App& program, Work& work)
     fuzzy->add_subcommand("convert", "Write a system in another format; says first what that cannot hold");
   addSource(*conversion, "FROM", *from);
   conversion->add_option("TO", *to, "the file to write, of the format of its name")->required();
-  conversion->callback([from, to, &work] { work = [from, to] { return convert(*from, *to); }; });
+  conversion->callback([from, to, &work] {
+    keepFilesApart({from->file}, {*to});
+    work = [from, to] { return convert(*from, *to); };
+  });
 
   auto source = std::make_shared<FuzzySource>();
   auto json = std::make_shared<bool>(false);

@@ -4,6 +4,7 @@
 
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "core/base/json_line.h"
 #include "core/base/text_number.h"
 #include "haptics/device_registry.h"
@@ -172,7 +173,12 @@ void addHaptics(CLI::App& program, Work& work)
                      "yes, what carries these unregistered USB numbers is that device (WoodenHaptics)");
   };
   const auto run = [&](CLI::App* command, Exit (*task)(const HapticRunOptions&)) {
-    command->callback([options, task, &work] { work = [options, task] { return task(*options); }; });
+    command->callback([options, task, &work] {
+      keepFilesApart(
+        {options->project, options->path, options->own.profile.string(), options->own.firmware.string()},
+        {options->csv, options->output});
+      work = [options, task] { return task(*options); };
+    });
   };
 
   CLI::App* command = haptics->add_subcommand("list", "Devices, and what stands in their way");

@@ -3,6 +3,7 @@
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/import_report.h"
+#include "cli/output_files.h"
 #include "cli/recipe_arguments.h"
 #include "cli/rules_file.h"
 #include "cli/update.h"
@@ -177,6 +178,10 @@ void addImport(CLI::App& program, Work& work)
     if (update->count() == 0)
       for (const CLI::Option* needed : {meshes, output})
         if (needed->count() == 0) throw CLI::RequiredError(needed->get_name());
+    std::vector<std::string> read = arguments->files;
+    read.insert(read.end(), {arguments->rules, arguments->choices.recipeFile});
+    const bool isInPlace = arguments->output.empty();
+    keepFilesApart(read, {isInPlace ? arguments->update : arguments->output, arguments->saveRecipe});
     work = [arguments] { return importFiles(*arguments); };
   });
 }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/output_files.h"
 #include "cli/simulate_run.h"
 #include "core/base/file_io.h"
 #include "core/base/json_line.h"
@@ -9,8 +10,6 @@
 #include "core/project/project_io.h"
 
 #include <algorithm>
-#include <filesystem>
-#include <set>
 
 namespace esm::cli {
 
@@ -127,22 +126,6 @@ bool sayGrowth(const SimulateOptions& options, const RunSummary& summary, double
   return false;
 }
 
-/// The first output file that another output, too, would write; empty if there is none.
-std::string outputNamedTwice(const SimulateOptions& options)
-{
-  const std::string outputs[] = {options.outputs.motion, options.report, options.outputs.forceCurve,
-                                 options.outputs.mesh};
-  std::set<std::filesystem::path> seen;
-  for (const std::string& output : outputs) {
-    if (output.empty() || !specialFileKind(output).empty()) continue;
-    std::error_code code;
-    std::filesystem::path place = std::filesystem::weakly_canonical(output, code);
-    if (code) place = output;
-    if (!seen.insert(std::filesystem::absolute(place, code)).second) return output;
-  }
-  return {};
-}
-
 Exit simulate(const SimulateOptions& options)
 {
   Result<Project> project = loadProject(options.file);
@@ -155,11 +138,6 @@ Exit simulate(const SimulateOptions& options)
   const double fixedStep = project->simulation.solver.fixedStep;
   if (fixedStep > 0.0 && project->simulation.duration / fixedStep > 1e18)
     return fail({ErrorCode::InvalidValue, options.file + ": more than 1e18 steps; use a larger --step"});
-  if (const std::string twice = outputNamedTwice(options); !twice.empty()) {
-    say(twice + ": is named for two outputs; give each a file of its own");
-    return Exit::WrongUsage;
-  }
-
   const Result<RunSummary> summary =
     options.verify ? runVerified(*project, options.outputs) : runSimulation(*project, options.outputs);
   if (!summary) return fail(summary.error());
@@ -247,7 +225,13 @@ void addSimulate(CLI::App& program, Work& work)
   addJsonFlag(*command, options->json);
   command->footer("Example:\n  esm simulate poked.esm --duration 2 --frames 60 -o motion.pvd "
                   "--report report.json");
-  command->callback([options, &work] { work = [options] { return simulate(*options); }; });
+  command->callback([options, &work] {
+    std::vector<std::string> written = exportedFiles(options->outputs.mesh);
+    for (const std::string& output : {options->outputs.motion, options->report, options->outputs.forceCurve})
+      written.push_back(output);
+    keepFilesApart({options->file}, written);
+    work = [options] { return simulate(*options); };
+  });
 }
 
 } // namespace esm::cli

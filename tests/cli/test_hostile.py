@@ -67,6 +67,64 @@ class OutputsAndTerminal(ProgramTest):
         self.assertIn("two outputs", line)
         self.assertFalse((self.folder / "x.csv").exists())
 
+    def refused_and_kept(self, path, *arguments):
+        """Exit code 2, and the file as it was."""
+        before = (self.folder / path).read_bytes()
+        self.assertIn("written over what is read", self.refused(*arguments, exit_code=2), arguments)
+        self.assertEqual((self.folder / path).read_bytes(), before, arguments)
+
+    def test_what_is_read_is_never_written_over(self):
+        self.run_program("import", "tet.obj", "-o", "p.obj")
+        self.write("osc.csv", json.dumps(OSCILLATOR))
+        self.write("osc_springs.csv", json.dumps(OSCILLATOR))
+        self.write("hand.csv", "t,x,y,z\n0,0,0,0.1\n1,0,0,0.05\n")
+        self.write("s.fll", "Engine: s\n")
+        os.symlink("tet.obj", self.folder / "link.obj")
+        os.link(self.folder / "tet.obj", self.folder / "hard.obj")
+        (self.folder / "sub").mkdir()
+        for path, *arguments in (
+                ("tet.obj", "import", "tet.obj", "-o", "tet.obj"), ("tet.obj", "import", "tet.obj", "-o", "link.obj"),
+                ("tet.obj", "import", "link.obj", "-o", "sub/../tet.obj"),
+                ("tet.obj", "import", "hard.obj", "-o", "tet.obj"),
+                ("tet.obj", "import", "tet.obj", "-o", "x.esm", "--save-recipe", "tet.obj"),
+                ("osc.json", "simulate", "osc.json", "--report", "./osc.json"),
+                ("osc.csv", "simulate", "osc.csv", "-o", "osc.csv"),
+                ("osc.csv", "simulate", "osc.csv", "--force-curve", "osc.csv"),
+                ("osc.csv", "simulate", "osc.csv", "--mesh", "osc.csv"),
+                ("osc_springs.csv", "simulate", "osc_springs.csv", "--mesh", "osc.csv"),
+                ("p.obj", "export", "p.obj", "-o", "p.obj"),
+                ("osc_springs.csv", "export", "osc_springs.csv", "-o", "osc.csv"),
+                ("p.obj", "apply", "osc.json", "--rules", "p.obj", "-o", "p.obj"),
+                ("hand.csv", "haptics", "replay", "hand.csv", "p.obj", "--csv", "hand.csv"),
+                ("p.obj", "haptics", "replay", "hand.csv", "p.obj", "--csv", "p.obj"),
+                ("s.fll", "fuzzy", "convert", "s.fll", "s.fll"),
+                ("hand.csv", "fuzzy", "eval", "s.fll", "--in", "hand.csv", "-o", "hand.csv")):
+            with self.subTest(arguments):
+                self.refused_and_kept(path, *arguments)
+
+    def test_the_second_file_of_an_export_counts_too(self):
+        line = self.refused("simulate", "osc.json", "-o", "x_springs.csv", "--mesh", "x.csv", exit_code=2)
+        self.assertIn("two outputs", line)
+
+    def test_a_motion_follows_its_link(self):
+        os.symlink("real.csv", self.folder / "link.csv")
+        self.run_program("simulate", "osc.json", "-o", "link.csv")
+        self.assertTrue((self.folder / "link.csv").is_symlink())
+        self.assertIn("t,id,x,y,z", (self.folder / "real.csv").read_text())
+
+    def test_a_file_that_may_not_grow_is_an_error_and_no_crash(self):
+        self.run_program("import", "tet.obj", "-o", "p.esm")
+        before = (self.folder / "p.esm").read_bytes()
+        for arguments in (("apply", "p.esm", "-o", "p.esm", "--gravity", "0,0,-1"),
+                          ("simulate", "osc.json", "-o", "m.csv"), ("simulate", "osc.json", "-o", "m.pvd")):
+            with self.subTest(arguments):
+                done = subprocess.run(["prlimit", "--fsize=300", PROGRAM, *arguments], cwd=self.folder,
+                                      capture_output=True, text=True, timeout=60, check=False)
+                self.assertEqual(done.returncode, 1, done.stderr)
+                self.assertIn("cannot be written (File too large)", done.stderr)
+        self.assertEqual((self.folder / "p.esm").read_bytes(), before)
+        self.assertFalse([name for name in os.listdir(self.folder) if "esm-tmp" in name])
+
     def test_a_step_that_never_ends_is_refused(self):
         self.assertIn("--step", self.refused("simulate", "osc.json", "--step", "1e-300"))
 
