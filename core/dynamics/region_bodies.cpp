@@ -3,8 +3,10 @@
 
 // The part of RegionDriver that knows what nothing holds: such a part of the net may go on for good, however
 // slow its nodes are.
+#include "core/dynamics/frame.h"
 #include "core/dynamics/region_driver.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace esm {
@@ -33,7 +35,9 @@ bool RegionDriver::movesAsOne(std::size_t body)
 {
   const FreeBodies::RigidMotion rigid = bodies().rigidMotion(m_body.system, m_body.motion, body);
   const double time = m_body.motion.time, end = m_driver.knownEnd(time);
-  const double left = std::isfinite(end) ? end - time : kLongWhile, motion = std::sqrt(meanSquare());
+  // At the end there is no way left, but velocities are looked at, too.
+  const double left = std::isfinite(end) ? std::max(end - time, kFrame) : kLongWhile,
+               motion = std::sqrt(meanSquare());
   return rigid.isDriven || rigid.speed * left > kMissedMomentum * motion ||
          rigid.turning * left > kMissedTurn * m_settings.tolerance * motion;
 }

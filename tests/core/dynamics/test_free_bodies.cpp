@@ -93,6 +93,23 @@ TEST(FreeBodies, SlowDriftNeverSleeps)
   EXPECT_NEAR(simulation.state().velocity.row(1).head(3).mean(), 1e-11, 1e-20);
 }
 
+// In the last frame nothing is left to be missed in place; velocities are looked at all the same.
+TEST(FreeBodies, AtTheEndOfAMotionWhatDriftsStillDrifts)
+{
+  constexpr double kDrift = 1e-9;
+  SpringNet net = chain(2, 0.1, 1e4);
+  net.viscosity.setConstant(100.0);
+  net.initialVelocity = Eigen::Matrix3Xd::Zero(3, 2);
+  net.initialVelocity.row(0) << 0.1, -0.1;
+  net.initialVelocity.row(1).setConstant(kDrift);
+  SolverSettings settings;
+  settings.duration = 0.5;
+  Simulation simulation = simulate(net, {}, settings);
+  for (int frame = 1; frame <= 30; ++frame) advanceWell(simulation, frame / 60.0 - simulation.state().time);
+  for (Index node = 0; node < 2; ++node)
+    EXPECT_NEAR(simulation.state().velocity(1, node), kDrift, 1e-9 * 0.1) << "of the fastest motion";
+}
+
 // A wave in a large net that flies: its centre stays, although parts of it would be slow enough to sleep.
 TEST(FreeBodies, LargeNetKeepsItsCentreWhileAWaveCrossesIt)
 {
