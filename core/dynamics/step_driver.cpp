@@ -196,7 +196,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     if (m_auto && result != Run::Done && (unchecked || system.isExhausted())) break;
     const bool isCheap =
       m_method == m_implicit || count >= 32.0 || m_untilCheck <= 0; // to look at the energy
-    if (m_auto && result == Run::Done && !unchecked && isCheap &&
+    if (m_auto && result == Run::Done && !unchecked && (isCheap || hasQuickened(system, state)) &&
         energyAppeared(system, energyBalance(system, state), kCoarseGrowth))
       result = Run::NotConverged; // on its way to infinity
     if (result == Run::Done) {
@@ -334,6 +334,13 @@ bool StepDriver::energyAppeared(const System& system, const EnergyBalance& balan
   if (!(sum <= share * balance.turnedOver + least)) return true;
   m_growth = sum;
   return false;
+}
+
+/// Whether the net is so much faster than at the start of the stretch that its energy is worth two passes: a
+/// few large steps may have missed how stiff it has become.
+bool StepDriver::hasQuickened(const System& system, const MotionState& state) const noexcept
+{
+  return system.kineticEnergy(state.v) > 2.0 * system.kineticEnergy(m_start.v);
 }
 
 /// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so

@@ -206,6 +206,7 @@ private:
   EnergyBalance energyBalance(const System& system, const MotionState& state);
   void settleLoan(const System& system, MotionState& state);
   bool energyAppeared(const System& system, const EnergyBalance& balance, double share) noexcept;
+  bool hasQuickened(const System& system, const MotionState& state) const noexcept;
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);
   void bookLoss(const System& system, MotionState& state, Method method, double step);
