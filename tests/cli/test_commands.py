@@ -218,7 +218,8 @@ class Simulate(ProgramTest):
         listed = self.run_program("solvers").stdout.splitlines()
         self.assertEqual([line.split(maxsplit=1) for line in listed], [list(pair) for pair in solvers.items()])
         for solver in solvers:
-            self.assertEqual(self.json_of("simulate", "osc.json", "--duration", "0.1", "--solver", solver)["solver"],
+            self.assertEqual(self.json_of("simulate", "osc.json", "--duration", "0.1", "--accept-rough", "--solver",
+                                          solver)["solver"],
                              solver)
 
     def test_failed_numerics_are_3_and_what_was_computed_is_written(self):

@@ -79,6 +79,13 @@ class Extremes(ProgramTest):
             is_kept = report["good"] and not report["tolerance_given_up"]
             self.assertEqual(done.returncode, 0 if is_kept else 3, done.stderr)
 
+    def test_descent_by_name_does_not_claim_a_tolerance(self):
+        """It errs by a tenth on one mass on a spring; nobody has measured that."""
+        done = self.run_program("simulate", "osc.json", "--solver", "descent", "--report", "r.json", exit_code=3)
+        self.assertIn("was given up", done.stderr)
+        self.assertIs(self.read_json("r.json")["good"], False)
+        self.run_program("simulate", "osc.json", "--solver", "descent", "--accept-rough")
+
     def test_a_run_ends_at_a_work_limit_of_the_users(self):
         done = self.run_program("simulate", "osc.json", "--step", "1e-5", "--work", "100", "-o", "out.csv",
                                 "--report", "r.json", exit_code=3)
