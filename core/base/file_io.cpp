@@ -166,4 +166,13 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
   return {};
 }
 
+Status canBeWritten(const std::filesystem::path& path)
+{
+  if (!specialFileKind(path).empty()) return {}; // to open one may do something
+  std::error_code code;
+  if (std::filesystem::is_directory(path, code)) return fileUnwritable(path, EISDIR);
+  const auto temporary = TemporaryBeside::create(path, TemporaryBeside::Kind::File);
+  return temporary ? Status{} : Status{temporary.error()};
+}
+
 } // namespace esm

@@ -34,4 +34,8 @@ bool writeAll(int file, std::string_view bytes);
 Status writeFileAtomically(const std::filesystem::path& path, std::string_view bytes,
                            bool keepBackup = false);
 
+/// Whether writeFileAtomically() can begin, so that a bad path is told before the work whose result goes there.
+/// Errors: as there.
+Status canBeWritten(const std::filesystem::path& path);
+
 } // namespace esm

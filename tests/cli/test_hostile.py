@@ -125,6 +125,15 @@ class OutputsAndTerminal(ProgramTest):
         self.assertEqual((self.folder / "p.esm").read_bytes(), before)
         self.assertFalse([name for name in os.listdir(self.folder) if "esm-tmp" in name])
 
+    def test_a_bad_path_is_told_before_the_work(self):
+        """A run that would take years."""
+        (self.folder / "folder.obj").mkdir()
+        for option, path in (("--report", "absent/r.json"), ("--force-curve", "absent/c.csv"), ("-o", "absent/m.f64"),
+                             ("--mesh", "absent/x.obj"), ("--mesh", "folder.obj")):
+            with self.subTest(option):
+                self.assertIn("cannot be written", self.refused("simulate", "osc.json", "--step", "1e-13", "--work",
+                                                                "1e30", "--duration", "1000", option, path))
+
     def test_a_step_that_never_ends_is_refused(self):
         self.assertIn("--step", self.refused("simulate", "osc.json", "--step", "1e-300"))
 
