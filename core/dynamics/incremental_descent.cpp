@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/incremental_descent.h"
 
+#include "core/dynamics/own_energy.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -10,16 +12,9 @@
 namespace esm {
 namespace {
 
+constexpr double kAtBottom = 1e-8;         ///< of the potential, above its rounding
 constexpr int kMostPulls = 8;              ///< back to the start, see step()
 constexpr double kShortest = 1.0 / 4096.0; ///< of a Newton step [1]
-
-double freeKinetic(const System& system, const NodeArray& v) noexcept
-{
-  double energy = 0.0;
-  for (std::size_t i = 0; i < v.size(); ++i)
-    if (system.isFree(i)) energy += 0.5 * system.mass()[i] * dot(v[i], v[i]);
-  return energy;
-}
 
 } // namespace
 
@@ -50,10 +45,11 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
   m_w = state.v;
   system.place(end, m_x, m_w);
   const Goal goal{state.v, h, end};
-  const double moved = system.storedEnergy(m_x);
-  const double before = system.schedule().movesAnyNow() ? system.storedEnergy(state.x) : moved;
+  const double elastic = system.elasticEnergy(state.x), before = elastic + system.weightEnergy(state.x);
+  const double own = freeKinetic(system, state.v) + std::max(elastic, 0.0);
+  const double moved = system.schedule().movesAnyNow() ? system.storedEnergy(m_x) : before;
   if (!std::isfinite(before) || !std::isfinite(moved)) return StepResult::NonFinite;
-  Sums sums = descend(system, goal, start(system, goal, moved), report);
+  Sums sums = descend(system, goal, start(system, goal, moved), own, report);
   if (!std::isfinite(sums.stored)) return StepResult::NonFinite;
   double work = 0.0, left = 0.0;
   int pull = 0;
@@ -78,8 +74,8 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
   const double kineticBefore = system.kineticEnergy(state.v), kineticLeft = system.kineticEnergy(m_w);
   // Energy that has come without the loads' work supports have put in.
   const double appeared = (sums.stored - before) + (kineticLeft - kineticBefore) + heat - work;
-  if (appeared > 0.0) state.loan.lend(appeared, kineticBefore + std::max(system.elasticEnergy(state.x), 0.0));
-  state.settle(std::max(-appeared, 0.0), heat, kineticLeft + std::max(sums.elastic, 0.0));
+  if (appeared > 0.0) state.loan.lend(appeared, own);
+  state.settle(std::max(-appeared, 0.0), heat, freeKinetic(system, m_w) + std::max(sums.elastic, 0.0));
   state.advanceTo(end, m_y, m_w, work, heat);
   return StepResult::Done;
 }
@@ -143,20 +139,20 @@ IncrementalDescent::Sums IncrementalDescent::start(System& system, const Goal& g
   return look(system, goal, m_y);
 }
 
-IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal& goal, Sums best,
+/// @param own  that the net had before supports moved: more than that is left of a jump
+IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal& goal, Sums best, double own,
                                                      StepReport& report)
 {
-  double gained = 0.0;
-  m_isDone = true;
   const auto isFree = [](double inverseMass) { return inverseMass > 0.0; };
-  if (std::ranges::none_of(system.inverseMass(), isFree)) return best;
+  m_isDone = std::ranges::none_of(system.inverseMass(), isFree);
+  if (m_isDone) return best;
+  double gained = 0.0;
   for (int iteration = 0; iteration < m_effort.iterations; ++iteration) {
     ++report.newtonIterations;
-    m_isDone = setMatrix(system, m_y, m_w, goal.h, report);
-    if (!m_isDone) break;
+    if (!setMatrix(system, m_y, m_w, goal.h, report)) break;
     m_change = m_force; // same size: no allocation
     solve(system, m_change, iteration == 0 ? &goal.v : nullptr);
-    const double foretold = 0.5 * sumOfProducts(m_force, m_change); // a model of second order
+    const double promised = sumOfProducts(m_force, m_change); // of which a model of second order keeps half
     bool found = false, beyond = false;
     double gain = 0.0;
     for (double fraction = 1.0; fraction >= kShortest && !found; fraction *= 0.25) {
@@ -170,15 +166,19 @@ IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal&
       std::swap(m_y, m_trial);
     }
     if (!found) {
+      const double size = std::abs(best.potential) + std::abs(best.stored) + std::abs(best.loadWork);
+      m_isDone = promised <= kAtBottom * size; // else it is stuck where its model does not hold
       // Loads past all reason: to stay where it is would hide them.
       if (!beyond || iteration > 0) return look(system, goal, m_y);
       best.stored = std::numeric_limits<double>::infinity();
       return best;
     }
     gained += gain;
-    const bool isAsForetold = std::abs(gain - foretold) <= m_effort.asForetold * foretold;
-    if (isAsForetold || gain <= m_effort.enough * gained) break;
-    m_isDone = iteration + 1 < m_effort.iterations;
+    const double left = std::max(best.elastic, 0.0);
+    const bool isFalling = gain > left && left > own; // from where a jump has put it
+    const bool isAsForetold = std::abs(gain - 0.5 * promised) <= m_effort.asForetold * 0.5 * promised;
+    m_isDone = (isAsForetold || gain <= m_effort.enough * gained) && !isFalling;
+    if (m_isDone) break;
   }
   return best; // and m_w is that of y
 }
