@@ -12,7 +12,7 @@ namespace esm {
 namespace {
 
 constexpr double kFirstLookCost = 12.0; ///< a guess [force passes]
-constexpr double kLookShare = 0.015;    ///< of the work
+constexpr double kWatchShare = 0.015;    ///< of the work
 constexpr double kDebtShare = 0.03;
 constexpr int kOften = 2; ///< looks: what gives way once, as a poked organ, seldom does for long
 constexpr int kBurst = 6; ///< frames
@@ -51,7 +51,7 @@ void GrowthWatch::pay(double passes) noexcept
 bool GrowthWatch::lookIsDue() const noexcept
 {
   if (std::log(m_largest) >= kGrownEnough) return false;
-  return m_looksAgain || (m_work * kLookShare >= m_lookCost && m_debt <= 0.0);
+  return m_looksAgain || (m_work * kWatchShare >= m_lookCost && m_debt <= 0.0);
 }
 
 void GrowthWatch::remember(const MotionState& motion)
