@@ -54,6 +54,7 @@ JsonLine jsonOf(const RunSummary& summary, const Project& project)
   line.add("external_work", summary.energy.work);
   line.add("dissipated_energy", summary.energy.heat);
   line.add("method_loss", summary.energy.loss);
+  line.add("restored_energy", summary.energy.restored);
   line.add("energy_residual", summary.energy.residual());
   line.add("largest_force", summary.largestForce);
   line.add("finite", !summary.steps.nonFinite);

@@ -67,7 +67,8 @@ public:
     Sums sums = descend(system, goal, report);
     if (!std::isfinite(sums.stored)) return StepResult::NonFinite;
     double work = 0.0, left = 0.0;
-    for (int pull = 0;; ++pull) {
+    int pull = 0;
+    for (;; ++pull) {
       if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
       work = sums.loadWork + h * (sums.heatPower + viscousPower(system));
       left = freeKinetic(system, state.v) + moved - sums.stored + work;
@@ -77,34 +78,25 @@ public:
         m_y[i] = pull < kMostPulls ? m_x[i] + (m_y[i] - m_x[i]) * 0.25 : m_x[i];
       sums = look(system, goal, m_y);
     }
+    report.rough = report.rough || !m_isDone || pull > 0;
     const double kinetic = freeKinetic(system, m_w);
     if (kinetic > left) {
       const double share = std::sqrt(std::max(left, 0.0) / kinetic);
       for (std::size_t i = 0; i < m_w.size(); ++i)
         if (system.isFree(i)) m_w[i] *= share;
     }
-    const double heat = h * sums.heatPower, kineticLeft = system.kineticEnergy(m_w);
-    const double appeared =
-      (sums.stored - before) + (kineticLeft - system.kineticEnergy(state.v)) + heat - work;
-    lend(state, appeared, heat, kineticLeft + std::max(system.elasticEnergy(m_y), 0.0));
+    const double heat = h * sums.heatPower;
+    const double kineticBefore = system.kineticEnergy(state.v), kineticLeft = system.kineticEnergy(m_w);
+    // Energy that has come without the loads' work supports have put in.
+    const double appeared = (sums.stored - before) + (kineticLeft - kineticBefore) + heat - work;
+    if (appeared > 0.0)
+      state.loan.lend(appeared, kineticBefore + std::max(system.elasticEnergy(state.x), 0.0));
+    state.settle(std::max(-appeared, 0.0), heat, kineticLeft + std::max(system.elasticEnergy(m_y), 0.0));
     state.advanceTo(end, m_y, m_w, work, heat);
     return StepResult::Done;
   }
 
 private:
-  /// Books energy that has come without the loads' work: supports have put it in. What is gone is lost, but
-  /// first what supports had put in: they move before the net may follow, and what they stretch in a jump
-  /// and the net gives up in the next steps was never in the motion that is seen. Heat of it stays work; more
-  /// than the net has left is rounding.
-  static void lend(EnergySums& sums, double appeared, double heat, double left) noexcept
-  {
-    sums.loss += std::max(-appeared - sums.lent, 0.0);
-    const double lent = std::max(sums.lent + appeared, 0.0), made = std::clamp(heat, 0.0, lent);
-    sums.work += made;
-    sums.mostLent = std::max(sums.mostLent, lent);
-    sums.setLent(lent - made, left);
-  }
-
   struct Goal {
     const NodeArray& v; ///< at the start
     double h, end;
@@ -168,12 +160,14 @@ private:
   Sums descend(System& system, const Goal& goal, StepReport& report)
   {
     Sums best = look(system, goal, m_y);
+    m_isDone = true;
     if (m_matrix.freeCount() == 0) return best;
     double gained = 0.0;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
       ++report.newtonIterations;
       ++report.factorizations;
-      if (!m_matrix.factor(system, m_y, m_w, ImplicitMatrix::Shares::ofStep(goal.h), true)) break;
+      m_isDone = m_matrix.factor(system, m_y, m_w, ImplicitMatrix::Shares::ofStep(goal.h), true);
+      if (!m_isDone) break;
       m_change = m_force; // same size: no allocation
       m_matrix.solve(m_change);
       bool found = false, beyond = false;
@@ -196,13 +190,15 @@ private:
       }
       gained += gain;
       if (gain <= kEnough * gained) return best; // m_w is that of y
+      m_isDone = iteration + 1 < kIterations;
     }
     return look(system, goal, m_y);
   }
 
   NodeArray m_x; ///< at the start, supports moved [m]
   NodeArray m_y, m_trial, m_w, m_force, m_change;
-  NodeArray m_still; ///< 0
+  NodeArray m_still;    ///< 0
+  bool m_isDone = true; ///< the last descent got where it no longer gains much
   ImplicitMatrix m_matrix;
 };
 

@@ -10,12 +10,12 @@ namespace esm {
 double EnergyReport::residual() const noexcept
 {
   const double stored = (atStart.elastic - atEnd.elastic) + (atStart.gravity - atEnd.gravity);
-  return (atStart.kinetic - atEnd.kinetic) + stored + work - heat - loss;
+  return (atStart.kinetic - atEnd.kinetic) + stored + work + restored - heat - loss;
 }
 
 double EnergyReport::largestTerm() const noexcept
 {
-  double largest = std::max({std::abs(work), std::abs(heat), std::abs(loss)});
+  double largest = std::max({std::abs(work), std::abs(heat), std::abs(loss), std::abs(restored)});
   for (const Energies& energies : {atStart, atEnd})
     largest = std::max({largest, energies.kinetic, std::abs(energies.elastic), std::abs(energies.gravity)});
   return largest;

@@ -13,14 +13,15 @@ struct Energies {
 
 /// Where the energy of a motion has gone since t = 0 [J]:
 ///
-///     at start + work = heat + loss + at end + residual
+///     at start + work + restored = heat + loss + at end + residual
 ///
 /// All but the residual are known by themselves, so it tells what nobody accounts for.
 struct EnergyReport {
   Energies atStart, atEnd;
-  double work = 0.0; ///< done by nodal forces, prescribed motions and tools
-  double heat = 0.0; ///< made by viscosity and mass damping, and where motion ends in rest
-  double loss = 0.0; ///< taken away by the method, by its own estimate; negative where it adds
+  double work = 0.0;     ///< done by nodal forces, prescribed motions and tools
+  double heat = 0.0;     ///< made by viscosity and mass damping, and where motion ends in rest
+  double loss = 0.0;     ///< taken away by the method, by its own estimate; negative where it adds
+  double restored = 0.0; ///< given to bodies that nothing holds, with the momentum that steps had taken
 
   double residual() const noexcept;
   double largestTerm() const noexcept;

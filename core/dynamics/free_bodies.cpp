@@ -160,7 +160,9 @@ bool FreeBodies::putInPlace(const System& system, MotionState& state, std::size_
   const bool isThere = lengthOf(way) <= kOwnShare * length * speed + kSumRounding * std::sqrt(squares[0]) &&
                        lengthOf(change) <= kOwnShare * speed;
   if (isThere || !std::isfinite(dot(way, way) + dot(change, change))) return false;
-  state.work += dot(body.load + body.slope * (state.time - m_begin), way);
+  const Lanes load = body.load + body.slope * (state.time - m_begin);
+  state.work += dot(load, way);
+  state.restored += body.mass * dot(is.v + change * 0.5, change) - dot(body.weight + load, way);
   for (const Index node : m_nodes[index]) {
     state.x[static_cast<std::size_t>(node)] += way;
     state.v[static_cast<std::size_t>(node)] += change;
@@ -175,14 +177,18 @@ void FreeBodies::enterFrame(System& system, MotionState& state, double end) noex
   for (std::size_t b = 0; b < count(); ++b) {
     Body& body = m_bodies[b];
     const Centre from = centreAt(body, state.time);
+    Lanes squares;
+    const Centre is = centreOf(system, state, b, squares);
     body.frameX = from.x;
     body.frameV = from.v;
+    body.enteredX = is.x;
+    body.enteredV = is.v;
     body.spin = spinOf(system, state, b).momentum;
-    const Lanes acceleration = (body.weight + body.load + body.slope * (end - m_begin)) / body.mass;
+    body.frameA = (body.weight + body.load + body.slope * (end - m_begin)) / body.mass;
     for (const Index node : m_nodes[b]) {
       const auto i = static_cast<std::size_t>(node);
       state.v[i] -= from.v;
-      m_frameForce[i] = acceleration * -system.mass()[i];
+      m_frameForce[i] = body.frameA * -system.mass()[i];
     }
   }
   system.setFrame(m_frameForce.data());
@@ -236,9 +242,12 @@ void FreeBodies::restoreSpins(const System& system, MotionState& state) noexcept
   const double share = price > lost ? lost / price : 1.0; // energy is convex: no more than that share of it
   for (std::size_t b = 0; b < count(); ++b) {
     if (m_bodies[b].turn.isZero(0.0)) continue;
+    const Spin spin = spinOf(system, state, b);
+    const Eigen::Vector3d turned = share * m_bodies[b].turn;
+    state.restored += turned.dot(spin.momentum + 0.5 * spin.inertia * turned);
     Lanes squares;
     const Centre centre = centreOf(system, state, b, squares);
-    const Lanes turn = toLanes(share * m_bodies[b].turn);
+    const Lanes turn = toLanes(turned);
     for (const Index node : m_nodes[b]) {
       const auto i = static_cast<std::size_t>(node);
       state.v[i] += cross(turn, state.x[i] - centre.x);
@@ -251,21 +260,36 @@ void FreeBodies::leaveFrame(System& system, MotionState& state) noexcept
   if (isEmpty()) return;
   restoreSpins(system, state);
   system.setFrame(nullptr);
-  const double t = state.time - m_frameBegin;
   for (std::size_t b = 0; b < count(); ++b) {
-    const Body& body = m_bodies[b];
-    const Centre to = centreAt(body, state.time);
-    const Lanes way = to.x - body.frameX;
+    const Centre to = centreAt(m_bodies[b], state.time);
+    bookFrame(system, state, b, to);
+    const Lanes way = to.x - m_bodies[b].frameX;
     for (const Index node : m_nodes[b]) {
       state.x[static_cast<std::size_t>(node)] += way;
       state.v[static_cast<std::size_t>(node)] += to.v;
     }
-    // The integral of force times speed, both of them polynomials: by Simpson's rule with its rest.
-    const Lanes load = body.load + body.slope * (m_frameBegin - m_begin);
-    const Lanes middle = centreAt(body, m_frameBegin + t / 2.0).v;
-    const Lanes first = load, half = load + body.slope * (t / 2.0), last = load + body.slope * t;
-    state.work += (dot(first, body.frameV) + 4.0 * dot(half, middle) + dot(last, to.v)) * t / 6.0;
   }
+}
+
+/// The work of the loads on a centre that goes where it belongs, and what else its energy changes by: nothing,
+/// if its momentum in the frame is still none.
+void FreeBodies::bookFrame(const System& system, MotionState& state, std::size_t index,
+                           const Centre& to) const noexcept
+{
+  const Body& body = m_bodies[index];
+  // The integral of force times speed, both of them polynomials: by Simpson's rule with its rest.
+  const double t = state.time - m_frameBegin;
+  const Lanes first = body.load + body.slope * (m_frameBegin - m_begin);
+  const Lanes half = first + body.slope * (t / 2.0), last = first + body.slope * t;
+  const Lanes middle = centreAt(body, m_frameBegin + t / 2.0).v;
+  const double work = (dot(first, body.frameV) + 4.0 * dot(half, middle) + dot(last, to.v)) * t / 6.0;
+  Lanes squares;
+  const Centre left = centreOf(system, state, index, squares);
+  const double put = body.mass * dot(left.v + to.v * 0.5, to.v);
+  const double taken = body.mass * dot(body.enteredV - body.frameV * 0.5, body.frameV);
+  const double inFrame = body.mass * dot(body.frameA, left.x - body.enteredX); // was booked as stored
+  state.work += work;
+  state.restored += (put - taken) - inFrame - dot(body.weight, to.x - body.frameX) - work;
 }
 
 FreeBodies::RigidMotion FreeBodies::rigidMotion(const System& system, const MotionState& state,

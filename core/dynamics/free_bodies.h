@@ -38,6 +38,7 @@ public:
 
   /// Moves each body as one to where its centre of mass belongs, if that or its velocity is off by more than
   /// rounding and a ten-thousandth of a millionth of the motion in the stretch of this length [s] up to here.
+  /// What that changes of its energy, and all that a frame of reference gives back, is EnergySums::restored.
   /// @return whether any was moved
   bool keep(const System& system, MotionState& state, double length) noexcept;
 
@@ -59,15 +60,17 @@ public:
 
 private:
   struct Body {
-    double mass = 0.0;                                  ///< [kg]
-    Lanes weight = {0, 0, 0, 0};                        ///< [N]
-    Lanes x = {0, 0, 0, 0}, v = {0, 0, 0, 0};           ///< of the centre of mass at m_begin
-    Lanes load = {0, 0, 0, 0};                          ///< sum of nodal forces then [N]
-    Lanes slope = {0, 0, 0, 0};                         ///< of that [N/s]
-    double loads = 0.0;                                 ///< sum of their sizes [N]
-    Lanes frameX = {0, 0, 0, 0}, frameV = {0, 0, 0, 0}; ///< when the frame was entered
-    Eigen::Vector3d turn = Eigen::Vector3d::Zero();     ///< that it is to get back [1/s]
-    Eigen::Vector3d spin = Eigen::Vector3d::Zero();     ///< about the centre then [kg m^2/s]
+    double mass = 0.0;                                      ///< [kg]
+    Lanes weight = {0, 0, 0, 0};                            ///< [N]
+    Lanes x = {0, 0, 0, 0}, v = {0, 0, 0, 0};               ///< of the centre of mass at m_begin
+    Lanes load = {0, 0, 0, 0};                              ///< sum of nodal forces then [N]
+    Lanes slope = {0, 0, 0, 0};                             ///< of that [N/s]
+    double loads = 0.0;                                     ///< sum of their sizes [N]
+    Lanes frameX = {0, 0, 0, 0}, frameV = {0, 0, 0, 0};     ///< where it belonged when the frame was entered
+    Lanes enteredX = {0, 0, 0, 0}, enteredV = {0, 0, 0, 0}; ///< where it was then
+    Lanes frameA = {0, 0, 0, 0};                            ///< acceleration of the frame
+    Eigen::Vector3d turn = Eigen::Vector3d::Zero();         ///< that it is to get back [1/s]
+    Eigen::Vector3d spin = Eigen::Vector3d::Zero();         ///< about the centre then [kg m^2/s]
   };
   struct Centre {
     Lanes x, v;
@@ -84,6 +87,8 @@ private:
   };
   Spin spinOf(const System& system, const MotionState& state, std::size_t body) const noexcept;
   void restoreSpins(const System& system, MotionState& state) noexcept;
+  void bookFrame(const System& system, MotionState& state, std::size_t index,
+                 const Centre& to) const noexcept;
   static double energyOf(const System& system, const MotionState& state) noexcept;
 
   std::vector<Body> m_bodies;

@@ -35,7 +35,7 @@ void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
   m_integrator->prepare(m_system);
   const Eigen::Vector3d box = net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
   m_extent = std::max(box.norm(), 1e-12);
-  m_work = m_debt = 0.0;
+  m_work = m_debt = m_spent = 0.0;
   m_left = 0;
   m_hasStart = false;
   m_largest = 1.0;
@@ -61,7 +61,9 @@ bool GrowthWatch::look(const System& system, const MotionState& motion)
 {
   m_work = 0.0;
   m_stiffness.prepare(system, motion.x, 0.0);
-  if (!m_stiffness.givesWay(system)) return false;
+  const bool givesWay = m_stiffness.givesWay(system);
+  m_spent += 2.0 + m_stiffness.products();
+  if (!givesWay) return false;
   if (!m_hasStart) start(system);
   m_burstStart = m_size;
   m_left = kBurst;
@@ -120,7 +122,9 @@ void GrowthWatch::carryOn(const MotionState& motion)
   m_system.springsEvaluated = 0;
   const bool done = run(m_here, motion.time, m_step) && run(m_beside, motion.time, m_step);
   const double springs = std::max(static_cast<double>(m_system.forces().activeSprings()), 1.0);
-  m_debt += static_cast<double>(m_system.springsEvaluated) / springs;
+  const double passes = static_cast<double>(m_system.springsEvaluated) / springs;
+  m_debt += passes;
+  m_spent += passes;
   const double target = kSmall * m_extent;
   if (done)
     for (std::size_t i = 0; i < m_x.size(); ++i) {

@@ -29,6 +29,7 @@ public:
 
   double largest() const noexcept { return m_largest; } ///< factor seen so far [1], at least 1
   double time() const noexcept { return m_time; }       ///< when it was reached [s]
+  double spent() const noexcept { return m_spent; }     ///< on looking and following [force passes]
 
 private:
   void start(const System& system);
@@ -50,6 +51,7 @@ private:
   int m_left = 0;            ///< frames still to follow
   bool m_hasStart = false;
   double m_largest = 1.0, m_time = 0.0;
+  double m_spent = 0.0;
 };
 
 } // namespace esm

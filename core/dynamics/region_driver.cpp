@@ -30,6 +30,7 @@ StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
     StepReport report =
       m_driver.advance(m_body.system, motion, interval, maxSteps, workLeft(motion.time + interval));
     m_work += m_driver.workDone(m_body.system, report);
+    motion.endFrame();
     report.nodesAwake = static_cast<std::int64_t>(motion.x.size());
     return report;
   }
@@ -44,6 +45,8 @@ StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
     else if (!stretch(target, maxSteps, report))
       break;
   }
+  motion.endFrame();
+  if (m_mode == Mode::Part) static_cast<EnergySums&>(m_partMotion) = motion;
   report.simulatedTime = motion.time - begin;
   report.largestForce = largestTension(report.largestForce);
   report.nodesAwake = static_cast<std::int64_t>(m_region.awake().size());

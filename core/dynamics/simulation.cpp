@@ -162,8 +162,6 @@ StepReport Simulation::advance(double interval, std::int64_t maxSteps)
   MotionState& motion = impl.body.motion;
   if (impl.growth) impl.growth->remember(motion);
   const StepReport report = impl.driver.advance(interval, maxSteps);
-  motion.work += std::exchange(motion.lent, 0.0); // it is in the motion that is seen
-  motion.mostLent = 0.0;
   if (impl.growth && report.good()) impl.watchGrowth(report);
   m_impl->publish();
   return report;
@@ -267,7 +265,8 @@ double Simulation::dissipatedEnergy() const
 EnergyReport Simulation::energyReport() const
 {
   m_impl->driver.closeLoss();
-  return {m_impl->initial, energies(), externalWork(), dissipatedEnergy(), m_impl->body.motion.loss};
+  const MotionState& motion = m_impl->body.motion;
+  return {m_impl->initial, energies(), motion.work, motion.heat, motion.loss, motion.restored};
 }
 
 Eigen::Vector3d Simulation::reaction(Index node) const
@@ -292,6 +291,11 @@ double Simulation::errorGrowth() const noexcept
 double Simulation::errorGrowthTime() const noexcept
 {
   return m_impl->growth ? m_impl->growth->time() : 0.0;
+}
+
+double Simulation::errorGrowthPasses() const noexcept
+{
+  return m_impl->growth ? m_impl->growth->spent() : 0.0;
 }
 
 Eigen::Vector3d Simulation::toolForce(std::size_t tool) const

@@ -98,7 +98,8 @@ public:
   void watchGrowth();
   /// By how much it has multiplied them, as far as the watch has seen; 1 where it has seen nothing.
   double errorGrowth() const noexcept;
-  double errorGrowthTime() const noexcept; ///< by when [s]
+  double errorGrowthTime() const noexcept;   ///< by when [s]
+  double errorGrowthPasses() const noexcept; ///< what it took to see that [force passes]
   /// The force that a fixed or prescribed node's support exerts on the net [N]; zero for free nodes.
   Eigen::Vector3d reaction(Index node) const;
   Eigen::Vector3d toolForce(std::size_t tool) const;             ///< force of the tool on its node [N]

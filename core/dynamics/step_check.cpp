@@ -158,11 +158,21 @@ double StepDriver::errorOfFirst(System& system, const MotionState& state, double
   return counted * swing(system, apart, m_coarseV, state) * ratio / (ratio - 1.0);
 }
 
-/// After a stretch of a method that does not find by itself what it loses: a look costs a fiftieth of the
-/// work since the last one, whatever stretches lie between.
+/// After a stretch. Of a method that does not find by itself what it loses: a look costs a fiftieth of the
+/// work since the last one, whatever stretches lie between. While supports have lent something the balance
+/// tells: beside a jump's energy no quadrature sees what is left of it.
 void StepDriver::bookLoss(const System& system, MotionState& state, Method method, double step)
 {
   constexpr double kLook = 250.0; // force passes
+  if (state.loan.isOpen()) {
+    m_unseen.isOpen = false; // Descent has closed what was before
+    const EnergyBalance balance = energyBalance(system, state);
+    const double lost = (state.restored - m_start.restored) - balance.gained - balance.heat;
+    state.loss = m_start.loss + std::min(lost, 0.0);
+    state.settle(std::max(lost, 0.0), balance.heat,
+                 system.kineticEnergy(state.v) + std::max(system.elasticEnergy(state.x), 0.0));
+    return;
+  }
   Integrator& integrator = *m_candidates[method].integrator;
   if (integrator.findsLoss()) {
     state.loss += closeLoss(system, m_start);
@@ -183,7 +193,8 @@ double StepDriver::closeLoss(const System& system, const MotionState& state) noe
   if (!std::exchange(m_unseen.isOpen, false) || !isBehind) return 0.0;
   m_unseen.passes = 0.0;
   m_loss.restart();
-  return m_loss.find(system, start, state.x, state.v, state.work - start.work, state.heat - start.heat,
+  const double given = (state.work - start.work) + (state.restored - start.restored);
+  return m_loss.find(system, start, state.x, state.v, given, state.heat - start.heat,
                      std::min(kPrecision * m_settings.tolerance, 0.5));
 }
 

@@ -208,7 +208,6 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
         --m_untilCheck;
         report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
         bookLoss(system, state, m_method, length / count);
-        settleLoan(system, state);
         keep(system, state, expectedError(state));
         if (unchecked) reconsider(system);
         return true;
@@ -231,7 +230,6 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     const Method method = m_method;
     if (accept(system, state, steps, finer, report)) {
       bookLoss(system, state, method, length / static_cast<double>(finer));
-      settleLoan(system, state);
       return true;
     }
     report.rejectedSteps += steps + finer;
@@ -309,19 +307,6 @@ StepDriver::EnergyBalance StepDriver::energyBalance(const System& system, const 
     system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
   return {gained, state.heat - m_start.heat, kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen),
           std::abs(high)};
-}
-
-/// Of what supports have put in while the net descended (Descent), that is gone before the frame ends: it was
-/// never in the motion that is seen. What heat is made of stays work.
-void StepDriver::settleLoan(const System& system, MotionState& state)
-{
-  if (!(state.lent > 0.0)) return;
-  const EnergyBalance balance = energyBalance(system, state);
-  const double appeared = balance.gained + balance.heat, made = std::clamp(balance.heat, 0.0, state.lent);
-  state.loss = m_start.loss + std::max(-appeared - state.lent, 0.0);
-  state.work += made;
-  state.setLent(std::max(state.lent + appeared - made, 0.0),
-                system.kineticEnergy(state.v) + std::max(system.elasticEnergy(state.x), 0.0));
 }
 
 /// Whether the net has more energy than at the start of the stretch without work that explains it, by more

@@ -204,7 +204,6 @@ private:
     double high = 0.0;       ///< size of that of weight at the start, for the rounding of its differences
   };
   EnergyBalance energyBalance(const System& system, const MotionState& state);
-  void settleLoan(const System& system, MotionState& state);
   bool energyAppeared(const System& system, const EnergyBalance& balance, double share) noexcept;
   bool accept(System& system, const MotionState& state, std::int64_t steps, std::int64_t finer,
               StepReport& report);

@@ -74,6 +74,7 @@ void StiffnessCg::prepare(const System& system, const NodeArray& x, double inert
   for (const ToolSpring& tool : system.tools())
     m_diagonal[static_cast<std::size_t>(tool.node)] += tool.stiffness;
   m_metNegative = false;
+  m_products = 0;
   m_inverse = m_diagonal;
   const auto& ends = system.forces().springEnds();
   for (std::size_t s = 0; s < ends.size(); ++s) { // the mean over directions
@@ -89,6 +90,7 @@ void StiffnessCg::prepare(const System& system, const NodeArray& x, double inert
 /// Product with the direction. @return the curvature there.
 double StiffnessCg::multiply(const System& system) noexcept
 {
+  ++m_products;
   std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0});
   m_springs.addProduct(system.forces().batches(), m_direction.data(), m_product.data());
   return addDiagonal(m_product.size(), m_diagonal.data(), m_direction.data(), m_product.data());

@@ -35,6 +35,10 @@ public:
   /// Whether K is not positive definite, as far as some ten products tell; none if no spring is pressed or
   /// softens.
   bool givesWay(const System& system);
+  int products() const noexcept
+  {
+    return m_products;
+  } ///< with K since prepare(), each less than a force pass
   /// Whether the last function since prepare() met a direction of negative curvature: K^-1 then bounds
   /// nothing there.
   bool metNegative() const noexcept { return m_metNegative; }
@@ -50,6 +54,7 @@ private:
   NodeArray m_residual, m_direction, m_product, m_still; ///< N entries each
   double m_square = 0.0;                                 ///< of the residual, under the preconditioner [J]
   bool m_metNegative = false;
+  int m_products = 0;
 };
 
 } // namespace esm

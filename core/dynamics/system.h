@@ -2,32 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/energy_sums.h"
 #include "core/forces/force_model.h"
 #include "core/forces/load_schedule.h"
 
-#include <algorithm>
 #include <limits>
 #include <span>
 
 namespace esm {
-
-/// What a motion has exchanged since t = 0: sums over the trajectory, integrated with the step's own
-/// quadrature [J].
-struct EnergySums {
-  double work = 0.0;     ///< done by nodal forces, motions and tools
-  double heat = 0.0;     ///< made by dampers, and where a motion ends
-  double loss = 0.0;     ///< taken away by the method, as it estimates itself; negative where it adds
-  double lent = 0.0;     ///< put in by supports in this frame while Descent moved the net; not yet in `work`
-  double mostLent = 0.0; ///< in this frame so far
-
-  /// What is lent from now on. Where that may be the rounding of what had been lent, it is no more than is left.
-  void setLent(double energy, double left) noexcept
-  {
-    constexpr double kRounding = 1e-9; // of sums over steps
-    mostLent = std::max(mostLent, energy);
-    lent = energy > kRounding * mostLent ? energy : std::min(energy, left);
-  }
-};
 
 /// What changes with each step.
 struct MotionState : EnergySums {

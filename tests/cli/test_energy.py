@@ -12,8 +12,8 @@ NETS = SOURCE / "tests" / "data" / "nets"
 
 class Energy(ProgramTest):
     def balance(self, report):
-        return report["initial_energy"] + report["external_work"] - report["dissipated_energy"] - \
-            report["method_loss"] - report["energy"]
+        return report["initial_energy"] + report["external_work"] + report["restored_energy"] - \
+            report["dissipated_energy"] - report["method_loss"] - report["energy"]
 
     def test_the_report_adds_up(self):
         net = json.loads(json.dumps(OSCILLATOR))
