@@ -19,6 +19,8 @@ int usage()
     stderr,
     "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
     "       esm_bench verify [SCENE...] [TOLERANCE...]   what finer runs find of missed tolerances\n"
+    "       esm_bench watch [SCENE...]   whether the watch over growing errors is right; with scenes: its "
+    "cost\n"
     "       esm_bench kernel|stability|growth|skip|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
     "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
   return 2;
@@ -41,6 +43,7 @@ int run(const std::vector<std::string>& words)
   if (words[0] == "growth") return runGrowth(rest);
   if (words[0] == "realtime") return runRealTime(rest);
   if (words[0] == "verify") return runVerify(rest);
+  if (words[0] == "watch") return runWatch(rest);
   if (words[0] == "fuzzy") return runFuzzy(rest);
   if (words[0] == "remesh") return runRemesh(rest);
   if (words[0] == "tissue_edit") return runTissueEdit(rest);

@@ -19,6 +19,9 @@ int runGrowth(const std::vector<std::string>& words);
 int runRealTime(const std::vector<std::string>& words);
 /// Tolerances that are missed: how many of them finer runs see and mend. Words: scenes and tolerances.
 int runVerify(const std::vector<std::string>& words);
+/// Whether a motion multiplies errors: what the watch says of scenes that it was not made with, against two
+/// exact runs. With names of scenes: what it costs there.
+int runWatch(const std::vector<std::string>& words);
 /// Evaluations per second of fuzzy rule bases, beside fuzzylite.
 int runFuzzy(const std::vector<std::string>& words);
 /// Milliseconds from a moved slider to new springs, 100,000 of them, beside the full derivation.
