@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/integrator.h"
+#include "core/dynamics/own_energy.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,9 +12,10 @@
 namespace esm {
 namespace {
 
-constexpr int kIterations = 8;   ///< of a step at most, each with a factor
-constexpr double kEnough = 1e-3; ///< an iteration that gains less of what all have gained is the last
-constexpr int kMostPulls = 8;    ///< back to the start, see step()
+constexpr int kIterations = 8;     ///< of a step at most, each with a factor
+constexpr double kEnough = 1e-3;   ///< an iteration that gains less of what all have gained is the last
+constexpr double kAtBottom = 1e-8; ///< of the potential, above its rounding
+constexpr int kMostPulls = 8;      ///< back to the start, see step()
 constexpr double kShortest = 1.0 / 4096.0; ///< of a Newton step [1]
 
 /// Implicit Euler as a descent: the method that cannot fail. The step y of implicit Euler is where the
@@ -56,7 +58,7 @@ public:
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {
     ++report.steps;
-    const double before = system.storedEnergy(state.x);
+    const double before = system.storedEnergy(state.x), own = ownEnergy(system, state);
     m_x = state.x; // same size: no allocation
     m_w = state.v;
     system.place(end, m_x, m_w);
@@ -64,7 +66,7 @@ public:
     if (!std::isfinite(before) || !std::isfinite(moved)) return StepResult::NonFinite;
     const Goal goal{state.v, h, end};
     m_y = m_x;
-    Sums sums = descend(system, goal, report);
+    Sums sums = descend(system, goal, own, report);
     if (!std::isfinite(sums.stored)) return StepResult::NonFinite;
     double work = 0.0, left = 0.0;
     int pull = 0;
@@ -89,10 +91,9 @@ public:
     const double kineticBefore = system.kineticEnergy(state.v), kineticLeft = system.kineticEnergy(m_w);
     // Energy that has come without the loads' work supports have put in.
     const double appeared = (sums.stored - before) + (kineticLeft - kineticBefore) + heat - work;
-    if (appeared > 0.0)
-      state.loan.lend(appeared, kineticBefore + std::max(system.elasticEnergy(state.x), 0.0));
-    state.settle(std::max(-appeared, 0.0), heat, kineticLeft + std::max(system.elasticEnergy(m_y), 0.0));
+    if (appeared > 0.0) state.loan.lend(appeared, own);
     state.advanceTo(end, m_y, m_w, work, heat);
+    state.settle(std::max(-appeared, 0.0), heat, ownEnergy(system, state));
     return StepResult::Done;
   }
 
@@ -107,14 +108,6 @@ private:
     double loadWork = 0.0;  ///< f.(y - x) [J]
     double heatPower = 0.0; ///< [W]
   };
-
-  static double freeKinetic(const System& system, const NodeArray& v) noexcept
-  {
-    double energy = 0.0;
-    for (std::size_t i = 0; i < v.size(); ++i)
-      if (system.isFree(i)) energy += 0.5 * system.mass()[i] * dot(v[i], v[i]);
-    return energy;
-  }
 
   /// P and its parts at y; sets m_w to the velocity that leads there, m_force to - h dP/dy of the free nodes.
   Sums look(System& system, const Goal& goal, NodeArray& y) noexcept
@@ -157,19 +150,21 @@ private:
     return power;
   }
 
-  Sums descend(System& system, const Goal& goal, StepReport& report)
+  /// @param own  that the net had before supports moved: more than that is left of a jump
+  Sums descend(System& system, const Goal& goal, double own, StepReport& report)
   {
     Sums best = look(system, goal, m_y);
-    m_isDone = true;
-    if (m_matrix.freeCount() == 0) return best;
+    m_isDone = m_matrix.freeCount() == 0;
+    if (m_isDone) return best;
     double gained = 0.0;
     for (int iteration = 0; iteration < kIterations; ++iteration) {
       ++report.newtonIterations;
       ++report.factorizations;
-      m_isDone = m_matrix.factor(system, m_y, m_w, ImplicitMatrix::Shares::ofStep(goal.h), true);
-      if (!m_isDone) break;
+      if (!m_matrix.factor(system, m_y, m_w, ImplicitMatrix::Shares::ofStep(goal.h), true)) break;
       m_change = m_force; // same size: no allocation
       m_matrix.solve(m_change);
+      double promised = 0.0; // [J]
+      for (std::size_t i = 0; i < m_change.size(); ++i) promised += dot(m_force[i], m_change[i]);
       bool found = false, beyond = false;
       double gain = 0.0;
       for (double fraction = 1.0; fraction >= kShortest && !found; fraction *= 0.25) {
@@ -184,13 +179,17 @@ private:
       }
       if (!found) {
         // Loads past all reason: to stay where it is would hide them.
+        const double size = std::abs(best.potential) + std::abs(best.stored) + std::abs(best.loadWork);
+        m_isDone = promised <= kAtBottom * size; // else it is stuck where its model does not hold
         if (!beyond || iteration > 0) break;
         best.stored = std::numeric_limits<double>::infinity();
         return best;
       }
       gained += gain;
-      if (gain <= kEnough * gained) return best; // m_w is that of y
-      m_isDone = iteration + 1 < kIterations;
+      const double left = std::max(system.elasticEnergy(m_y), 0.0);
+      const bool isFalling = gain > left && left > own; // from where a jump has put it
+      m_isDone = gain <= kEnough * gained && !isFalling;
+      if (m_isDone) return best; // m_w is that of y
     }
     return look(system, goal, m_y);
   }

@@ -31,7 +31,10 @@ public:
   {
     const double paid = std::min(lost, m_owed), rest = lost - paid;
     m_owed -= paid;
-    return mayBeRounding(rest) ? std::min(rest, m_own) : rest;
+    if (!mayBeRounding(rest)) return rest;
+    const double own = std::min(rest, m_own);
+    m_own -= own;
+    return own;
   }
   /// Heat has been made. @return what of it was lent.
   double turnToHeat(double heat) noexcept

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 // The part of StepDriver that measures errors: a stretch is done twice, and what the distance of the ends
 // teaches.
+#include "core/dynamics/own_energy.h"
 #include "core/dynamics/step_driver.h"
 
 #include <algorithm>
@@ -169,8 +170,7 @@ void StepDriver::bookLoss(const System& system, MotionState& state, Method metho
     const EnergyBalance balance = energyBalance(system, state);
     const double lost = (state.restored - m_start.restored) - balance.gained - balance.heat;
     state.loss = m_start.loss + std::min(lost, 0.0);
-    state.settle(std::max(lost, 0.0), balance.heat,
-                 system.kineticEnergy(state.v) + std::max(system.elasticEnergy(state.x), 0.0));
+    state.settle(std::max(lost, 0.0), balance.heat, ownEnergy(system, state));
     return;
   }
   Integrator& integrator = *m_candidates[method].integrator;

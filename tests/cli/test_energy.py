@@ -33,6 +33,18 @@ class Energy(ProgramTest):
         self.assertGreater(lost[1], 0.0)
         self.assertLessEqual(3 * 3 * lost[1], lost[0])
 
+    def test_what_a_jump_stretches_and_gives_up_is_no_work(self):
+        # A node is moved by 100 m in a picosecond: its springs would hold 1e57 J before the net follows.
+        self.run_program("simulate", NETS / "jumping_grid.json", "--report", "r.json", "-o", "m.f64", exit_code=3)
+        self.assertLess(abs(self.read_json("r.json")["external_work"]), 1.0)
+        # Named, descent takes a step a frame; it does not get there in one, and says so.
+        done = self.run_program("simulate", NETS / "jumping_grid.json", "--solver", "descent", "--report", "d.json",
+                                exit_code=3)
+        self.assertIn("was given up", done.stderr)
+        self.assertEqual(len(done.stderr.splitlines()), 2)
+        report = self.read_json("d.json")
+        self.assertLessEqual(abs(report["energy_residual"]), 1e-9 * report["external_work"])
+
     def test_a_net_that_folds_multiplies_errors_and_it_is_said(self):
         # Exact integrators part by 7e-2 on it after half a second, where 1e-4 had been asked for.
         done = self.run_program("simulate", NETS / "folding_sheet.json", "--tolerance", "1e-4", "--report", "r.json",
