@@ -43,8 +43,8 @@ Simulation exactly(const Scene& scene, double share)
 {
   SolverSettings settings;
   settings.workLimit = 0.0;
-  settings.fixedStep = share * Simulation::create(scene.net, scene.loads, settings)->stableStep();
   settings.solver = "rk4";
+  settings.fixedStep = share * Simulation::create(scene.net, scene.loads, settings)->stableStep();
   return std::move(*Simulation::create(scene.net, scene.loads, settings));
 }
 
@@ -113,7 +113,7 @@ std::string costOf(const Finding& finding)
 
 void judge(bool isQuick)
 {
-  std::printf("scene,foretold,growth,watched,verdict,error_over_tolerance,passes,watch_passes,share\n");
+  std::printf("scene,fresh,foretold,growth,watched,verdict,error_over_tolerance,passes,watch_passes,share\n");
   int alarms = 0, misses = 0, foretold = 0, count = 0;
   for (const HeldOutScene& scene : heldOutScenes()) {
     if (isQuick && scene.net.springCount() > 2000) continue;
@@ -124,9 +124,10 @@ void judge(bool isQuick)
     alarms += verdict == "false alarm" ? 1 : 0;
     misses += verdict == "miss" ? 1 : 0;
     foretold += scene.foretold == (finding.truth >= kTold) ? 1 : 0;
-    std::printf("%s,%s,%s,%s,%s,%s,%s\n", scene.name.c_str(), scene.foretold ? "grows" : "tame",
-                formatDouble(finding.truth, 3).c_str(), formatDouble(finding.watched, 3).c_str(),
-                verdict.c_str(), formatDouble(finding.missed, 3).c_str(), costOf(finding).c_str());
+    std::printf("%s,%s,%s,%s,%s,%s,%s,%s\n", scene.name.c_str(), scene.isFresh ? "yes" : "no",
+                scene.foretold ? "grows" : "tame", formatDouble(finding.truth, 3).c_str(),
+                formatDouble(finding.watched, 3).c_str(), verdict.c_str(),
+                formatDouble(finding.missed, 3).c_str(), costOf(finding).c_str());
     std::fflush(stdout);
   }
   std::fprintf(stderr, "%d scenes, %d foretold rightly; %d false alarms, %d misses\n", count, foretold,

@@ -6,25 +6,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
+#include <utility>
 
 namespace esm {
 namespace {
 
-constexpr double kLookCost = 16.0, kLookAnewShare = 0.02; ///< cost [force passes], of the work
+constexpr double kFirstLookCost = 12.0; ///< a guess [force passes]
+constexpr double kLookShare = 0.015;    ///< of the work
 constexpr double kDebtShare = 0.03;
-constexpr int kBurst = 6;              ///< frames
+constexpr int kOften = 2; ///< looks: what gives way once, as a poked organ, seldom does for long
+constexpr int kBurst = 6; ///< frames
+/// Logarithm of what it must grow by in each of them, but for so much, else they end: what only wobbles does
+/// not pay.
+constexpr double kLeastRate = 0.1, kSlack = 0.2;
 constexpr double kGrows = 1.4;         ///< logarithm of what they must grow by to be followed further
 constexpr double kSmall = 1e-7;        ///< of the extent: the difference that is followed
-constexpr double kGrownEnough = 20.0;  ///< logarithm of a growth beyond which nobody needs to know more
+constexpr double kGrownEnough = 8.0;   ///< logarithm of a growth beyond which nobody needs to know more
 constexpr double kShareOfStable = 0.9; ///< of the stable step, as stiffness may rise in the frame
-
-/// In [-1, 1], the same in every run.
-double drawn(std::uint64_t& state) noexcept
-{
-  state = state * 6364136223846793005u + 1442695040888963407u;
-  return static_cast<double>(state >> 11) * 0x1p-52 - 1.0;
-}
 
 } // namespace
 
@@ -36,7 +34,10 @@ void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
   const Eigen::Vector3d box = net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
   m_extent = std::max(box.norm(), 1e-12);
   m_work = m_debt = m_spent = 0.0;
+  m_lookCost = kFirstLookCost;
   m_left = 0;
+  m_timesGivenWay = 0;
+  m_looksAgain = false;
   m_hasStart = false;
   m_largest = 1.0;
 }
@@ -49,7 +50,8 @@ void GrowthWatch::pay(double passes) noexcept
 
 bool GrowthWatch::lookIsDue() const noexcept
 {
-  return m_work * kLookAnewShare >= kLookCost && m_debt <= 0.0 && std::log(m_largest) < kGrownEnough;
+  if (std::log(m_largest) >= kGrownEnough) return false;
+  return m_looksAgain || (m_work * kLookShare >= m_lookCost && m_debt <= 0.0);
 }
 
 void GrowthWatch::remember(const MotionState& motion)
@@ -59,12 +61,19 @@ void GrowthWatch::remember(const MotionState& motion)
 
 bool GrowthWatch::look(const System& system, const MotionState& motion)
 {
+  constexpr double kPreparation = 2.0; // force passes
   m_work = 0.0;
   m_stiffness.prepare(system, motion.x, 0.0);
-  const bool givesWay = m_stiffness.givesWay(system);
-  m_spent += 2.0 + m_stiffness.products();
+  const bool givesWay =
+    m_stiffness.givesWay(system, std::exchange(m_looksAgain, false) ? &m_pattern : nullptr);
+  if (givesWay) m_pattern = m_stiffness.direction();
+  m_lookCost = kPreparation + m_stiffness.products();
+  m_spent += m_lookCost;
   if (!givesWay) return false;
-  if (!m_hasStart) start(system);
+  m_looksAgain = ++m_timesGivenWay < kOften;
+  if (m_looksAgain) return false;
+  if (!m_hasStart) start();
+  if (!m_hasStart) return false;
   m_burstStart = m_size;
   m_left = kBurst;
   return true;
@@ -76,18 +85,15 @@ void GrowthWatch::setMode(const FastestMode& mode) noexcept
   m_step = kShareOfStable * m_integrator->stableStep(mode);
 }
 
-/// A difference in the velocities of free nodes, in all directions.
-void GrowthWatch::start(const System& system)
+/// A difference in the velocities, in the pattern in which the net gives way.
+void GrowthWatch::start()
 {
-  std::uint64_t seed = 1;
-  m_x.assign(system.nodeCount(), Lanes{0, 0, 0, 0});
-  m_v = m_x;
-  for (std::size_t i = 0; i < m_v.size(); ++i)
-    for (int lane = 0; lane < 3; ++lane) m_v[i][lane] = system.isFree(i) ? drawn(seed) : 0.0;
+  m_v = m_pattern;
+  m_x.assign(m_v.size(), Lanes{0, 0, 0, 0});
   const double scale = kSmall * m_extent / size();
   for (Lanes& v : m_v) v *= scale;
   m_size = m_least = 0.0;
-  m_hasStart = true;
+  m_hasStart = std::isfinite(scale);
 }
 
 /// RMS over the nodes, velocities by what they move in a frame [m].
@@ -147,7 +153,10 @@ void GrowthWatch::carryOn(const MotionState& motion)
     m_x[i] *= target / now;
     m_v[i] *= target / now;
   }
-  if (--m_left > 0 || m_size - m_burstStart < kGrows || m_size - m_least >= kGrownEnough) return;
+  const double grown = m_size - m_burstStart;
+  const int frames = kBurst + 1 - m_left;
+  if (!(grown >= kLeastRate * frames - kSlack)) m_left = 1;
+  if (--m_left > 0 || grown < kGrows || m_size - m_least >= kGrownEnough) return;
   m_left = kBurst;
   m_burstStart = m_size;
 }

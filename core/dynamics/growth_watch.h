@@ -8,11 +8,12 @@
 namespace esm {
 
 /// Looks whether a motion multiplies small errors. Nets with a positive stiffness do not, so now and then
-/// some products with it are asked (StiffnessCg::givesWay()). Where a net gives way, a small difference is
-/// followed for some frames: two neighbours, from where the motion is at the start of each frame, by plain
-/// steps at their limit, and their difference is carried over. What it grows by from any time to any later
-/// one is what becomes of an error. Where it does not, the next frames are not followed until that has cost
-/// three hundredths of the work; looks cost a fiftieth.
+/// some products with it are asked (StiffnessCg::givesWay()). Where a net gives way, and a frame later or at a
+/// later look does so once more, a small difference in that pattern is followed for some frames: two
+/// neighbours, from where the motion is at the start of each frame, by plain steps at their limit, and their
+/// difference is carried over. What it grows by from any time to any later one is what becomes of an error.
+/// Where it does not, the next frames are not followed until the work since then has paid for it; looks cost
+/// a seventieth of the work.
 class GrowthWatch {
 public:
   void begin(const SpringNet& net, const Loads& loads);
@@ -32,13 +33,14 @@ public:
   double spent() const noexcept { return m_spent; }     ///< on looking and following [force passes]
 
 private:
-  void start(const System& system);
+  void start();
   bool run(MotionState& state, double end, double step);
   double size() const noexcept;
 
   System m_system; ///< of the two neighbours
   MotionState m_before, m_here, m_beside;
-  NodeArray m_x, m_v; ///< the difference [m, m/s]
+  NodeArray m_pattern; ///< in which the net gave way last
+  NodeArray m_x, m_v;  ///< the difference [m, m/s]
   std::unique_ptr<Integrator> m_integrator;
   StiffnessCg m_stiffness;
   double m_extent = 1.0;     ///< [m]
@@ -51,7 +53,9 @@ private:
   int m_left = 0;            ///< frames still to follow
   bool m_hasStart = false;
   double m_largest = 1.0, m_time = 0.0;
-  double m_spent = 0.0;
+  double m_spent = 0.0, m_lookCost = 0.0; ///< in all, and by the last look [force passes]
+  int m_timesGivenWay = 0;
+  bool m_looksAgain = false; ///< in the next frame
 };
 
 } // namespace esm

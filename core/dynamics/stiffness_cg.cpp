@@ -155,7 +155,7 @@ StiffnessCg::Result StiffnessCg::solve(const System& system, NodeArray& vector, 
 
 /// From a pattern without a preferred direction: what pulls at a net in balance may well have no part in the
 /// direction in which it would fall.
-bool StiffnessCg::givesWay(const System& system)
+bool StiffnessCg::givesWay(const System& system, const NodeArray* former)
 {
   const auto isNegative = [](const SpringTangent& tangent) {
     return std::min(tangent.axial, tangent.lateral) < 0.0;
@@ -165,7 +165,8 @@ bool StiffnessCg::givesWay(const System& system)
   NodeArray pattern(m_inverse.size());
   for (std::size_t i = 0; i < pattern.size(); ++i)
     pattern[i] = m_inverse[i] > 0.0 ? scattered(i) * std::sqrt(1.0 / m_inverse[i]) : Lanes{0, 0, 0, 0};
-  below(system, pattern, std::numeric_limits<double>::infinity(), kGivingLooks);
+  below(system, pattern, std::numeric_limits<double>::infinity(), former ? 2 * kGivingLooks : kGivingLooks,
+        former);
   return m_metNegative;
 }
 

@@ -34,7 +34,9 @@ public:
   Result solve(const System& system, NodeArray& vector, int most);
   /// Whether K is not positive definite, as far as some ten products tell; none if no spring is pressed or
   /// softens.
-  bool givesWay(const System& system);
+  /// @param former  a pattern in which it did before: looked at first, and for longer; or null
+  bool givesWay(const System& system, const NodeArray* former = nullptr);
+  const NodeArray& direction() const noexcept { return m_direction; } ///< that was met last; 0 at held nodes
   int products() const noexcept
   {
     return m_products;
