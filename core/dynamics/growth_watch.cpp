@@ -12,7 +12,7 @@ namespace esm {
 namespace {
 
 constexpr double kFirstLookCost = 12.0; ///< a guess [force passes]
-constexpr double kWatchShare = 0.015;    ///< of the work
+constexpr double kWatchShare = 0.015;   ///< of the work
 constexpr double kDebtShare = 0.03;
 constexpr int kOften = 2; ///< looks: what gives way once, as a poked organ, seldom does for long
 constexpr int kBurst = 6; ///< frames

@@ -144,7 +144,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
     const Run result = run(system, state, end, 1, report);
     if (result != Run::Done) return giveUp(result, report), false;
-    report.rough = report.rough || m_method == m_descent; // nobody has measured its error
+    report.rough = report.rough || current().brakesBodies(); // nobody has measured its error
     keep(system, state, expectedError(state));
     return true;
   }

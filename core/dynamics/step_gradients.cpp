@@ -153,6 +153,7 @@ int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* fir
     if (curvature > 0.0) step = slope / curvature;
     all = step * slope;
   }
+  if (step == 0.0) std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0}); // 0 times what it holds
   double square = advanceBy(nodes, step, m_direction.data(), m_product.data(), m_inverse.data(),
                             vector.data(), m_residual.data(), m_scaled.data());
   m_direction = m_scaled; // same size: no allocation
