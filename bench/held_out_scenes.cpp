@@ -84,7 +84,7 @@ HeldOutScene roof(const std::string& name, int rings, int around, double rise, d
   net.stiffness.setConstant(400.0);
   net.viscosity.setConstant(viscosity);
   net.mass.setConstant(2e-4);
-  for (int a = 0; a < around; ++a) net.fixed[static_cast<std::size_t>(1 + (rings - 1) * around + a)] = 1;
+  std::fill(net.fixed.end() - around, net.fixed.end(), std::uint8_t{1}); // the outermost ring
   NodalForce press;
   press.nodes = {0};
   press.force = curve({0.0, 0.2}, {{0, 0, 0}, {0, 0, -push}});
@@ -103,6 +103,7 @@ HeldOutScene balls()
     return bumper;
   };
   std::vector<Eigen::Vector3d> positions;
+  positions.reserve(14);
   for (int corner = 0; corner < 8; ++corner)
     positions.emplace_back(corner & 1 ? 0.1 : 0.0, corner & 2 ? 0.1 : 0.0, corner & 4 ? 0.1 : 0.0);
   for (int i = 0; i < 6; ++i)
@@ -179,9 +180,8 @@ HeldOutScene hammock()
   scene.net.stiffness.setConstant(30.0);
   scene.net.viscosity.setConstant(0.02);
   scene.net.mass.setConstant(2e-4);
-  for (Index j = 0; j < kSide; ++j)
-    scene.net.fixed[static_cast<std::size_t>(j * kSide)] =
-      scene.net.fixed[static_cast<std::size_t>(j * kSide + kSide - 1)] = 1;
+  for (std::size_t i = 0; i < scene.net.fixed.size(); ++i)
+    if (i % kSide == 0 || i % kSide == kSide - 1) scene.net.fixed[i] = 1;
   scene.loads.gravity = {0, 0, -9.81};
   return scene;
 }
