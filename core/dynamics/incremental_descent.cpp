@@ -75,7 +75,7 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
   // Energy that has come without the loads' work supports have put in.
   const double appeared = (sums.stored - before) + (kineticLeft - kineticBefore) + heat - work;
   if (appeared > 0.0) state.loan.lend(appeared, own);
-  state.settle(std::max(-appeared, 0.0), heat, freeKinetic(system, m_w) + std::max(sums.elastic, 0.0));
+  state.settle(std::max(-appeared, 0.0), heat, kineticLeft + std::max(sums.elastic, 0.0));
   state.advanceTo(end, m_y, m_w, work, heat);
   return StepResult::Done;
 }

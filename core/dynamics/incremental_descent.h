@@ -28,6 +28,7 @@ public:
   int order() const noexcept final { return 1; }
   bool isUncontrolled() const noexcept final { return true; }
   bool findsLoss() const noexcept final { return true; }
+  bool keepsLoan() const noexcept final { return true; }
   bool brakesBodies() const noexcept final { return true; }
   double stableStep(const FastestMode& mode) const noexcept final;
   double stepCost(const System& system, double h) final;

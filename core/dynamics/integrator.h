@@ -60,6 +60,8 @@ public:
   /// Whether it takes one step per stretch whatever the tolerance: its result is an equilibrium, or rough by
   /// intent.
   virtual bool isUncontrolled() const noexcept { return false; }
+  /// Whether it books what supports lend (SupportLoan) by itself.
+  virtual bool keepsLoan() const noexcept { return false; }
   /// Whether it brakes what a free body does as one, so that it is best run in the body's frame of reference.
   virtual bool brakesBodies() const noexcept { return false; }
   /// Largest stable step for such motions [s]; infinity for an implicit method.

@@ -165,15 +165,16 @@ double StepDriver::errorOfFirst(System& system, const MotionState& state, double
 void StepDriver::bookLoss(const System& system, MotionState& state, Method method, double step)
 {
   constexpr double kLook = 250.0; // force passes
-  if (state.loan.isOpen()) {
+  Integrator& integrator = *m_candidates[method].integrator;
+  if (state.loan.isOpen() && !integrator.keepsLoan()) {
     m_unseen.isOpen = false; // Descent has closed what was before
     const EnergyBalance balance = energyBalance(system, state);
     const double lost = (state.restored - m_start.restored) - balance.gained - balance.heat;
     state.loss = m_start.loss + std::min(lost, 0.0);
-    state.settle(std::max(lost, 0.0), balance.heat, ownEnergy(system, state));
+    state.settle(std::max(lost, 0.0), balance.heat,
+                 system.kineticEnergy(state.v) + std::max(system.elasticEnergy(state.x), 0.0));
     return;
   }
-  Integrator& integrator = *m_candidates[method].integrator;
   if (integrator.findsLoss()) {
     state.loss += closeLoss(system, m_start);
     return;

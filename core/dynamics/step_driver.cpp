@@ -95,6 +95,7 @@ bool StepDriver::stretchFixed(System& system, MotionState& state, double end, St
   current().setSolveTolerance(1e-12 * m_gauge.extent(), false);
   const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
   m_start = state; // same size: no allocation
+  m_startEnergies.reset();
   const double length = end - state.time;
   const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
   if (result != Run::Done)
