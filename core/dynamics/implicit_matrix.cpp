@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/implicit_matrix.h"
 
+#include "core/dynamics/gradient_sweeps.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -265,9 +267,6 @@ bool ImplicitMatrix::negativeDirection(NodeArray& direction) noexcept
 
 void ImplicitMatrix::multiply(const NodeArray& vector, NodeArray& product) const noexcept
 {
-  const auto times = [](const NodeBlock& block, const Lanes& value) {
-    return block.column[0] * value[0] + block.column[1] * value[1] + block.column[2] * value[2];
-  };
   std::fill(product.begin(), product.end(), Lanes{0, 0, 0, 0});
   const auto node = [&](Index block) {
     return static_cast<std::size_t>(m_nodeOf[static_cast<std::size_t>(block)]);

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/incremental_descent.h"
 
-#include "core/dynamics/own_energy.h"
-
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -15,6 +13,15 @@ namespace {
 constexpr double kAtBottom = 1e-8;         ///< of the potential, above its rounding
 constexpr int kMostPulls = 8;              ///< back to the start, see step()
 constexpr double kShortest = 1.0 / 4096.0; ///< of a Newton step [1]
+
+/// Of the nodes that nobody holds or moves [J]: what supports carry is theirs.
+double freeKinetic(const System& system, const NodeArray& v) noexcept
+{
+  double energy = 0.0;
+  for (std::size_t i = 0; i < v.size(); ++i)
+    if (system.isFree(i)) energy += 0.5 * system.mass()[i] * dot(v[i], v[i]);
+  return energy;
+}
 
 } // namespace
 
@@ -46,17 +53,17 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
   system.place(end, m_x, m_w);
   const Goal goal{state.v, h, end};
   const double elastic = system.elasticEnergy(state.x), before = elastic + system.weightEnergy(state.x);
-  const double own = freeKinetic(system, state.v) + std::max(elastic, 0.0);
+  const double freely = freeKinetic(system, state.v), own = freely + std::max(elastic, 0.0);
   const double moved = system.schedule().movesAnyNow() ? system.storedEnergy(m_x) : before;
   if (!std::isfinite(before) || !std::isfinite(moved)) return StepResult::NonFinite;
-  Sums sums = descend(system, goal, start(system, goal, moved), own, report);
+  Sums sums = descend(system, goal, start(system, goal, freely + moved), own, report);
   if (!std::isfinite(sums.stored)) return StepResult::NonFinite;
   double work = 0.0, left = 0.0;
   int pull = 0;
   for (;; ++pull) {
     if (!allFinite(m_y, m_w)) return StepResult::NonFinite;
     work = sums.loadWork + h * (sums.heatPower + dragPower(system, sums));
-    left = freeKinetic(system, state.v) + moved - sums.stored + work;
+    left = freely + moved - sums.stored + work;
     if (left >= 0.0 || pull > kMostPulls) break;
     // A moving support or tool worked through its dampers less than the descent took: not so far.
     for (std::size_t i = 0; i < m_y.size(); ++i)
@@ -125,15 +132,15 @@ double IncrementalDescent::dragPower(System& system, const Sums& sums) noexcept
   return power;
 }
 
-/// The first y: where the velocity leads, if P is less there than what it is at rest without the dampers that
-/// supports move; else at rest.
-IncrementalDescent::Sums IncrementalDescent::start(System& system, const Goal& goal, double moved) noexcept
+/// The first y: where the velocity leads, if P is less there than at rest; else at rest.
+/// @param atRest  P there without the dampers that supports move, which is no more than P [J]
+IncrementalDescent::Sums IncrementalDescent::start(System& system, const Goal& goal, double atRest) noexcept
 {
   if (m_effort.coasts) {
     for (std::size_t i = 0; i < m_y.size(); ++i)
       m_y[i] = system.isFree(i) ? m_x[i] + goal.v[i] * goal.h : m_x[i];
     const Sums sums = look(system, goal, m_y);
-    if (sums.potential <= freeKinetic(system, goal.v) + moved) return sums;
+    if (sums.potential <= atRest) return sums;
   }
   m_y = m_x; // same size: no allocation
   return look(system, goal, m_y);

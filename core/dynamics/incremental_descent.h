@@ -68,7 +68,7 @@ private:
   };
   Sums look(System& system, const Goal& goal, NodeArray& y) noexcept;
   double dragPower(System& system, const Sums& sums) noexcept;
-  Sums start(System& system, const Goal& goal, double moved) noexcept;
+  Sums start(System& system, const Goal& goal, double atRest) noexcept;
   Sums descend(System& system, const Goal& goal, Sums best, double own, StepReport& report);
 
   Effort m_effort;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/preconditioned_cg.h"
 
+#include "core/dynamics/gradient_sweeps.h"
 #include "core/forces/spring_pass.h"
 
 #include <Eigen/Dense>
@@ -10,11 +11,6 @@
 
 namespace esm {
 namespace {
-
-ESM_INLINE Lanes times(const NodeBlock& block, const Lanes& value) noexcept
-{
-  return block.column[0] * value[0] + block.column[1] * value[1] + block.column[2] * value[2];
-}
 
 /// product = A p. @return p.A p
 ESM_CPU_CLONES double multiply(std::size_t nodes, const NodeBlock* diagonal, std::size_t pairCount,
@@ -30,20 +26,6 @@ ESM_CPU_CLONES double multiply(std::size_t nodes, const NodeBlock* diagonal, std
   }
   Lanes sum = {0, 0, 0, 0};
   for (std::size_t i = 0; i < nodes; ++i) sum += p[i] * product[i];
-  return sumLanes(sum);
-}
-
-/// x += step p, r -= step A p, z = inverse r. @return r.z
-ESM_CPU_CLONES double advance(std::size_t nodes, double step, const Lanes* p, const Lanes* product,
-                              const NodeBlock* inverse, Lanes* x, Lanes* r, Lanes* z) noexcept
-{
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < nodes; ++i) {
-    x[i] += p[i] * step;
-    r[i] -= product[i] * step;
-    z[i] = times(inverse[i], r[i]);
-    sum += r[i] * z[i];
-  }
   return sumLanes(sum);
 }
 
@@ -79,8 +61,8 @@ PreconditionedCg::Result PreconditionedCg::solve(Lanes* vector, double reduction
   std::copy(vector, vector + nodes, m_residual.begin());
   std::fill(vector, vector + nodes, Lanes{0, 0, 0, 0});
   std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0});
-  double square = advance(nodes, 0.0, m_product.data(), m_product.data(), m_inverse.data(), vector,
-                          m_residual.data(), m_scaled.data());
+  double square = takeStep(nodes, 0.0, m_product.data(), m_product.data(), m_inverse.data(), vector,
+                           m_residual.data(), m_scaled.data());
   m_direction = m_scaled; // same size: no allocation
   const double enough = reduction * reduction * square;
   for (m_iterations = 0; m_iterations < most; ++m_iterations) {
@@ -91,8 +73,8 @@ PreconditionedCg::Result PreconditionedCg::solve(Lanes* vector, double reduction
       if (m_iterations == 0) std::copy(m_scaled.begin(), m_scaled.end(), vector);
       return Result::Indefinite;
     }
-    const double next = advance(nodes, square / curvature, m_direction.data(), m_product.data(),
-                                m_inverse.data(), vector, m_residual.data(), m_scaled.data());
+    const double next = takeStep(nodes, square / curvature, m_direction.data(), m_product.data(),
+                                 m_inverse.data(), vector, m_residual.data(), m_scaled.data());
     const double keep = next / square;
     for (std::size_t i = 0; i < nodes; ++i) m_direction[i] = m_scaled[i] + m_direction[i] * keep;
     square = next;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 // The part of StepDriver that measures errors: a stretch is done twice, and what the distance of the ends
 // teaches.
-#include "core/dynamics/own_energy.h"
 #include "core/dynamics/step_driver.h"
 
 #include <algorithm>

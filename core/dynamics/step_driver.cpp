@@ -303,7 +303,9 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   const double affordable = 0.5 * effort(system) * length / kFrame / stepCost;
   const auto steps = static_cast<std::int64_t>(std::clamp(affordable, 1.0, kMostDescentSteps));
   const Run result = runRoughly(m_descent, system, state, end, steps, report);
-  sayDescent(system);
+  sayRough(system, m_descent,
+           "; as no step was both good and affordable, it takes damped steps that gain no energy: lower the "
+           "stiffness or the loads, raise the masses, or allow more effort");
   if (result != Run::Done) return giveUp(result, report), false;
   if (--m_descents <= 0) reconsider(system);
   return true;
@@ -313,7 +315,8 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
 bool StepDriver::stretchByBlocks(System& system, MotionState& state, double end, StepReport& report)
 {
   const Run result = runRoughly(m_blocks, system, state, end, 1, report);
-  sayBlocks(system);
+  sayRough(system, m_blocks,
+           "; to keep time, one damped step is taken for each frame, whose error is some per cent");
   if (result != Run::Done) return giveUp(result, report), false;
   return true;
 }

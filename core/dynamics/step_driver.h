@@ -236,8 +236,7 @@ private:
   double expectedError(const MotionState& state) const noexcept;
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
-  void sayDescent(const System& system);
-  void sayBlocks(const System& system);
+  void sayRough(const System& system, Method method, const char* why);
   void keep(const System& system, const MotionState& state, double error) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(Run failure, StepReport& report);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/step_gradients.h"
 
+#include "core/dynamics/gradient_sweeps.h"
 #include "core/forces/spring_pass.h"
 
 #include <algorithm>
@@ -14,11 +15,6 @@ namespace esm {
 namespace {
 
 constexpr std::size_t kLatest = 4;
-
-ESM_INLINE Lanes blockTimes(const NodeBlock& block, const Lanes& value) noexcept
-{
-  return block.column[0] * value[0] + block.column[1] * value[1] + block.column[2] * value[2];
-}
 
 /// Of symmetric blocks, by their adjugate; 0 for held nodes. @return whether all are finite.
 ESM_CPU_CLONES bool invert(std::size_t count, const double* inverseMass, const Lanes* straight,
@@ -41,38 +37,6 @@ ESM_CPU_CLONES bool invert(std::size_t count, const double* inverseMass, const L
     for (std::size_t k = 0; k < 3; ++k) inverse[i].column[k] = columns[k];
   }
   return probe == 0.0;
-}
-
-/// product += diagonal p. @return p.product
-ESM_CPU_CLONES double addOwn(std::size_t count, const double* diagonal, const Lanes* p,
-                             Lanes* product) noexcept
-{
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < count; ++i) {
-    product[i] += p[i] * diagonal[i];
-    sum += p[i] * product[i];
-  }
-  return sumLanes(sum);
-}
-
-/// x += step p, r -= step product, z = inverse r. @return r.z
-ESM_CPU_CLONES double advanceBy(std::size_t count, double step, const Lanes* p, const Lanes* product,
-                                const NodeBlock* inverse, Lanes* x, Lanes* r, Lanes* z) noexcept
-{
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < count; ++i) {
-    x[i] += p[i] * step;
-    r[i] -= product[i] * step;
-    z[i] = blockTimes(inverse[i], r[i]);
-    sum += r[i] * z[i];
-  }
-  return sumLanes(sum);
-}
-
-/// p = z + keep p
-ESM_CPU_CLONES void turnTo(std::size_t count, double keep, const Lanes* z, Lanes* p) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) p[i] = z[i] + p[i] * keep;
 }
 
 } // namespace
@@ -131,7 +95,7 @@ double StepGradients::multiply(System& system) noexcept
     advanceNodes(m_product.size(), column.stiffness * along, m_product.data(), column.gradient.data(),
                  m_product.data());
   }
-  return addOwn(m_product.size(), m_diagonal.data(), m_direction.data(), m_product.data());
+  return addDiagonal(m_product.size(), m_diagonal.data(), m_direction.data(), m_product.data());
 }
 
 int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* first, double smallPart,
@@ -154,8 +118,8 @@ int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* fir
     all = step * slope;
   }
   if (step == 0.0) std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0}); // 0 times what it holds
-  double square = advanceBy(nodes, step, m_direction.data(), m_product.data(), m_inverse.data(),
-                            vector.data(), m_residual.data(), m_scaled.data());
+  double square = takeStep(nodes, step, m_direction.data(), m_product.data(), m_inverse.data(), vector.data(),
+                           m_residual.data(), m_scaled.data());
   m_direction = m_scaled; // same size: no allocation
   std::array<double, kLatest> latest;
   latest.fill(std::numeric_limits<double>::infinity());
@@ -164,9 +128,9 @@ int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* fir
     const double curvature = multiply(system);
     if (!(curvature > 0.0)) break; // rounding
     const double term = square * square / curvature;
-    const double next = advanceBy(nodes, square / curvature, m_direction.data(), m_product.data(),
-                                  m_inverse.data(), vector.data(), m_residual.data(), m_scaled.data());
-    turnTo(nodes, next / square, m_scaled.data(), m_direction.data());
+    const double next = takeStep(nodes, square / curvature, m_direction.data(), m_product.data(),
+                                 m_inverse.data(), vector.data(), m_residual.data(), m_scaled.data());
+    advanceNodes(nodes, next / square, m_scaled.data(), m_direction.data(), m_direction.data());
     square = next;
     all += term;
     latest[static_cast<std::size_t>(iterations++) % kLatest] = term;

@@ -28,19 +28,11 @@ void StepDriver::sayToleranceGivenUp(const System& system)
   m_why += "; the tolerance would cost too many steps and may not hold";
 }
 
-void StepDriver::sayDescent(const System& system)
+void StepDriver::sayRough(const System& system, Method method, const char* why)
 {
   explain(system);
-  m_name = integratorTable()[m_descent].name;
-  m_why += "; as no step was both good and affordable, it takes damped steps that gain no energy: lower the "
-           "stiffness or the loads, raise the masses, or allow more effort";
-}
-
-void StepDriver::sayBlocks(const System& system)
-{
-  explain(system);
-  m_name = integratorTable()[m_blocks].name;
-  m_why += "; to keep time, one damped step is taken for each frame, whose error is some per cent";
+  m_name = integratorTable()[method].name;
+  m_why += why;
 }
 
 void StepDriver::explain(const System& system)

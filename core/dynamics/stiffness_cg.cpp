@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/stiffness_cg.h"
 
+#include "core/dynamics/gradient_sweeps.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -16,18 +18,6 @@ namespace {
 constexpr std::size_t kLatest = 8;
 constexpr double kSmallPart = 1e-4; // of b.K^-1 b: a hundredth of the solution
 constexpr int kGivingLooks = 24;    ///< iterations of givesWay()
-
-/// product += diagonal p. @return p.product
-ESM_CPU_CLONES double addDiagonal(std::size_t count, const double* diagonal, const Lanes* p,
-                                  Lanes* product) noexcept
-{
-  Lanes sum = {0, 0, 0, 0};
-  for (std::size_t i = 0; i < count; ++i) {
-    product[i] += p[i] * diagonal[i];
-    sum += p[i] * product[i];
-  }
-  return sumLanes(sum);
-}
 
 /// Three numbers from -1 to 1 without a pattern, the same ones everywhere.
 Lanes scattered(std::size_t i) noexcept
