@@ -139,8 +139,9 @@ Exit simulate(const SimulateOptions& options)
   const double fixedStep = project->simulation.solver.fixedStep;
   if (fixedStep > 0.0 && project->simulation.duration / fixedStep > 1e18)
     return fail({ErrorCode::InvalidValue, options.file + ": more than 1e18 steps; use a larger --step"});
-  if (!options.report.empty())
-    if (const Status status = canBeWritten(options.report); !status) return fail(status.error());
+  for (const std::string& later : {options.report, options.outputs.forceCurve, options.outputs.mesh})
+    if (const Status status = later.empty() ? Status{} : canBeWritten(later); !status)
+      return fail(status.error());
   const Result<RunSummary> summary =
     options.verify ? runVerified(*project, options.outputs) : runSimulation(*project, options.outputs);
   if (!summary) return fail(summary.error());

@@ -93,9 +93,6 @@ public:
       if (!writer) return writer.error();
       files.m_motion = std::move(*writer);
     }
-    for (const std::string& later : {outputs.forceCurve, outputs.mesh})
-      if (const Status status = later.empty() ? Status{} : canBeWritten(later); !status)
-        return status.error();
     if (!outputs.forceCurve.empty()) files.m_curve.emplace(simulation);
     return files;
   }

@@ -9,9 +9,10 @@
 
 namespace esm {
 
-/// A new file or folder beside `target` (where that is a link: beside what it leads to), on the same file system, to be filled and then to take the target's
-/// name. Its name is "<target>.esm-tmp-XXXXXX", and it is locked (flock) as long as this object lives. So
-/// create() can tell what killed programs left in the folder, whose lock is free, and removes it first.
+/// A new file or folder beside `target` (where that is a link: beside what it leads to), on the same file
+/// system, to be filled and then to take the target's name. Its name is "<target>.esm-tmp-XXXXXX", and it is
+/// locked (flock) as long as this object lives. So create() can tell what killed programs left in the folder,
+/// whose lock is free, and removes it first.
 class TemporaryBeside {
 public:
   enum class Kind { File, Folder };
