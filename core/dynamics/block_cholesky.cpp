@@ -293,7 +293,8 @@ void BlockCholesky::addUpdate(const Front& child, const Front& parent) noexcept
     }
 }
 
-bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling) noexcept
+bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling,
+                           Interruption* interruption) noexcept
 {
   m_negativePivots = 0;
   std::fill(m_panels.begin(), m_panels.end(), 0.0);
@@ -304,6 +305,8 @@ bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling)
   };
   for (std::size_t i = 0; i < m_diagonal.size(); ++i) add(m_diagonal[i], diagonal[i]);
   for (std::size_t i = 0; i < m_coupling.size(); ++i) add(m_coupling[i], coupling[i]);
+  constexpr double kProductsOfPiece = 8e6; // about 2 ms
+  double products = 0.0;
   for (const Front& front : m_fronts) {
     double* update = m_updates.data() + front.update;
     const auto outer = static_cast<std::size_t>(front.outer);
@@ -311,6 +314,10 @@ bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling)
     for (std::size_t c = 0; c < front.childCount; ++c)
       addUpdate(m_fronts[static_cast<std::size_t>(m_children[front.firstChild + c])], front);
     if (!factorPanel(front)) return false;
+    products += static_cast<double>(front.lead) * front.lead * front.width;
+    if (interruption == nullptr || products < kProductsOfPiece) continue;
+    products = 0.0;
+    if (interruption->isDue()) return false;
   }
   return true;
 }

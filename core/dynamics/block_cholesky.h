@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/budget.h"
 #include "core/forces/node_array.h"
 
 #include <cstdint>
@@ -47,7 +48,9 @@ public:
   /// @param diagonal  a block per node, symmetric.
   /// @param coupling  a block per pair of analyze(), symmetric, stands at (a, b) and at (b, a).
   /// @return false if a pivot is 0 or not finite: there is no factor then.
-  bool factor(const NodeBlock* diagonal, const NodeBlock* coupling) noexcept;
+  /// @param interruption  asked between fronts; null: nobody. Who says yes leaves no factor.
+  bool factor(const NodeBlock* diagonal, const NodeBlock* coupling,
+              Interruption* interruption = nullptr) noexcept;
   /// vector = A^-1 vector; an entry per node. @pre factor() was true.
   void solve(Lanes* vector) noexcept;
 

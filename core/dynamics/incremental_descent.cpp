@@ -155,6 +155,7 @@ IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal&
   if (m_isDone) return best;
   double gained = 0.0;
   for (int iteration = 0; iteration < m_effort.iterations; ++iteration) {
+    if (iteration > 0 && system.isExhausted()) break;
     ++report.newtonIterations;
     if (!setMatrix(system, m_y, m_w, goal.h, report)) break;
     m_change = m_force; // same size: no allocation

@@ -22,13 +22,16 @@ RegionDriver::RegionDriver(SolverSettings settings, Body& body)
     m_on(m_settings.skipResting && !(m_settings.fixedStep > 0.0))
 {}
 
-StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
+StepReport RegionDriver::advance(double interval, const Budget& budget)
 {
   MotionState& motion = m_body.motion;
+  m_interruption = Interruption(budget.isSpent);
   if (!m_on) {
     m_allMoved = true;
+    m_body.system.interruption = &m_interruption;
     StepReport report =
-      m_driver.advance(m_body.system, motion, interval, maxSteps, workLeft(motion.time + interval));
+      m_driver.advance(m_body.system, motion, interval, budget.steps, workLeft(motion.time + interval));
+    m_body.system.interruption = nullptr;
     m_work += m_driver.workDone(m_body.system, report);
     motion.endFrame();
     report.nodesAwake = static_cast<std::int64_t>(motion.x.size());
@@ -42,7 +45,7 @@ StepReport RegionDriver::advance(double interval, std::int64_t maxSteps)
     wakeForLoads(target == m_body.system.nextEvent(motion.time));
     if (m_mode == Mode::Rest)
       pass(target);
-    else if (!stretch(target, maxSteps, report))
+    else if (!stretch(target, budget, report))
       break;
   }
   motion.endFrame();
@@ -87,18 +90,21 @@ double RegionDriver::stretchEnd(double end, double interval) const noexcept
   return target;
 }
 
-bool RegionDriver::stretch(double target, std::int64_t maxSteps, StepReport& report)
+bool RegionDriver::stretch(double target, const Budget& budget, StepReport& report)
 {
-  const std::int64_t left = maxSteps > 0 ? maxSteps - report.steps : 0;
-  if (maxSteps > 0 && left <= 0) {
+  const std::int64_t left = budget.steps > 0 ? budget.steps - report.steps : 0;
+  if (budget.steps > 0 && left <= 0) {
     report.stepLimit = true;
-    m_limitText = "the work limit of " + std::to_string(maxSteps) +
+    m_limitText = "the work limit of " + std::to_string(budget.steps) +
                   " steps was reached before the end of the interval; allow more steps or a larger tolerance";
     return false;
   }
-  const bool good =
-    m_mode == Mode::Whole ? stretchWhole(target, left, report) : stretchPart(target, left, report);
+  const bool isWhole = m_mode == Mode::Whole;
+  System& system = isWhole ? m_body.system : m_partSystem;
+  system.interruption = &m_interruption;
+  const bool good = isWhole ? stretchWhole(target, left, report) : stretchPart(target, left, report);
   if (good) look(report);
+  m_body.system.interruption = m_partSystem.interruption = nullptr;
   return good;
 }
 

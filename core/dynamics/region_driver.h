@@ -59,7 +59,7 @@ public:
   void toolsChanged(const std::vector<ToolSpring>& before);
   /// Another accuracy from the next stretch on; see Simulation.
   void setAccuracy(double tolerance, double effort);
-  StepReport advance(double interval, std::int64_t maxSteps);
+  StepReport advance(double interval, const Budget& budget);
 
   /// Books all that the method has lost up to now.
   void closeLoss() noexcept;
@@ -82,7 +82,7 @@ private:
 
   // Steps
   double stretchEnd(double end, double interval) const noexcept;
-  bool stretch(double target, std::int64_t maxSteps, StepReport& report);
+  bool stretch(double target, const Budget& budget, StepReport& report);
   void pass(double target);
   bool stretchWhole(double target, std::int64_t maxSteps, StepReport& report);
   bool stretchPart(double target, std::int64_t maxSteps, StepReport& report);
@@ -153,6 +153,7 @@ private:
   std::vector<Index> m_moved;
   bool m_allMoved = true;
   std::string m_limitText;
+  Interruption m_interruption; ///< of this advance()
 };
 
 } // namespace esm

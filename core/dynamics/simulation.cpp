@@ -155,13 +155,13 @@ Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 Simulation::~Simulation() = default;
 
-StepReport Simulation::advance(double interval, std::int64_t maxSteps)
+StepReport Simulation::advance(double interval, const Budget& budget)
 {
   if (!(interval > 0.0) || !std::isfinite(interval)) return {};
   Impl& impl = *m_impl;
   MotionState& motion = impl.body.motion;
   if (impl.growth) impl.growth->remember(motion);
-  const StepReport report = impl.driver.advance(interval, maxSteps);
+  const StepReport report = impl.driver.advance(interval, budget);
   if (impl.growth && report.good()) impl.watchGrowth(report);
   m_impl->publish();
   return report;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
+#include "core/dynamics/budget.h"
 #include "core/dynamics/energy_report.h"
 #include "core/dynamics/step_report.h"
 #include "core/forces/loads.h"
@@ -67,8 +68,8 @@ public:
 
   /// Moves the net `interval` [s] ahead in as many substeps as stability and tolerance need. On trouble
   /// (see StepReport::good()) the state is the last good one and why() says what happened and what helps.
-  /// @param maxSteps work limit of this call; 0 = none.
-  StepReport advance(double interval, std::int64_t maxSteps = 0);
+  /// Where the budget does not last, StepReport::stepLimit says so and simulatedTime how far it came.
+  StepReport advance(double interval, const Budget& budget = {});
 
   /// Back to t = 0: rest positions and initial velocities; work and tools are cleared.
   void reset();

@@ -300,13 +300,14 @@ StepResult StepDriver::runProbe(Integrator& integrator, System& system, const Mo
   early = 0.0;
   if (m_look.steps > 0 && steps >= kLeastStepsForLook) {
     const double count = static_cast<double>(steps);
-    const StepResult result = integrator.run(
-      system, m_probe, m_look.time, static_cast<std::int64_t>(std::ceil(count * m_look.share)), report);
+    const StepResult result =
+      runInPieces(integrator, system, m_probe, m_look.time,
+                  static_cast<std::int64_t>(std::ceil(count * m_look.share)), report);
     if (result != StepResult::Done) return result;
     early = m_gauge.distance(m_look.x, m_probe);
     steps = static_cast<std::int64_t>(std::ceil(count * (1.0 - m_look.share)));
   }
-  return integrator.run(system, m_probe, state.time, steps, report);
+  return runInPieces(integrator, system, m_probe, state.time, steps, report);
 }
 
 /// The stretch once more by another method, with steps of about this size [s]. @return whether it errs little

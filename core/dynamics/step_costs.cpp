@@ -108,14 +108,26 @@ bool StepDriver::paysOff(double saving, double price) const noexcept
   return saving * (knownEnd(m_start.time) - m_start.time) / kFrame >= price;
 }
 
-/// What a net that keeps time is moved by depends on what plain steps cost, of which the rest is a multiple. A
-/// small net's factor costs less than a frame, and implicit steps err less.
-bool StepDriver::wantsBlocks(const System& system, double plainCost) const noexcept
+/// A small net's factor costs less than a frame, and implicit steps err less.
+bool StepDriver::mayTakeBlocks(const System& system) const noexcept
 {
   constexpr std::size_t kFewNodes = 500;
+  return m_auto && m_settings.keepsTime && system.nodeCount() > kFewNodes;
+}
+
+/// What a net that keeps time is moved by depends on what plain steps cost, of which the rest is a multiple.
+bool StepDriver::wantsBlocks(const System& system, double plainCost) const noexcept
+{
   constexpr double kBack = 0.7; // of the effort, below which plain steps return
-  return m_auto && m_settings.keepsTime && system.nodeCount() > kFewNodes &&
-         plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
+  return mayTakeBlocks(system) && plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
+}
+
+/// The time was over before the frame was: the next one, two, four, ... stretches take one step each.
+void StepDriver::comeDownToBlocks(const System& system) noexcept
+{
+  if (!mayTakeBlocks(system) || m_byBlocks) return;
+  m_descentTerm = std::clamp(2 * m_descentTerm, 1, kLongestDescent);
+  m_descents = m_descentTerm;
 }
 
 /// What a frame costs at least: plain steps at their limit or, where these are many, one implicit step. To

@@ -16,7 +16,6 @@ constexpr double kMostEffort = 3.0;            ///< for one frame, before descen
 constexpr double kLeastShare = 1.0 / 8.0;      ///< of it for a stretch, however short
 constexpr double kLeastOnsetShare = 1.0 / 8.0; ///< of that, when the others of an onset have used up theirs
 constexpr double kMostDescentSteps = 16.0;     ///< of one stretch
-constexpr int kLongestDescent = 64;            ///< stretches before something else is tried again
 constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
 
 /// The largest of what limits steps.
@@ -54,8 +53,8 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     if (std::abs(event - end) <= 1e-9 * interval) end = event;
     const double target = std::min(event, end);
     const bool isFixed = m_settings.fixedStep > 0.0;
-    if (!(workDone(system, report) < m_mostWork)) {
-      giveUp(Run::Limit, report);
+    if (!(workDone(system, report) < m_mostWork) || system.isInterrupted()) {
+      giveUp(system, Run::Limit, report);
       break;
     }
     continueOnset(system);
@@ -99,7 +98,7 @@ bool StepDriver::stretchFixed(System& system, MotionState& state, double end, St
   const double length = end - state.time;
   const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
   if (result != Run::Done)
-    giveUp(result, report);
+    giveUp(system, result, report);
   else
     bookLoss(system, state, m_method, length / steps);
   return result == Run::Done;
@@ -144,14 +143,13 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   if (!m_auto && current().isUncontrolled()) {
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
     const Run result = run(system, state, end, 1, report);
-    if (result != Run::Done) return giveUp(result, report), false;
+    if (result != Run::Done) return giveUp(system, result, report), false;
     report.rough = report.rough || current().brakesBodies(); // nobody has measured its error
     keep(system, state, expectedError(state));
     return true;
   }
   if (m_auto) {
-    if (m_byBlocks) return stretchByBlocks(system, state, end, report);
-    if (m_descents > 0) return stretchByDescent(system, state, end, report);
+    if (m_byBlocks || m_descents > 0) return stretchRoughly(system, state, end, report);
     const double usual =
       kMostEffort * std::max(effort(system), 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
     if (m_onset.longest <= 0.0) m_onset.affordable = usual; // it may begin here
@@ -246,14 +244,14 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   }
   if (!m_auto) {
     state = m_start;
-    return giveUp(failure, report), false;
+    return giveUp(system, failure, report), false;
   }
   report.rejectedSteps += 1;
   state = m_start;
   m_descentTerm = std::clamp(2 * m_descentTerm, 1, kLongestDescent);
   m_descents = m_descentTerm;
   m_growth = m_grown;
-  return stretchByDescent(system, state, end, report);
+  return stretchRoughly(system, state, end, report);
 }
 
 /// Whether this much work more is beyond what `auto` may spend on the stretch.
@@ -279,7 +277,6 @@ StepDriver::Run StepDriver::runRoughly(Method method, System& system, MotionStat
                                        std::int64_t steps, StepReport& report)
 {
   state.loss += closeLoss(system, state);
-  system.workLimit = m_mostWork;
   layOut(method, system);
   const Method other = std::exchange(m_method, method);
   const Run result = run(system, state, end, steps, report);
@@ -294,10 +291,22 @@ StepDriver::Run StepDriver::runRoughly(Method method, System& system, MotionStat
   return result;
 }
 
-/// What always succeeds: a few damped steps that gain no energy.
-bool StepDriver::stretchByDescent(System& system, MotionState& state, double end, StepReport& report)
+/// What always succeeds.
+bool StepDriver::stretchRoughly(System& system, MotionState& state, double end, StepReport& report)
+{
+  const Run result = mayTakeBlocks(system) ? stretchByBlocks(system, state, end, report)
+                                           : stretchByDescent(system, state, end, report);
+  if (result != Run::Done) return giveUp(system, result, report), false;
+  if (m_descents > 0 && --m_descents == 0) reconsider(system);
+  return true;
+}
+
+/// A few damped steps that gain no energy.
+StepDriver::Run StepDriver::stretchByDescent(System& system, MotionState& state, double end,
+                                             StepReport& report)
 {
   const double length = end - state.time;
+  system.workLimit = m_mostWork;
   layOut(m_descent, system);
   const double stepCost = m_candidates[m_descent].integrator->stepCost(system, length);
   const double affordable = 0.5 * effort(system) * length / kFrame / stepCost;
@@ -306,19 +315,22 @@ bool StepDriver::stretchByDescent(System& system, MotionState& state, double end
   sayRough(system, m_descent,
            "; as no step was both good and affordable, it takes damped steps that gain no energy: lower the "
            "stiffness or the loads, raise the masses, or allow more effort");
-  if (result != Run::Done) return giveUp(result, report), false;
-  if (--m_descents <= 0) reconsider(system);
-  return true;
+  return result;
 }
 
-/// What keeps time.
-bool StepDriver::stretchByBlocks(System& system, MotionState& state, double end, StepReport& report)
+/// One such step, with as many sweeps as the effort pays for: what keeps time.
+StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, double end,
+                                            StepReport& report)
 {
+  constexpr double kLeastPasses = 12.0; // a matrix, two looks and some sweeps
+  const double springs = static_cast<double>(system.forces().activeSprings());
+  const double affordable = effort(system) * (end - state.time) / kFrame;
+  system.workLimit =
+    std::min(m_mostWork, system.workDone() + std::max(affordable, kLeastPasses * springs));
   const Run result = runRoughly(m_blocks, system, state, end, 1, report);
   sayRough(system, m_blocks,
            "; to keep time, one damped step is taken for each frame, whose error is some per cent");
-  if (result != Run::Done) return giveUp(result, report), false;
-  return true;
+  return result;
 }
 
 StepDriver::EnergyBalance StepDriver::energyBalance(const System& system, const MotionState& state)
@@ -365,7 +377,7 @@ void StepDriver::stopAtLimit(const System& system, MotionState& state, StepRepor
     m_candidates[m_method].accurateStep = 0.25 * controlledStep(kFrame);
     m_untilCheck = 0;
   }
-  giveUp(Run::Limit, report);
+  giveUp(system, Run::Limit, report);
 }
 
 /// After a failed run: back to the start of the stretch with a smaller step.

@@ -96,6 +96,7 @@ private:
   /// After an event, in which an onset may begin [s]: in any stretch of the first frame.
   static constexpr double kLatestOnset = 0.9 * kFrame;
   static constexpr double kLooseTolerance = 1e-2; ///< see caution() and isPayable()
+  static constexpr int kLongestDescent = 64; ///< stretches before something else is tried again
   static constexpr int kSettling = 2;   ///< checks before a method that has just been chosen may be left
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
@@ -166,6 +167,7 @@ private:
   void weighEffort(const System& system, Candidate& candidate) const;
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);
+  bool mayTakeBlocks(const System& system) const noexcept;
   bool wantsBlocks(const System& system, double plainCost) const noexcept;
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
@@ -190,14 +192,17 @@ private:
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
   enum class Run { Done, Limit, NonFinite, NotConverged };
   Run run(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
+  static StepResult runInPieces(Integrator& method, System& system, MotionState& state, double end,
+                                std::int64_t steps, StepReport& report);
   StepResult runInFrames(System& system, MotionState& state, double end, std::int64_t steps,
                          StepReport& report);
   std::int64_t stepsLeft(const System& system, double step, const StepReport& report);
   Run runWithLook(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   Run runAgain(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   bool fallBackToLeapfrog(System& system, double length);
-  bool stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
-  bool stretchByBlocks(System& system, MotionState& state, double end, StepReport& report);
+  bool stretchRoughly(System& system, MotionState& state, double end, StepReport& report);
+  Run stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
+  Run stretchByBlocks(System& system, MotionState& state, double end, StepReport& report);
   Run runRoughly(Method method, System& system, MotionState& state, double end, std::int64_t steps,
                  StepReport& report);
   /// Since the start of the stretch [J].
@@ -239,7 +244,8 @@ private:
   void sayRough(const System& system, Method method, const char* why);
   void keep(const System& system, const MotionState& state, double error) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
-  void giveUp(Run failure, StepReport& report);
+  void giveUp(const System& system, Run failure, StepReport& report);
+  void comeDownToBlocks(const System& system) noexcept;
   void findBodies(const System& system, const MotionState& state);
   void forget() noexcept;
   void explain(const System& system);

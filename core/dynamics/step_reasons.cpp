@@ -59,12 +59,19 @@ void StepDriver::explain(const System& system)
     m_why = need + "; explicit steps are cheapest";
 }
 
-void StepDriver::giveUp(Run failure, StepReport& report)
+void StepDriver::giveUp(const System& system, Run failure, StepReport& report)
 {
   const std::string place =
     m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(nameOf(m_mode.node)) + ")";
   if (failure == Run::Limit) {
     report.stepLimit = true;
+    if (system.isInterrupted()) {
+      report.interrupted = true;
+      m_limitText = "the time allowed was over before the end of the interval; allow more of it or a larger "
+                    "tolerance" +
+                    place;
+      return comeDownToBlocks(system);
+    }
     const bool isOfSteps = m_maxSteps > 0 && report.steps >= m_maxSteps;
     m_limitText = (isOfSteps ? "the work limit of " + std::to_string(m_maxSteps) +
                                  " steps was reached before the end of the interval; allow more steps"

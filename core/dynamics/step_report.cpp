@@ -22,6 +22,7 @@ void StepReport::add(const StepReport& next) noexcept
   notConverged = notConverged || next.notConverged;
   rough = rough || next.rough;
   stepLimit = stepLimit || next.stepLimit;
+  interrupted = interrupted || next.interrupted;
 }
 
 } // namespace esm

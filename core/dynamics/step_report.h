@@ -22,7 +22,8 @@ struct StepReport {
   bool nonFinite = false;      ///< a NaN or infinity was caught; the state is the last good one
   bool notConverged = false;   ///< a solver gave up; the state is the last good one
   bool rough = false;          ///< bounded, but the tolerance was given up to save work
-  bool stepLimit = false;      ///< the work limit was reached before the end of the interval
+  bool stepLimit = false;      ///< the budget or the work limit was spent before the end of the interval
+  bool interrupted = false;    ///< then: by Budget::isSpent
 
   bool good() const noexcept { return !nonFinite && !notConverged && !stepLimit; }
   bool nothingMoved() const noexcept { return steps == 0 && nodesAwake == 0; } ///< all rested throughout

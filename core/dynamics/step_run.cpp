@@ -27,6 +27,25 @@ std::int64_t StepDriver::stepsLeft(const System& system, double step, const Step
   return m_maxSteps > 0 ? std::clamp<std::int64_t>(m_maxSteps - report.steps, 0, steps) : steps;
 }
 
+/// A run that may be called away goes in pieces, each of which ends in a good state.
+StepResult StepDriver::runInPieces(Integrator& method, System& system, MotionState& state, double end,
+                                   std::int64_t steps, StepReport& report)
+{
+  if (!system.mayBeInterrupted()) return method.run(system, state, end, steps, report);
+  const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
+  const double piece = std::floor(Budget::kPiece / std::max(method.stepCost(system, h), 1.0));
+  for (std::int64_t done = 0; done < steps;) {
+    if (system.isInterrupted()) return StepResult::NotConverged;
+    const std::int64_t more = std::min(steps - done, static_cast<std::int64_t>(std::max(piece, 1.0)));
+    done += more;
+    const double pieceEnd = done == steps ? end : begin + static_cast<double>(done) * h;
+    if (const StepResult result = method.run(system, state, pieceEnd, more, report);
+        result != StepResult::Done)
+      return result;
+  }
+  return StepResult::Done;
+}
+
 /// Descents damp only what their frames of reference leave them.
 StepResult StepDriver::runInFrames(System& system, MotionState& state, double end, std::int64_t steps,
                                    StepReport& report)
@@ -54,11 +73,11 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
   const bool isInFrame = current().brakesBodies() && !m_bodies.isEmpty();
   const std::int64_t count = std::min(allowed, steps);
   const StepResult result = isInFrame ? runInFrames(system, state, runEnd, count, report)
-                                      : current().run(system, state, runEnd, count, report);
+                                      : runInPieces(current(), system, state, runEnd, count, report);
   if (m_bodies.keep(system, state, state.time - begin)) current().restart();
   if (result == StepResult::NonFinite) return Run::NonFinite;
   if (result == StepResult::NotConverged)
-    return workDone(system, report) < m_mostWork ? Run::NotConverged : Run::Limit;
+    return workDone(system, report) < m_mostWork && !system.isInterrupted() ? Run::NotConverged : Run::Limit;
   if (isLimited) return run(system, state, end, steps - allowed, report); // what they cost was a guess
   report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
   m_sinceBound += static_cast<double>(steps) * passesOf(system, h);

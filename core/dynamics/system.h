@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/budget.h"
 #include "core/dynamics/energy_sums.h"
 #include "core/forces/force_model.h"
 #include "core/forces/load_schedule.h"
@@ -114,7 +115,11 @@ public:
   /// Work of implicit solvers besides force passes, in spring evaluations; and how much of both there may be.
   double solverWork = 0.0, workLimit = std::numeric_limits<double>::infinity();
   double workDone() const noexcept { return static_cast<double>(springsEvaluated) + solverWork; }
-  bool isExhausted() const noexcept { return workDone() > workLimit; }
+  bool isExhausted() const noexcept { return workDone() > workLimit || isInterrupted(); }
+  /// By the clock or somebody else, during a call that lends its budget's question; null: none. Not owned.
+  Interruption* interruption = nullptr;
+  bool mayBeInterrupted() const noexcept { return interruption != nullptr && interruption->isPossible(); }
+  bool isInterrupted() const noexcept { return interruption != nullptr && interruption->isDue(); }
 
 private:
   double toolEnergy(const NodeArray& x) const noexcept;

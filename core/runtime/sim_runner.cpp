@@ -3,7 +3,6 @@
 #include "core/runtime/sim_runner.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -12,17 +11,8 @@ namespace esm {
 namespace {
 
 constexpr double kLeastRate = 1.0, kMostRate = 1000.0;     ///< frames per second
-constexpr double kLeadTime = 0.004;                        ///< between two places of a led hand [s]
-constexpr double kFastestHand = 2.0;                       ///< what goes further was placed anew [m/s]
-constexpr double kMostSlices = 256.0;                      ///< of a frame
-constexpr double kSliceTime = 0.02, kMostSliceTime = 0.25; ///< wanted, and never longer [s]
-constexpr std::int64_t kFewSteps = 4;                      ///< too few to be worth dividing
-constexpr std::int64_t kFirstSteps = 64, kLeastSteps = 16, kMostSteps = 1 << 20;
-
-double seconds(std::chrono::steady_clock::duration duration)
-{
-  return std::chrono::duration<double>(duration).count();
-}
+constexpr double kLeadTime = 0.004; ///< between two places of a led hand [s]
+constexpr double kFastestHand = 2.0; ///< what goes further was placed anew [m/s]
 
 double periodOf(double framesPerSecond)
 {
@@ -39,9 +29,7 @@ bool isFinite(const Energies& energies)
 SimRunner::SimRunner(double frameRate, TripleBuffer<ToolState>& tool, TripleBuffer<ContactModel>& contact)
   : m_tool(tool),
     m_contact(contact),
-    m_period(periodOf(frameRate)),
-    m_slice(m_period),
-    m_stepLimit(kFirstSteps)
+    m_period(periodOf(frameRate))
 {}
 
 // === Commands
@@ -77,8 +65,6 @@ void SimRunner::carryOut(command::Load&& load)
   m_auto = isAuto;
   m_generation = load.generation;
   m_playing = m_stepPending = m_failed = false;
-  m_slice = m_period;
-  m_stepLimit = kFirstSteps;
   m_report = {};
   m_roughUntil = -1.0;
   m_message.clear();
@@ -279,39 +265,13 @@ void SimRunner::pull()
   }
 }
 
+/// A frame that is broken off is a slow one, no fault of the net.
 StepReport SimRunner::advance(double interval, const std::function<bool()>& enough)
 {
-  return enough ? advanceSliced(interval, enough) : m_simulation->advance(interval);
-}
-
-/// In slices that each take a small part of the frame's allowance, so that it can be broken off between them.
-/// The slices are stretches of time rather than numbers of steps: the solver controls its error over what it
-/// is asked for as a whole. The limit on steps only guards against a slice that costs far more than the last.
-StepReport SimRunner::advanceSliced(double interval, const std::function<bool()>& enough)
-{
-  StepReport sum;
-  double left = interval;
-  while (left > 1e-9 * interval) { // what rounding leaves of a frame is not worth a step
-    m_slice = std::clamp(m_slice, interval / kMostSlices, interval);
-    const double ask = left < 1.5 * m_slice ? left : m_slice;
-    const auto begin = std::chrono::steady_clock::now();
-    StepReport part = m_simulation->advance(ask, m_stepLimit);
-    const double took = seconds(std::chrono::steady_clock::now() - begin);
-    const bool fault = part.nonFinite || part.notConverged;
-    m_brokenOff = part.stepLimit;
-    part.stepLimit = false; // ours, no fault of the net
-    sum.add(part);
-    left -= part.simulatedTime;
-    // A slice of a few dear steps (an implicit solver's) would only cost the same again when made shorter.
-    const bool indivisible = part.steps <= kFewSteps;
-    if (took > kSliceTime && !indivisible) m_slice *= 0.5;
-    if (took < 0.25 * kSliceTime || indivisible) m_slice *= 2.0;
-    const double stepTime = took / static_cast<double>(std::max<std::int64_t>(part.steps, 1));
-    m_stepLimit = std::clamp<std::int64_t>(std::llround(kMostSliceTime / std::max(stepTime, 1e-9)),
-                                           kLeastSteps, kMostSteps);
-    if (fault || enough()) break;
-  }
-  return sum;
+  StepReport report = m_simulation->advance(interval, {0, enough});
+  m_brokenOff = report.interrupted;
+  if (report.interrupted) report.stepLimit = false;
+  return report;
 }
 
 void SimRunner::judge(const StepReport& report)

@@ -34,11 +34,10 @@ public:
   double framePeriod() const noexcept { return m_period; } ///< [s]
 
   /// Moves the net one frame ahead; returns the simulated time [s].
-  /// @param enough asked now and then: true ends the frame where it is, so that a net that is too large for
-  /// the
-  ///        frame rate moves in slow motion but still obeys. Every call gets somewhere. How often it is asked
-  ///        depends on the time things take; without it the frame is done as a whole, and equal commands give
-  ///        equal bits.
+  /// @param enough see Budget::isSpent: true ends the frame where it is, so that a net that is too large for the
+  ///        frame rate moves in slow motion but still obeys. A call may get nowhere, if a single step takes
+  ///        longer; then the next one needs more time. Without it the frame is done as a whole, and equal
+  ///        commands give equal bits.
   double runFrame(const std::function<bool()>& enough = {});
 
   /// A frame has taken `took` of the wall clock [s]: where that is too much, accuracy gives way by the plan
@@ -74,7 +73,6 @@ private:
   void moveTool(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity);
   void pull();
   StepReport advance(double interval, const std::function<bool()>& enough);
-  StepReport advanceSliced(double interval, const std::function<bool()>& enough);
   void judge(const StepReport& report);
   void keepPicture();
   void keepMoment();
@@ -100,12 +98,10 @@ private:
   bool m_playing = false, m_stepPending = false, m_followDevice = false, m_contactActive = false;
   bool m_handIsThere = false; ///< the last led frame came to its end, and the tool to where the hand was
   bool m_failed = false;      ///< numerics; stays until a command gives hope
-  double m_slice;             ///< simulated time between two questions whether it is enough [s]
-  std::int64_t m_stepLimit;   ///< of a slice
   StepReport m_report;
   double m_roughUntil = -1.0; ///< see SimSnapshot
-  std::string m_why;          ///< the simulation's own, but for the limits that slices set it
-  bool m_brokenOff = false;   ///< the last slice by such a limit
+  std::string m_why;          ///< the simulation's own, but for what it says of a frame broken off
+  bool m_brokenOff = false;   ///< the last frame was
   std::string m_message;      ///< a refusal or a failure; empty: m_why is what there is to say
   // The last finite picture, so that a NaN cannot leave even if the dynamics let one through.
   NetPicture m_picture;

@@ -6,6 +6,7 @@
 #include "core/runtime/frame_clock.h"
 #include "core/runtime/sim_runner.h"
 
+#include <algorithm>
 #include <ctime>
 #include <exception>
 #include <thread>
@@ -20,6 +21,8 @@ using WallClock = CommandQueue<SimCommand>::Clock;
 /// A frame that is not done after this long ends where it is [s]: then the picture still moves, a command is
 /// obeyed soon, and the hand's model does not grow stale (the servo fades out after 100 ms).
 constexpr double kLongestFrame = 0.05;
+/// So long may one be whose steps are dearer than that, if nobody wants anything meanwhile [s].
+constexpr double kLongestStep = 10.0;
 constexpr double kSlowFactor = 0.95;
 
 double seconds(WallClock::time_point time)
@@ -73,6 +76,7 @@ struct SimThread::Impl {
   FrameClock clock;
   std::vector<SimCommand> batch;
   std::uint64_t sequence = 0;
+  double longest = kLongestFrame; ///< that the next frame may take [s]
 
   std::jthread thread; ///< last: joins before the rest goes
 };
@@ -118,12 +122,13 @@ void SimThread::Impl::obey()
 
 void SimThread::Impl::runFrame(const std::stop_token& stop)
 {
-  const WallClock::time_point latest = WallClock::now() + std::chrono::duration_cast<WallClock::duration>(
-                                                            std::chrono::duration<double>(kLongestFrame));
   const double before = processorTime(), begin = seconds(WallClock::now());
-  const double simulated =
-    runner.runFrame([&] { return stop.stop_requested() || WallClock::now() >= latest; });
+  const double simulated = runner.runFrame([&] {
+    const double passed = seconds(WallClock::now()) - begin;
+    return stop.stop_requested() || passed >= longest || (passed >= kLongestFrame && commands.hasNews());
+  });
   const double end = seconds(WallClock::now());
+  longest = simulated > 0.0 ? kLongestFrame : std::min(2.0 * longest, kLongestStep);
   clock.endFrame(end, simulated, processorTime() - before);
   runner.keepTime(end - begin);
 }

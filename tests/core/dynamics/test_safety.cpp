@@ -103,7 +103,7 @@ TEST(Safety, RandomNetsStayFinite)
     Simulation simulation = simulate(net, loads);
     const double before = simulation.energies().total();
     StepReport report;
-    for (int frame = 0; frame < 2 && report.good(); ++frame) report.add(simulation.advance(1.0 / 60.0, 1000));
+    for (int frame = 0; frame < 2 && report.good(); ++frame) report.add(simulation.advance(1.0 / 60.0, {.steps = 1000}));
     implicit += simulation.solverName() == "implicit";
     ASSERT_TRUE(isFinite(simulation)) << "seed " << seed;
     ASSERT_TRUE(report.good() || report.stepLimit) << "seed " << seed << ": " << simulation.why();
@@ -222,7 +222,7 @@ TEST(Safety, AbsurdForceIsRefusedWithAFiniteState)
     SpringNet net = chain(2, 1.0, 10.0);
     net.mass[1] = 1e-5;
     Simulation simulation = simulate(net, loads, settings);
-    const StepReport report = simulation.advance(0.1, 2000);
+    const StepReport report = simulation.advance(0.1, {.steps = 2000});
     EXPECT_FALSE(report.good()) << solver;
     EXPECT_TRUE(isFinite(simulation)) << solver;
     EXPECT_FALSE(simulation.why().empty());
@@ -235,7 +235,7 @@ TEST(Safety, WorkLimitStopsAndGoesOnLater)
   net.initialVelocity = Eigen::Matrix3Xd::Zero(3, 4);
   net.initialVelocity(0, 1) = 1.0;
   Simulation simulation = simulate(net, {}, fixedSteps("verlet", 1e-3));
-  const StepReport limited = simulation.advance(1.0, 100);
+  const StepReport limited = simulation.advance(1.0, {.steps = 100});
   EXPECT_TRUE(limited.stepLimit);
   EXPECT_EQ(limited.steps, 100);
   EXPECT_NEAR(simulation.state().time, 0.1, 1e-12);

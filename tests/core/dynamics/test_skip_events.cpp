@@ -170,7 +170,7 @@ TEST(SkipEvents, WorkLimitHolds)
   Simulation simulation = simulate(net, {}, settingsOf(1e-3, true));
   const ToolSpring tool = pull(net, 60 * 30 + 30, {5e-4, 0, 5e-4}, 200.0);
   simulation.setTools({&tool, 1});
-  const StepReport report = simulation.advance(0.1, 50);
+  const StepReport report = simulation.advance(0.1, {.steps = 50});
   EXPECT_TRUE(report.stepLimit);
   EXPECT_LE(report.steps, 50);
   EXPECT_NE(simulation.why().find("50"), std::string::npos) << simulation.why();

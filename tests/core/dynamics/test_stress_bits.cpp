@@ -35,7 +35,7 @@ std::uint64_t play(Simulation& simulation, const SpringNet& net)
     tool.target.z() += 0.001 * frame;
     if (frame == 1 || frame == 2) simulation.setTools({&tool, 1});
     if (frame == 3) simulation.setTools({});
-    simulation.advance(1.0 / 60.0, kMostSteps);
+    simulation.advance(1.0 / 60.0, {.steps = kMostSteps});
     hash = hashOf(simulation, hash);
   }
   return hash;
@@ -73,8 +73,8 @@ TEST_P(SameBits, AgainResetThreadsAndInTheMiddle)
     Simulation third = simulate(scene.net, scene.loads, settings),
                fourth = simulate(scene.net, scene.loads, settings);
     for (int frame = 0; frame < 3; ++frame) {
-      third.advance(1.0 / 60.0, kMostSteps);
-      fourth.advance(1.0 / 60.0, kMostSteps);
+      third.advance(1.0 / 60.0, {.steps = kMostSteps});
+      fourth.advance(1.0 / 60.0, {.steps = kMostSteps});
       ASSERT_EQ(hashOf(third, 1), hashOf(fourth, 1)) << name << ": in turns, frame " << frame;
     }
   }
