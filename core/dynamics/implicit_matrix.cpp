@@ -94,8 +94,9 @@ bool ImplicitMatrix::factor(const System& system, const NodeArray& x, const Node
 {
   fill(system, x, v, shares, convex);
   m_metNegative = 0;
-  const bool exists = m_isIterative ? m_gradients.setMatrix(m_diagonal.data(), m_coupling.data())
-                                    : m_cholesky.factor(m_diagonal.data(), m_coupling.data(), system.interruption);
+  const bool exists = m_isIterative
+                        ? m_gradients.setMatrix(m_diagonal.data(), m_coupling.data())
+                        : m_cholesky.factor(m_diagonal.data(), m_coupling.data(), system.interruption);
   if (exists) fillPressure(system, x, shares);
   return exists;
 }

@@ -91,23 +91,29 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
 IncrementalDescent::Sums IncrementalDescent::look(System& system, const Goal& goal, NodeArray& y) noexcept
 {
   Sums sums;
-  slopesTo(y.size(), 1.0 / goal.h, system.inverseMass().data(), m_x.data(), y.data(), m_w.data());
+  system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+    slopesTo(count, 1.0 / goal.h, system.inverseMass().data() + first, m_x.data() + first, y.data() + first,
+             m_w.data() + first);
+  });
   // The sum of f w; what it leaves in m_force is overwritten.
   sums.loadWork = goal.h * system.schedule().addForces(goal.end, m_w.data(), m_force.data());
   const Rates rates = system.evaluate(goal.end, y, m_w, m_force, m_damper.data()); // places the supports
   sums.heatPower = rates.heat;
   sums.elastic = system.elasticEnergy(y);
   sums.stored = sums.elastic + system.weightEnergy(y);
-  double inertia = 0.0;
-  for (std::size_t i = 0; i < y.size(); ++i) {
-    if (!system.isFree(i)) {
-      m_force[i] = Lanes{0, 0, 0, 0};
-      continue;
+  const double inertia = system.sumNodes([&](std::size_t first, std::size_t count) noexcept {
+    double sum = 0.0;
+    for (std::size_t i = first; i < first + count; ++i) {
+      if (!system.isFree(i)) {
+        m_force[i] = Lanes{0, 0, 0, 0};
+        continue;
+      }
+      const Lanes jump = m_w[i] - goal.v[i];
+      sum += 0.5 * system.mass()[i] * dot(jump, jump);
+      m_force[i] = m_force[i] * goal.h - jump * system.mass()[i];
     }
-    const Lanes jump = m_w[i] - goal.v[i];
-    inertia += 0.5 * system.mass()[i] * dot(jump, jump);
-    m_force[i] = m_force[i] * goal.h - jump * system.mass()[i];
-  }
+    return sum;
+  });
   sums.potential = inertia + sums.stored - sums.loadWork + 0.5 * goal.h * sums.heatPower;
   return sums;
 }

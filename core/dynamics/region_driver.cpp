@@ -85,6 +85,7 @@ double RegionDriver::stretchEnd(double end, double interval) const noexcept
   if (m_mode == Mode::Rest) return target;
   const double parts = std::ceil((target - begin) / kFrame - 0.5);
   if (parts > 1.0) target = begin + (target - begin) / parts;
+  if (m_driver.takesBlocks()) return target; // a step of its own for the glance would cost as much again
   const bool someRest = 4 * m_watch.firstSlowCount() > m_region.awake().size();
   if (someRest && target - begin > 0.9 * kFrame) target = begin + kGlance * (target - begin);
   return target;

@@ -306,8 +306,9 @@ Eigen::Vector3d Simulation::toolForce(std::size_t tool) const
 void Simulation::springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const
 {
   ESM_ASSERT(tension.size() == m_impl->body.net.springCount());
-  m_impl->body.system.forces().springTensions(m_impl->body.motion.x.data(), m_impl->body.motion.v.data(),
-                                              tension.data());
+  const System& system = m_impl->body.system;
+  system.forces().springTensions(m_impl->body.motion.x.data(), m_impl->body.motion.v.data(), tension.data(),
+                                 system.workers());
 }
 
 double Simulation::stableStep() const

@@ -198,8 +198,9 @@ double StepBound::measure(const System& system, Blend blend)
 {
   constexpr int kProducts = 16;
   constexpr double kMargin = 1.02; // Ritz values come from below
-  const std::vector<SpringBatch>& batches = system.forces().batches();
-  m_springs.assign(batches, [&](std::size_t s) {
+  const ForceModel& forces = system.forces();
+  m_springs.prepare(forces);
+  m_springs.assign(forces, [&](std::size_t s) {
     const SpringTangent& tangent = m_tangents[s];
     return SpringMatrix::Block{
       tangent.direction, blend.damping * tangent.viscous + blend.stiffness * std::max(tangent.axial, 0.0),
@@ -216,7 +217,7 @@ double StepBound::measure(const System& system, Blend blend)
   const auto multiply = [&](const NodeArray& z, NodeArray& y) {
     scaleNodes(nodes, m_rootInverseMass.data(), z.data(), m_scaled.data());
     std::fill(y.begin(), y.end(), Lanes{0, 0, 0, 0});
-    m_springs.addProduct(batches, m_scaled.data(), y.data());
+    m_springs.addProduct(forces, m_scaled.data(), y.data(), system.workers());
     addDiagonal(nodes, m_rootInverseMass.data(), m_diagonal.data(), z.data(), y.data());
     for (const NodeArray& column : m_pressure) {
       double along = 0.0;

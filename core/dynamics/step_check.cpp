@@ -300,9 +300,8 @@ StepResult StepDriver::runProbe(Integrator& integrator, System& system, const Mo
   early = 0.0;
   if (m_look.steps > 0 && steps >= kLeastStepsForLook) {
     const double count = static_cast<double>(steps);
-    const StepResult result =
-      runInPieces(integrator, system, m_probe, m_look.time,
-                  static_cast<std::int64_t>(std::ceil(count * m_look.share)), report);
+    const StepResult result = runInPieces(integrator, system, m_probe, m_look.time,
+                                          static_cast<std::int64_t>(std::ceil(count * m_look.share)), report);
     if (result != StepResult::Done) return result;
     early = m_gauge.distance(m_look.x, m_probe);
     steps = static_cast<std::int64_t>(std::ceil(count * (1.0 - m_look.share)));

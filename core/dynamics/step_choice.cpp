@@ -178,9 +178,13 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_bound.prepare(system, asksForDecay());
   m_loss.prepare(system);
   m_unseen.isOpen = false;
-  setBound(system, state);
+  // Who keeps time goes on by blocks, until the usual look at the bound tells more.
+  if (m_byBlocks)
+    weighSteps(system);
+  else
+    setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
-  layOut(m_method, system); // nothing is, after another cut
+  if (!m_byBlocks) layOut(m_method, system); // nothing is, after another cut
   explain(system);
 }
 

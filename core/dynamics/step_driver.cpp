@@ -76,7 +76,7 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
       m_checkGap = 1;
       m_sinceBound = kInfinity;
     } else {
-      current().restart();
+      if (m_candidates[m_method].prepared) current().restart();
       m_bodies.enter(system, state.time);
     }
     m_untilCheck = 0;
@@ -84,7 +84,7 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
   }
   report.simulatedTime = state.time - begin;
   report.springsEvaluated = system.springsEvaluated;
-  report.largestForce = system.forces().largestTension(state.x.data(), state.v.data());
+  report.largestForce = system.forces().largestTension(state.x.data(), state.v.data(), system.workers());
   return report;
 }
 
@@ -149,7 +149,8 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
     return true;
   }
   if (m_auto) {
-    if (m_byBlocks || m_descents > 0) return stretchRoughly(system, state, end, report);
+    if (takesBlocks()) return stretchRoughly(system, state, end, report);
+    layOut(m_method, system); // blocks may have been all that this part of the net has seen
     const double usual =
       kMostEffort * std::max(effort(system), 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
     if (m_onset.longest <= 0.0) m_onset.affordable = usual; // it may begin here
@@ -281,7 +282,7 @@ StepDriver::Run StepDriver::runRoughly(Method method, System& system, MotionStat
   const Method other = std::exchange(m_method, method);
   const Run result = run(system, state, end, steps, report);
   m_method = other;
-  current().restart();
+  if (m_candidates[m_method].prepared) current().restart();
   m_untilCheck = 0;
   m_checkGap = 1;
   if (result == Run::Done) {
@@ -325,8 +326,7 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
   constexpr double kLeastPasses = 12.0; // a matrix, two looks and some sweeps
   const double springs = static_cast<double>(system.forces().activeSprings());
   const double affordable = effort(system) * (end - state.time) / kFrame;
-  system.workLimit =
-    std::min(m_mostWork, system.workDone() + std::max(affordable, kLeastPasses * springs));
+  system.workLimit = std::min(m_mostWork, system.workDone() + std::max(affordable, kLeastPasses * springs));
   const Run result = runRoughly(m_blocks, system, state, end, 1, report);
   sayRough(system, m_blocks,
            "; to keep time, one damped step is taken for each frame, whose error is some per cent");
@@ -420,6 +420,12 @@ void StepDriver::setBound(const System& system, const MotionState& state)
   m_mode = m_bound.compute(system, state.x, state.v);
   m_sinceBound = 0.0;
   m_boundPatience = 1.0;
+  weighSteps(system);
+}
+
+/// By the bound at hand.
+void StepDriver::weighSteps(const System& system)
+{
   for (Candidate& candidate : m_candidates) {
     candidate.integrator->tune(system, m_mode);
     weighEffort(system, candidate);

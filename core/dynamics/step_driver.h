@@ -82,6 +82,8 @@ public:
   double explicitStep(const FastestMode& mode) const noexcept;
   bool asksForDecay() const noexcept;
 
+  /// Whether a stretch is one step now, however short.
+  bool takesBlocks() const noexcept { return m_byBlocks || m_descents > 0; }
   const std::string& solverName() const noexcept { return m_name; }
   const std::string& why() const noexcept { return m_limitText.empty() ? m_why : m_limitText; }
 
@@ -96,7 +98,7 @@ private:
   /// After an event, in which an onset may begin [s]: in any stretch of the first frame.
   static constexpr double kLatestOnset = 0.9 * kFrame;
   static constexpr double kLooseTolerance = 1e-2; ///< see caution() and isPayable()
-  static constexpr int kLongestDescent = 64; ///< stretches before something else is tried again
+  static constexpr int kLongestDescent = 64;      ///< stretches before something else is tried again
   static constexpr int kSettling = 2;   ///< checks before a method that has just been chosen may be left
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
@@ -164,6 +166,7 @@ private:
   bool isHeldUp() const noexcept;
   bool isDamped() const noexcept;
   void setBound(const System& system, const MotionState& state);
+  void weighSteps(const System& system);
   void weighEffort(const System& system, Candidate& candidate) const;
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);

@@ -16,11 +16,11 @@ namespace {
 
 constexpr std::size_t kLatest = 4;
 
-/// Of symmetric blocks, by their adjugate; 0 for held nodes. @return whether all are finite.
-ESM_CPU_CLONES bool invert(std::size_t count, const double* inverseMass, const Lanes* straight,
-                           const Lanes* mixed, NodeBlock* inverse) noexcept
+/// Of symmetric blocks, by their adjugate; 0 for held nodes. @return 0, or NaN where one is not finite.
+ESM_CPU_CLONES double invert(std::size_t count, const double* inverseMass, const Lanes* straight,
+                             const Lanes* mixed, NodeBlock* inverse) noexcept
 {
-  double probe = 0.0; // NaN once anything is not finite
+  double probe = 0.0;
   for (std::size_t i = 0; i < count; ++i) {
     if (!(inverseMass[i] > 0.0)) {
       inverse[i] = NodeBlock{};
@@ -36,7 +36,7 @@ ESM_CPU_CLONES bool invert(std::size_t count, const double* inverseMass, const L
                               Lanes{axz, xy * xz - xx * yz, xx * yy - xy * xy, 0} * over};
     for (std::size_t k = 0; k < 3; ++k) inverse[i].column[k] = columns[k];
   }
-  return probe == 0.0;
+  return probe;
 }
 
 } // namespace
@@ -46,6 +46,7 @@ void StepGradients::prepare(const System& system)
   const std::size_t nodes = system.nodeCount();
   for (NodeArray* array : {&m_residual, &m_direction, &m_product, &m_scaled, &m_straight, &m_mixed})
     array->assign(nodes, Lanes{0, 0, 0, 0});
+  m_springs.prepare(system.forces());
   m_diagonal.assign(nodes, 0.0);
   m_inverse.assign(nodes, {});
   m_pressure.resize(system.forces().pressure().bodyCount());
@@ -63,13 +64,15 @@ bool StepGradients::set(const System& system, const NodeArray& x, const NodeArra
   };
   for (const Anchor& anchor : forces.anchors()) hold(anchor.node, anchor.viscosity, anchor.stiffness);
   for (const ToolSpring& tool : system.tools()) hold(tool.node, tool.viscosity, tool.stiffness);
-  for (std::size_t i = 0; i < m_diagonal.size(); ++i) {
-    const double own = m_diagonal[i];
-    m_straight[i] = Lanes{own, own, own, 0};
-    m_mixed[i] = Lanes{0, 0, 0, 0};
-  }
-  m_springs.assignTangents(forces.batches(), x.data(), v.data(), {h, h * h});
-  m_springs.addDiagonal(forces.batches(), m_straight.data(), m_mixed.data());
+  system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+    for (std::size_t i = first; i < first + count; ++i) {
+      const double own = m_diagonal[i];
+      m_straight[i] = Lanes{own, own, own, 0};
+      m_mixed[i] = Lanes{0, 0, 0, 0};
+    }
+  });
+  m_springs.assignTangents(forces, x.data(), v.data(), {h, h * h}, system.workers());
+  m_springs.addDiagonal(forces, m_straight.data(), m_mixed.data(), system.workers());
   const Pressure& pressure = forces.pressure();
   for (std::size_t body = 0; body < m_pressure.size(); ++body) {
     PressureColumn& column = m_pressure[body];
@@ -79,23 +82,30 @@ bool StepGradients::set(const System& system, const NodeArray& x, const NodeArra
       if (!system.isFree(i)) column.gradient[i] = Lanes{0, 0, 0, 0};
     column.stiffness = h * h * pressure.stiffness(body);
   }
-  return invert(m_inverse.size(), system.inverseMass().data(), m_straight.data(), m_mixed.data(),
-                m_inverse.data());
+  return system.sumNodes([&](std::size_t first, std::size_t count) noexcept {
+    return invert(count, system.inverseMass().data() + first, m_straight.data() + first,
+                  m_mixed.data() + first, m_inverse.data() + first);
+  }) == 0.0;
 }
 
 /// m_product = A m_direction. @return the curvature in that direction.
 double StepGradients::multiply(System& system) noexcept
 {
   system.solverWork += kPerIteration * static_cast<double>(system.forces().activeSprings());
-  std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0});
-  m_springs.addProduct(system.forces().batches(), m_direction.data(), m_product.data());
+  system.sweepNodes([&](std::size_t first, std::size_t count) noexcept {
+    std::fill_n(m_product.data() + first, count, Lanes{0, 0, 0, 0});
+  });
+  m_springs.addProduct(system.forces(), m_direction.data(), m_product.data(), system.workers());
   for (const PressureColumn& column : m_pressure) {
     double along = 0.0;
     for (std::size_t i = 0; i < m_direction.size(); ++i) along += dot(column.gradient[i], m_direction[i]);
     advanceNodes(m_product.size(), column.stiffness * along, m_product.data(), column.gradient.data(),
                  m_product.data());
   }
-  return addDiagonal(m_product.size(), m_diagonal.data(), m_direction.data(), m_product.data());
+  return system.sumNodes([&](std::size_t first, std::size_t count) noexcept {
+    return addDiagonal(count, m_diagonal.data() + first, m_direction.data() + first,
+                       m_product.data() + first);
+  });
 }
 
 int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* first, double smallPart,
@@ -118,8 +128,13 @@ int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* fir
     all = step * slope;
   }
   if (step == 0.0) std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0}); // 0 times what it holds
-  double square = takeStep(nodes, step, m_direction.data(), m_product.data(), m_inverse.data(), vector.data(),
-                           m_residual.data(), m_scaled.data());
+  const auto take = [&](double length) {
+    return system.sumNodes([&](std::size_t i, std::size_t count) noexcept {
+      return takeStep(count, length, m_direction.data() + i, m_product.data() + i, m_inverse.data() + i,
+                      vector.data() + i, m_residual.data() + i, m_scaled.data() + i);
+    });
+  };
+  double square = take(step);
   m_direction = m_scaled; // same size: no allocation
   std::array<double, kLatest> latest;
   latest.fill(std::numeric_limits<double>::infinity());
@@ -128,9 +143,10 @@ int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* fir
     const double curvature = multiply(system);
     if (!(curvature > 0.0)) break; // rounding
     const double term = square * square / curvature;
-    const double next = takeStep(nodes, square / curvature, m_direction.data(), m_product.data(),
-                                 m_inverse.data(), vector.data(), m_residual.data(), m_scaled.data());
-    advanceNodes(nodes, next / square, m_scaled.data(), m_direction.data(), m_direction.data());
+    const double next = take(square / curvature), turn = next / square;
+    system.sweepNodes([&](std::size_t i, std::size_t count) noexcept {
+      advanceNodes(count, turn, m_scaled.data() + i, m_direction.data() + i, m_direction.data() + i);
+    });
     square = next;
     all += term;
     latest[static_cast<std::size_t>(iterations++) % kLatest] = term;

@@ -54,7 +54,8 @@ void StiffnessCg::prepare(const System& system, const NodeArray& x, double inert
   for (NodeArray* array : {&m_residual, &m_direction, &m_product, &m_still})
     array->assign(nodes, Lanes{0, 0, 0, 0});
   system.forces().springTangents(x.data(), m_still.data(), m_tangents);
-  m_springs.assign(system.forces().batches(), [this](std::size_t s) {
+  m_springs.prepare(system.forces());
+  m_springs.assign(system.forces(), [this](std::size_t s) {
     return SpringMatrix::Block{m_tangents[s].direction, m_tangents[s].axial, m_tangents[s].lateral};
   });
   m_diagonal.resize(nodes);
@@ -82,7 +83,7 @@ double StiffnessCg::multiply(const System& system) noexcept
 {
   ++m_products;
   std::fill(m_product.begin(), m_product.end(), Lanes{0, 0, 0, 0});
-  m_springs.addProduct(system.forces().batches(), m_direction.data(), m_product.data());
+  m_springs.addProduct(system.forces(), m_direction.data(), m_product.data());
   return addDiagonal(m_product.size(), m_diagonal.data(), m_direction.data(), m_product.data());
 }
 

@@ -194,7 +194,7 @@ double System::toolEnergy(const NodeArray& x) const noexcept
 
 double System::elasticEnergy(const NodeArray& x) const noexcept
 {
-  return m_forces.elasticEnergy(x.data()) + toolEnergy(x);
+  return m_forces.elasticEnergy(x.data(), m_workers) + toolEnergy(x);
 }
 
 double System::weightEnergy(const NodeArray& x) const noexcept

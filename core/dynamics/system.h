@@ -8,6 +8,7 @@
 #include "core/forces/load_schedule.h"
 
 #include <limits>
+#include <numeric>
 #include <span>
 
 namespace esm {
@@ -56,6 +57,16 @@ public:
     const NodeRanges& ranges = m_forces.nodeRanges();
     forEachPart(m_workers, ranges.count(),
                 [&](std::size_t i) noexcept { sweep(ranges.first(i), ranges.size(i)); });
+  }
+  /// The same for sums: the parts, which sweep(first, count) returns, are added in their order.
+  template <class Sweep>
+  double sumNodes(const Sweep& sweep) const noexcept
+  {
+    const NodeRanges& ranges = m_forces.nodeRanges();
+    double parts[NetDivision::kMostParts];
+    forEachPart(m_workers, ranges.count(),
+                [&](std::size_t i) noexcept { parts[i] = sweep(ranges.first(i), ranges.size(i)); });
+    return std::accumulate(parts, parts + ranges.count(), 0.0);
   }
   /// @return the energy that the exchange adds to the tool springs at positions x [J].
   double setTools(std::span<const ToolSpring> tools, const NodeArray& x);

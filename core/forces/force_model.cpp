@@ -122,16 +122,6 @@ void ForceModel::addBatches(const SpringNet& net, const SharedTables& tables, st
   }
 }
 
-/// work(p) for all parts, phase by phase.
-template <class Work>
-void ForceModel::forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept
-{
-  for (std::size_t phase = 0; phase + 1 < m_firstPart.size(); ++phase) {
-    const std::size_t first = m_firstPart[phase];
-    forEachPart(workers, m_firstPart[phase + 1] - first, [&](std::size_t i) noexcept { work(first + i); });
-  }
-}
-
 /// Before the springs of a part: it may be a range's own.
 void ForceModel::sweepOwn(const NodeSweep& sweep, std::size_t part) const noexcept
 {
@@ -171,10 +161,15 @@ void ForceModel::addDamping(const Lanes* damper, const Lanes* v, Lanes* force, W
   });
 }
 
-double ForceModel::elasticEnergy(const Lanes* x) const noexcept
+double ForceModel::elasticEnergy(const Lanes* x, WorkerPool* workers) const noexcept
 {
-  double energy = 0.0;
-  for (const SpringBatch& batch : m_batches) energy += springLawKernel(batch.law).energy(batch, x);
+  double parts[NetDivision::kMostParts];
+  forEachSpringPart(workers, [&](std::size_t p) noexcept {
+    parts[p] = 0.0;
+    for (std::size_t b = m_parts[p].firstBatch; b < m_parts[p].endBatch; ++b)
+      parts[p] += springLawKernel(m_batches[b].law).energy(m_batches[b], x);
+  });
+  double energy = std::accumulate(parts, parts + m_parts.size(), 0.0);
   for (const Anchor& anchor : m_anchors) {
     const Lanes away = x[anchor.node] - anchor.point;
     energy += 0.5 * anchor.stiffness * dot(away, away);
@@ -190,18 +185,25 @@ double ForceModel::gravityEnergy(const Lanes* x) const noexcept
   return energy;
 }
 
-void ForceModel::springTensions(const Lanes* x, const Lanes* v, double* tension) const noexcept
+void ForceModel::springTensions(const Lanes* x, const Lanes* v, double* tension,
+                                WorkerPool* workers) const noexcept
 {
   std::fill(tension, tension + m_springCount, 0.0);
-  for (const SpringBatch& batch : m_batches) springLawKernel(batch.law).tensions(batch, x, v, tension);
+  forEachBatch(workers, [&](std::size_t b) noexcept {
+    springLawKernel(m_batches[b].law).tensions(m_batches[b], x, v, tension);
+  });
 }
 
-double ForceModel::largestTension(const Lanes* x, const Lanes* v) const noexcept
+double ForceModel::largestTension(const Lanes* x, const Lanes* v, WorkerPool* workers) const noexcept
 {
-  double largest = 0.0;
-  for (const SpringBatch& batch : m_batches)
-    largest = std::max(largest, springLawKernel(batch.law).tensions(batch, x, v, nullptr));
-  return largest;
+  double parts[NetDivision::kMostParts];
+  forEachSpringPart(workers, [&](std::size_t p) noexcept {
+    parts[p] = 0.0;
+    for (std::size_t b = m_parts[p].firstBatch; b < m_parts[p].endBatch; ++b)
+      parts[p] = std::max(parts[p], springLawKernel(m_batches[b].law).tensions(m_batches[b], x, v, nullptr));
+  });
+  return std::accumulate(parts, parts + m_parts.size(), 0.0,
+                         [](double a, double b) { return std::max(a, b); });
 }
 
 void ForceModel::springTangents(const Lanes* x, const Lanes* v, std::vector<SpringTangent>& tangents) const

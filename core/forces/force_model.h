@@ -68,11 +68,14 @@ public:
   std::size_t damperSize() const noexcept { return m_damperSize; }
   const std::vector<double>& nodeViscosity() const noexcept { return m_nodeForces.viscosity(); }
 
-  double elasticEnergy(const Lanes* x) const noexcept; ///< springs, anchors and pressure [J]
+  /// Springs, anchors and pressure [J].
+  double elasticEnergy(const Lanes* x, WorkerPool* workers = nullptr) const noexcept;
   double gravityEnergy(const Lanes* x) const noexcept; ///< - sum m g.p [J]
   /// Elastic + viscous tension of every spring of the net [N]; `tension` has S entries.
-  void springTensions(const Lanes* x, const Lanes* v, double* tension) const noexcept;
-  double largestTension(const Lanes* x, const Lanes* v) const noexcept; ///< absolute [N]
+  void springTensions(const Lanes* x, const Lanes* v, double* tension,
+                      WorkerPool* workers = nullptr) const noexcept;
+  /// Absolute [N].
+  double largestTension(const Lanes* x, const Lanes* v, WorkerPool* workers = nullptr) const noexcept;
 
   /// The tangents of the active springs, in their order here; ends by springEnds().
   void springTangents(const Lanes* x, const Lanes* v, std::vector<SpringTangent>& tangents) const;
@@ -83,6 +86,14 @@ public:
 
   /// The active springs in that order, for methods that step parts of them.
   const std::vector<SpringBatch>& batches() const noexcept { return m_batches; }
+  /// Calls work(b) for every batch, those that share nodes in their order.
+  template <class Work>
+  void forEachBatch(WorkerPool* workers, const Work& work) const noexcept
+  {
+    forEachSpringPart(workers, [&](std::size_t p) noexcept {
+      for (std::size_t b = m_parts[p].firstBatch; b < m_parts[p].endBatch; ++b) work(b);
+    });
+  }
 
   const Pressure& pressure() const noexcept { return m_pressure; }
 
@@ -100,8 +111,15 @@ private:
   };
 
   void addBatches(const SpringNet& net, const SharedTables& tables, std::span<const Index> springs);
+  /// work(p) for all parts, phase by phase.
   template <class Work>
-  void forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept;
+  void forEachSpringPart(WorkerPool* workers, const Work& work) const noexcept
+  {
+    for (std::size_t phase = 0; phase + 1 < m_firstPart.size(); ++phase) {
+      const std::size_t first = m_firstPart[phase];
+      forEachPart(workers, m_firstPart[phase + 1] - first, [&](std::size_t i) noexcept { work(first + i); });
+    }
+  }
   void sweepOwn(const NodeSweep& sweep, std::size_t part) const noexcept;
 
   std::vector<SpringBatch> m_batches;          ///< part by part

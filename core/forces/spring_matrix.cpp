@@ -39,37 +39,40 @@ ESM_CPU_CLONES void addBlocksOf(const SpringBatch& batch, const Lanes* row, Lane
 
 } // namespace
 
-void SpringMatrix::assignTangents(const std::vector<SpringBatch>& batches, const Lanes* x, const Lanes* v,
-                                  const TangentShares& shares)
+void SpringMatrix::prepare(const ForceModel& forces)
 {
-  std::size_t groups = 0;
-  for (const SpringBatch& batch : batches) groups += batch.paddedCount() / 4;
-  m_rows.resize(groups * kRows);
-  Lanes* rows = m_rows.data();
-  for (const SpringBatch& batch : batches) {
-    springLawKernel(batch.law).tangents(batch, x, v, shares, rows);
+  m_first.clear();
+  std::size_t rows = 0;
+  for (const SpringBatch& batch : forces.batches()) {
+    m_first.push_back(rows);
     rows += batch.paddedCount() / 4 * kRows;
   }
+  m_rows.assign(rows, Lanes{0, 0, 0, 0});
 }
 
-void SpringMatrix::addDiagonal(const std::vector<SpringBatch>& batches, Lanes* straight,
-                               Lanes* mixed) const noexcept
+void SpringMatrix::assignTangents(const ForceModel& forces, const Lanes* x, const Lanes* v,
+                                  const TangentShares& shares, WorkerPool* workers) noexcept
 {
-  const Lanes* row = m_rows.data();
-  for (const SpringBatch& batch : batches) {
-    addBlocksOf(batch, row, straight, mixed);
-    row += batch.paddedCount() / 4 * kRows;
-  }
+  forces.forEachBatch(workers, [&](std::size_t b) noexcept {
+    const SpringBatch& batch = forces.batches()[b];
+    springLawKernel(batch.law).tangents(batch, x, v, shares, m_rows.data() + m_first[b]);
+  });
 }
 
-void SpringMatrix::addProduct(const std::vector<SpringBatch>& batches, const Lanes* z,
-                              Lanes* y) const noexcept
+void SpringMatrix::addDiagonal(const ForceModel& forces, Lanes* straight, Lanes* mixed,
+                               WorkerPool* workers) const noexcept
 {
-  const Lanes* row = m_rows.data();
-  for (const SpringBatch& batch : batches) {
-    addBlocks(batch, row, z, y);
-    row += batch.paddedCount() / 4 * kRows;
-  }
+  forces.forEachBatch(workers, [&](std::size_t b) noexcept {
+    addBlocksOf(forces.batches()[b], m_rows.data() + m_first[b], straight, mixed);
+  });
+}
+
+void SpringMatrix::addProduct(const ForceModel& forces, const Lanes* z, Lanes* y,
+                              WorkerPool* workers) const noexcept
+{
+  forces.forEachBatch(workers, [&](std::size_t b) noexcept {
+    addBlocks(forces.batches()[b], m_rows.data() + m_first[b], z, y);
+  });
 }
 
 } // namespace esm

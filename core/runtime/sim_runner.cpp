@@ -10,8 +10,9 @@ namespace esm {
 
 namespace {
 
-constexpr double kLeastRate = 1.0, kMostRate = 1000.0;     ///< frames per second
-constexpr double kLeadTime = 0.004; ///< between two places of a led hand [s]
+constexpr double kLeastRate = 1.0, kMostRate = 1000.0; ///< frames per second
+constexpr double kLeadTime = 0.004;                    ///< between two places of a led hand [s]
+constexpr int kThreads = 4;          ///< where there are so many processors: more gain little
 constexpr double kFastestHand = 2.0; ///< what goes further was placed anew [m/s]
 
 double periodOf(double framesPerSecond)
@@ -27,9 +28,7 @@ bool isFinite(const Energies& energies)
 } // namespace
 
 SimRunner::SimRunner(double frameRate, TripleBuffer<ToolState>& tool, TripleBuffer<ContactModel>& contact)
-  : m_tool(tool),
-    m_contact(contact),
-    m_period(periodOf(frameRate))
+  : m_tool(tool), m_contact(contact), m_period(periodOf(frameRate))
 {}
 
 // === Commands
@@ -49,6 +48,7 @@ void SimRunner::carryOut(command::Load&& load)
   load.settings.workLimit = 0.0; // the clock and the effort bound it
   const bool isAuto = load.settings.solver == "auto";
   load.settings.keepsTime = true;
+  load.settings.threads = std::max(load.settings.threads, kThreads);
   Result<Simulation> fresh =
     Simulation::create(std::move(load.net), std::move(load.loads), std::move(load.settings));
   if (!fresh) {

@@ -217,24 +217,26 @@ TEST(KernelBits, SpringMatrixIsWhatItsBlocksSay)
   const auto uniform = [&] { return static_cast<double>(random()) / 2147483648.0 - 1.0; };
   NodeArray z(kNodes);
   for (Lanes& node : z) node = Lanes{uniform(), uniform(), uniform(), 0.0};
-  std::vector<SpringBatch> batches(2); // neither fills its last four
+  SpringNet net;
+  resizeNet(net, kNodes, 137);
+  net.restPosition.setRandom();
   std::vector<SpringMatrix::Block> blocks;
-  for (const std::size_t springs : {131u, 6u}) {
-    SpringBatch& batch = batches[blocks.empty() ? 0 : 1];
-    for (std::size_t s = 0; s < springs; ++s) {
-      batch.a.push_back(static_cast<Index>(random() % kNodes));
-      batch.b.push_back(static_cast<Index>(random() % kNodes));
-      for (auto* values : {&batch.restLength, &batch.stiffness, &batch.viscosity, &batch.parameter})
-        values->push_back(1.0);
-      batch.spring.push_back(static_cast<Index>(s));
-      blocks.push_back({Eigen::Vector3d(uniform(), uniform(), uniform()), 100.0 * uniform(), uniform()});
-    }
-    batch.finish(kNodes);
+  for (Index s = 0; s < net.springCount(); ++s) {
+    const Index a = static_cast<Index>(random() % kNodes), step = 1 + static_cast<Index>(random() % 5);
+    net.ends.col(s) << a, (a + step) % static_cast<Index>(kNodes);
+    net.stiffness[s] = net.lawParameter[s] = 1.0;
+    // Two batches, of which neither fills its last four.
+    net.law[static_cast<std::size_t>(s)] = s < 131 ? SpringLaw::Linear : SpringLaw::Cubic;
+    blocks.push_back({Eigen::Vector3d(uniform(), uniform(), uniform()), 100.0 * uniform(), uniform()});
   }
+  const ForceModel forces(net, Eigen::Vector3d::Zero());
+  const std::vector<SpringBatch>& batches = forces.batches();
+  ASSERT_EQ(batches.size(), 2u);
   SpringMatrix matrix;
-  matrix.assign(batches, [&](std::size_t s) { return blocks[s]; });
+  matrix.prepare(forces);
+  matrix.assign(forces, [&](std::size_t s) { return blocks[s]; });
   NodeArray product(kNodes, Lanes{1, 2, 3, 0}), wanted = product;
-  matrix.addProduct(batches, z.data(), product.data());
+  matrix.addProduct(forces, z.data(), product.data());
   std::size_t place = 0;
   for (const SpringBatch& batch : batches)
     for (std::size_t i = 0; i < batch.count; ++i) {

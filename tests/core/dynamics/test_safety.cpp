@@ -103,7 +103,8 @@ TEST(Safety, RandomNetsStayFinite)
     Simulation simulation = simulate(net, loads);
     const double before = simulation.energies().total();
     StepReport report;
-    for (int frame = 0; frame < 2 && report.good(); ++frame) report.add(simulation.advance(1.0 / 60.0, {.steps = 1000}));
+    for (int frame = 0; frame < 2 && report.good(); ++frame)
+      report.add(simulation.advance(1.0 / 60.0, {.steps = 1000}));
     implicit += simulation.solverName() == "implicit";
     ASSERT_TRUE(isFinite(simulation)) << "seed " << seed;
     ASSERT_TRUE(report.good() || report.stepLimit) << "seed " << seed << ": " << simulation.why();
