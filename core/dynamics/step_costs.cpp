@@ -122,10 +122,10 @@ bool StepDriver::wantsBlocks(const System& system, double plainCost) const noexc
   return mayTakeBlocks(system) && plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
 }
 
-/// The time was over before the frame was: the next one, two, four, ... stretches take one step each.
-void StepDriver::comeDownToBlocks(const System& system) noexcept
+/// The time was over before the frame was: the next one, two, four, ... stretches take what always gets on.
+void StepDriver::comeDown() noexcept
 {
-  if (!mayTakeBlocks(system) || m_byBlocks) return;
+  if (!m_auto || !m_settings.keepsTime || m_byBlocks) return;
   m_descentTerm = std::clamp(2 * m_descentTerm, 1, kLongestDescent);
   m_descents = m_descentTerm;
 }

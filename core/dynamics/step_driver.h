@@ -248,7 +248,7 @@ private:
   void keep(const System& system, const MotionState& state, double error) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(const System& system, Run failure, StepReport& report);
-  void comeDownToBlocks(const System& system) noexcept;
+  void comeDown() noexcept;
   void findBodies(const System& system, const MotionState& state);
   void forget() noexcept;
   void explain(const System& system);

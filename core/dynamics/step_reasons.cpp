@@ -70,7 +70,7 @@ void StepDriver::giveUp(const System& system, Run failure, StepReport& report)
       m_limitText = "the time allowed was over before the end of the interval; allow more of it or a larger "
                     "tolerance" +
                     place;
-      return comeDownToBlocks(system);
+      return comeDown();
     }
     const bool isOfSteps = m_maxSteps > 0 && report.steps >= m_maxSteps;
     m_limitText = (isOfSteps ? "the work limit of " + std::to_string(m_maxSteps) +
