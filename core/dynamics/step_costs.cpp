@@ -130,10 +130,14 @@ void StepDriver::weighLeastCost(const System& system)
   m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system, kFrame));
 }
 
-bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
+/// By one pass for each step at the limit of plain ones, or by local steps where a few nodes set that limit.
+bool StepDriver::toleranceIsTooDear(const System& system)
 {
   const auto springs = static_cast<double>(system.forces().activeSprings());
-  const double cost = springs * kFrame / explicitLimit();
+  double cost = springs * kFrame / explicitLimit();
+  for (Method method = 0; m_fewHoldAll && method < m_candidates.size(); ++method)
+    if (m_candidates[method].role == MethodRole::Local && m_candidates[method].prepared)
+      cost = std::min(cost, costAtLimit(method, system));
   return cost > m_settings.effort && cost > 1.5 * m_leastCost;
 }
 
