@@ -79,7 +79,7 @@ double StepDriver::spendable(const Candidate& candidate) const noexcept
 {
   if (!isExplicit(candidate))
     return isHeldUp() ? std::min(1.0, std::pow(m_settings.tolerance / kSparingTolerance, 0.3)) : 1.0;
-  if (m_auto && isHeldUp()) return caution();
+  if (m_auto && isHeldUp() && !m_fewHoldAll) return caution();
   return isDamped() ? 1.0 : m_gauge.lastingShare(m_settings.tolerance, m_start.time);
 }
 
@@ -134,11 +134,11 @@ void StepDriver::weighLeastCost(const System& system)
 bool StepDriver::toleranceIsTooDear(const System& system)
 {
   const auto springs = static_cast<double>(system.forces().activeSprings());
-  double cost = springs * kFrame / explicitLimit();
+  double least = springs * kFrame / explicitLimit();
   for (Method method = 0; m_fewHoldAll && method < m_candidates.size(); ++method)
     if (m_candidates[method].role == MethodRole::Local && m_candidates[method].prepared)
-      cost = std::min(cost, costAtLimit(method, system));
-  return cost > m_settings.effort && cost > 1.5 * m_leastCost;
+      least = std::min(least, cost(method, system));
+  return least > m_settings.effort && least > 1.5 * m_leastCost;
 }
 
 /// The smallest steps that a frame's effort pays for. One may cost some force passes (stages for dampers): to
