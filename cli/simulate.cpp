@@ -109,6 +109,12 @@ bool sayVerification(const SimulateOptions& options, const RunSummary& summary, 
 bool sayEnergy(const SimulateOptions& options, const RunSummary& summary, double tolerance)
 {
   if (summary.energy.isKept(tolerance)) return true;
+  if (summary.energy.hasAdded(tolerance)) {
+    say(options.file + ": by its own estimate the method has added " + formatDouble(-summary.energy.loss, 3) +
+        " J to the motion, beside " + formatDouble(summary.energy.heat, 3) +
+        " J of heat; use a smaller --tolerance, or a smaller --step where one is given");
+    return false;
+  }
   say(options.file + ": energy is not accounted for: " + formatDouble(summary.energy.residual(), 3) +
       " J of " + formatDouble(summary.energy.largestTerm(), 3) + " J, more than the tolerance of " +
       formatDouble(tolerance, 3) +

@@ -44,10 +44,21 @@ private:
 
   bool isMember(Index node, Index set) const { return m_set[static_cast<std::size_t>(node)] == set; }
 
+  static void forget(const Set& members, std::vector<Index>& distance)
+  {
+    for (const Index node : members) distance[static_cast<std::size_t>(node)] = -1;
+  }
+
   /// Distances from `start` within its set; @return the nodes reached, by distance.
   Set distances(Index start, Index set, const Set& members, std::vector<Index>& distance)
   {
-    for (const Index node : members) distance[static_cast<std::size_t>(node)] = -1;
+    forget(members, distance);
+    return spread(start, set, distance);
+  }
+
+  /// The same over nodes that have no distance yet.
+  Set spread(Index start, Index set, std::vector<Index>& distance)
+  {
     Set reached{start};
     distance[static_cast<std::size_t>(start)] = 0;
     for (std::size_t next = 0; next < reached.size(); ++next) {
@@ -70,9 +81,10 @@ private:
     }
     std::vector<Set> components;
     std::size_t found = 0;
+    forget(members, m_distance[0]); // once: a hub leaves as many components as it has neighbours
     for (const Index node : members) {
       if (!isMember(node, set)) continue; // in an earlier component
-      Set component = distances(node, set, members, m_distance[0]);
+      Set component = spread(node, set, m_distance[0]);
       found += component.size();
       if (found == members.size() && components.empty()) return cut(component, set);
       const Index label = ++m_lastSet;

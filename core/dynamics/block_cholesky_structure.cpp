@@ -318,28 +318,33 @@ std::size_t BlockCholesky::layOut(const Structure& structure)
   return panels;
 }
 
-/// Updates live from their front's turn to their parent's; each takes the first gap that is wide enough.
+/// Updates live from their front's turn to their parent's; each takes the first gap that is wide enough. A hub
+/// has as many updates as neighbours: so those at the bottom that leave no gap are not looked at again, and
+/// who goes is looked for among the latest first.
 void BlockCholesky::layOutUpdates()
 {
   struct Block {
     std::size_t begin, end, front;
   };
   std::vector<Block> live; // by begin
-  std::size_t top = 0;
+  std::size_t top = 0, packed = 0;
   for (std::size_t s = 0; s < m_fronts.size(); ++s) {
     Front& front = m_fronts[s];
     const std::size_t size = at(front.outer) * at(front.outer);
-    std::size_t begin = 0;
-    auto place = live.begin();
+    std::size_t begin = packed > 0 ? live[packed - 1].end : 0;
+    for (; packed < live.size() && live[packed].begin == begin; ++packed) begin = live[packed].end;
+    auto place = live.begin() + static_cast<std::ptrdiff_t>(packed);
     for (; place != live.end() && place->begin < begin + size; ++place) begin = place->end;
     front.update = begin;
     if (size > 0) live.insert(place, {begin, begin + size, s});
     top = std::max(top, begin + size);
-    std::erase_if(live, [&](const Block& block) {
-      const auto* child = m_children.data() + front.firstChild;
-      return std::find(child, child + front.childCount, static_cast<Index>(block.front)) !=
-             child + front.childCount;
-    });
+    for (std::size_t c = front.childCount; c-- > 0;) {
+      const auto child = at(m_children[front.firstChild + c]);
+      const auto gone =
+        std::find_if(live.rbegin(), live.rend(), [&](const Block& block) { return block.front == child; });
+      const auto next = live.erase(std::next(gone).base());
+      packed = std::min(packed, static_cast<std::size_t>(next - live.begin()));
+    }
   }
   m_updates.assign(top, 0.0);
 }

@@ -6,6 +6,11 @@
 #include <cmath>
 
 namespace esm {
+namespace {
+
+constexpr double kSummed = 1e-12; // rounding of sums over many nodes and steps
+
+} // namespace
 
 double EnergyReport::residual() const noexcept
 {
@@ -21,10 +26,19 @@ double EnergyReport::largestTerm() const noexcept
   return largest;
 }
 
+/// Twice the tolerance, as energies go by the square of what swings. Where dampers are strong a method may sum
+/// their heat half a step beside the motion, but not to more than twice what has gone.
+bool EnergyReport::hasAdded(double tolerance) const noexcept
+{
+  constexpr double kOfHeat = 0.5;
+  EnergyReport others = *this;
+  others.heat = others.loss = 0.0;
+  return !(-loss <= kOfHeat * std::abs(heat) + 2.0 * std::max(tolerance, kSummed) * others.largestTerm());
+}
+
 bool EnergyReport::isKept(double tolerance) const noexcept
 {
-  constexpr double kRounding = 1e-12; // of sums over many nodes and steps
-  return std::abs(residual()) <= std::max(tolerance, kRounding) * largestTerm();
+  return std::abs(residual()) <= std::max(tolerance, kSummed) * largestTerm() && !hasAdded(tolerance);
 }
 
 } // namespace esm

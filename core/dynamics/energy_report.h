@@ -25,7 +25,10 @@ struct EnergyReport {
 
   double residual() const noexcept;
   double largestTerm() const noexcept;
-  /// Whether the residual is at most this share of the largest term, or rounding.
+  /// Whether the method itself has added energy, or booked heat that nothing had to give: more than twice this
+  /// share of the largest of all other terms, beyond half of the heat.
+  bool hasAdded(double tolerance) const noexcept;
+  /// Whether the residual is at most this share of the largest term, or rounding, and the method has not added.
   bool isKept(double tolerance) const noexcept;
 };
 

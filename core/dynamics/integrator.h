@@ -80,7 +80,7 @@ public:
 /// one that serves where they all are too slow; or one that only runs when asked for by name.
 enum class MethodRole {
   Explicit,
-  Local, ///< explicit with local steps: laid out and weighed only where few springs hold up many
+  Local, ///< explicit with local steps: laid out and weighed only where few springs or nodes hold up many
   ExplicitByName,
   Implicit,
   ByName
@@ -115,6 +115,8 @@ std::unique_ptr<Integrator> makeRungeKutta4();
 std::unique_ptr<Integrator> makeDormandPrince();
 std::unique_ptr<Integrator> makeImplicit();
 std::unique_ptr<Integrator> makeMultirate();
+/// Part of `multirate`: velocity Verlet, a few stiff nodes by the trapezoidal rule.
+std::unique_ptr<Integrator> makeFewImplicit();
 std::unique_ptr<Integrator> makeWavefront();
 std::unique_ptr<Integrator> makeLinearized();
 std::unique_ptr<Integrator> makeRelax();

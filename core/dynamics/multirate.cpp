@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/multirate_layout.h"
+#include "core/dynamics/stiff_nodes.h"
 #include "core/forces/spring_pass.h"
 
 #include <bit>
@@ -72,7 +73,9 @@ ESM_CPU_CLONES void lastKick(const RateClass& rate, double h, const double* inve
 /// it, one third new, widens the viscous limit from h g < 1 to 5/3. All due classes see the same p before
 /// any of them changes v, else the viscous error were of first order.
 ///
-/// Where all springs need about the same rate, and where pressure joins all of them, it is plain Verlet.
+/// Where all springs need about the same rate, and where pressure joins all of them, it is plain Verlet; where a
+/// few nodes ask for a rate that all springs would have to follow, as a hub does, these few are implicit
+/// (few_implicit.cpp).
 ///
 /// All rates scale with the base step, so that halving it quarters the whole error.
 class Multirate final : public Integrator {
@@ -84,32 +87,41 @@ public:
     m_plan = MultirateLayout::plan(system);
     m_plan.pays = m_plan.pays && system.forces().pressure().isEmpty();
     m_built = m_started = false;
-    if (!m_plan.pays) m_verlet->prepare(system);
+    if (m_plan.pays) return;
+    m_uniform = StiffNodes::find(system).empty() ? makeVerlet() : makeFewImplicit();
+    m_uniform->prepare(system);
   }
   void restart() noexcept override
   {
-    m_verlet->restart();
+    m_uniform->restart();
     m_started = false;
     m_untilLook = 0;
     m_patience = 1;
   }
   void constraintsChanged(const System& system) override { prepare(system); }
-  void tune(const System& system, const FastestMode& mode) noexcept override { m_verlet->tune(system, mode); }
+  void tune(const System& system, const FastestMode& mode) noexcept override
+  {
+    m_uniform->tune(system, mode);
+  }
   int order() const noexcept override { return 2; }
+  void setSolveTolerance(double tolerance, bool rough) noexcept override
+  {
+    m_uniform->setSolveTolerance(tolerance, rough);
+  }
 
   /// Stable at any step up to the number of classes; beyond the plan's step little is to be gained.
   double stableStep(const FastestMode& mode) const noexcept override
   {
-    return m_plan.pays ? m_plan.step / 0.95 : m_verlet->stableStep(mode);
+    return m_plan.pays ? m_plan.step / 0.95 : m_uniform->stableStep(mode);
   }
   double stepCost(const System& system, double h) override
   {
-    return m_plan.pays ? kSpringCost * m_plan.cost : m_verlet->stepCost(system, h);
+    return m_plan.pays ? kSpringCost * m_plan.cost : m_uniform->stepCost(system, h);
   }
 
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) override
   {
-    if (!m_plan.pays) return m_verlet->step(system, state, h, end, report);
+    if (!m_plan.pays) return m_uniform->step(system, state, h, end, report);
     m_x = state.x; // same size: no allocation
     m_v = state.v;
     arrange(system, state, h);
@@ -266,7 +278,7 @@ private:
     }
   }
 
-  std::unique_ptr<Integrator> m_verlet = makeVerlet(); ///< where one rate for all is cheaper
+  std::unique_ptr<Integrator> m_uniform = makeVerlet(); ///< where one rate for all springs is cheaper
   MultirateLayout::Plan m_plan;
   MultirateLayout m_layout;
   std::vector<ClassMotion> m_motion; ///< by class

@@ -273,7 +273,7 @@ StepDriver::Method StepDriver::cheapestExplicit(const System& system, double pat
   for (Method method = 0; method < m_candidates.size(); ++method) {
     Candidate& candidate = m_candidates[method];
     const bool isLocal = candidate.role == MethodRole::Local;
-    if (!competes(candidate) || isOutdone(method) || (isLocal && !isHeldUp())) continue;
+    if (!competes(candidate) || isOutdone(method) || (isLocal && !isHeldUp() && !m_fewHoldAll)) continue;
     if (isLocal && !candidate.prepared) {
       layOut(method, system); // its classes tell its step
       if (!candidate.isMeasured) guessStep(candidate);

@@ -79,7 +79,7 @@ double StepDriver::spendable(const Candidate& candidate) const noexcept
 {
   if (!isExplicit(candidate))
     return isHeldUp() ? std::min(1.0, std::pow(m_settings.tolerance / kSparingTolerance, 0.3)) : 1.0;
-  if (m_auto && isHeldUp()) return caution();
+  if (m_auto && isHeldUp() && !m_fewHoldAll) return caution();
   return isDamped() ? 1.0 : m_gauge.lastingShare(m_settings.tolerance, m_start.time);
 }
 
@@ -142,11 +142,15 @@ void StepDriver::weighLeastCost(const System& system)
   m_leastCost = std::min(m_leastCost, m_candidates[m_implicit].integrator->stepCost(system, kFrame));
 }
 
-bool StepDriver::toleranceIsTooDear(const System& system) const noexcept
+/// By one pass for each step at the limit of plain ones, or by local steps where a few nodes set that limit.
+bool StepDriver::toleranceIsTooDear(const System& system)
 {
   const auto springs = static_cast<double>(system.forces().activeSprings());
-  const double cost = springs * kFrame / explicitLimit();
-  return cost > m_settings.effort && cost > 1.5 * m_leastCost;
+  double least = springs * kFrame / explicitLimit();
+  for (Method method = 0; m_fewHoldAll && method < m_candidates.size(); ++method)
+    if (m_candidates[method].role == MethodRole::Local && m_candidates[method].prepared)
+      least = std::min(least, cost(method, system));
+  return least > m_settings.effort && least > 1.5 * m_leastCost;
 }
 
 /// The smallest steps that a frame's effort pays for. One may cost some force passes (stages for dampers): to

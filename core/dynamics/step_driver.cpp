@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/step_driver.h"
 
+#include "core/dynamics/stiff_nodes.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -420,6 +422,7 @@ void StepDriver::setBound(const System& system, const MotionState& state)
   m_mode = m_bound.compute(system, state.x, state.v);
   m_sinceBound = 0.0;
   m_boundPatience = 1.0;
+  m_fewHoldAll = m_auto && !StiffNodes::find(system).empty();
   weighSteps(system);
 }
 

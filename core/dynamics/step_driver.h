@@ -189,7 +189,7 @@ private:
   bool tryOut(Method method, double step, System& system, const MotionState& state, double allowed,
               StepReport& report);
   bool paysOff(double saving, double price) const noexcept;
-  bool toleranceIsTooDear(const System& system) const noexcept;
+  bool toleranceIsTooDear(const System& system);
 
   bool stretchFixed(System& system, MotionState& state, double end, StepReport& report);
   bool stretchControlled(System& system, MotionState& state, double end, StepReport& report);
@@ -268,6 +268,7 @@ private:
   FastestMode m_mode;
   double m_sinceBound = 0.0;    ///< work since m_mode was found, see refreshBound() [force passes]
   double m_boundPatience = 1.0; ///< how much longer than usual it may be
+  bool m_fewHoldAll = false;    ///< a few nodes ask for the small steps, see StiffNodes
   bool m_toleranceGivenUp = false;
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
   bool m_byBlocks = false;              ///< the clock wants them now

@@ -186,6 +186,22 @@ TEST(BlockCholesky, OrderOfEliminationKeepsGridsCheap)
 }
 
 // Two ways to one solution; and gradients tell when the matrix is not positive definite.
+// A hub with arms of two: as it goes last, each arm costs as much as if it were alone. Laid out pair by pair this
+// took ten billion steps, which the time limit of a test does not allow.
+TEST(BlockCholesky, AHubOfManyArmsCostsNoMoreThanItsArms)
+{
+  constexpr Index kArms = 100'000;
+  std::vector<NodePair> pairs;
+  for (Index i = 0; i < kArms; ++i) {
+    pairs.push_back({0, 1 + 2 * i});
+    pairs.push_back({1 + 2 * i, 2 + 2 * i});
+  }
+  BlockCholesky cholesky, alone;
+  ASSERT_TRUE(cholesky.analyze(1 + 2 * kArms, pairs));
+  ASSERT_TRUE(alone.analyze(3, {{0, 1}, {1, 2}}));
+  EXPECT_LT(cholesky.factorWork(), 2.0 * kArms * alone.factorWork());
+}
+
 TEST(PreconditionedCg, AgreesWithTheFactor)
 {
   Example example = springMatrix(400, gridPairs(20), 0.1, 12);

@@ -154,6 +154,21 @@ TEST(EnergyReport, EnergyFromNowhereIsNotKept)
   EXPECT_TRUE(report.isKept(1e-2));
   report.loss = -2e-3; // the method says that it adds
   EXPECT_NEAR(report.residual(), 0.0, 1e-15);
+  EXPECT_FALSE(report.isKept(1e-4)) << "that it says so makes it no better";
+  EXPECT_TRUE(report.isKept(1e-3)) << "an amplitude that errs by 1e-3 errs by 2e-3 of its energy";
+}
+
+// A node of 1.3e-7 kg and 6e5 m/s on an anchor of 7.5e5 N s/m has 2.3e4 J to lose. A method that books 1.3e14 J of
+// heat and as much that it has added itself balances, and is wrong.
+TEST(EnergyReport, HeatBeyondAllThatWasThereIsNotKept)
+{
+  EnergyReport report;
+  report.atStart.kinetic = report.heat = 2.3e4;
+  EXPECT_TRUE(report.isKept(1e-3));
+  report.heat = 1.3e14;
+  report.loss = report.atStart.kinetic - report.heat;
+  EXPECT_LE(std::abs(report.residual()), 1e-3 * report.largestTerm());
+  EXPECT_FALSE(report.isKept(1e-3));
 }
 
 } // namespace
