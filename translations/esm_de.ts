@@ -2088,8 +2088,12 @@
         <translation>Nichts wird berührt oder gehalten</translation>
     </message>
     <message>
-        <source>The simulation has not answered for 0.1 s: the scene is too heavy for this computer; a model with fewer nodes or a larger allowed error helps</source>
-        <translation>Die Simulation hat 0,1 s lang nicht geantwortet: Die Szene ist zu schwer für diesen Rechner; ein Modell mit weniger Knoten oder ein größerer erlaubter Fehler hilft</translation>
+        <source>The simulation answers late: the force goes on by its last answer; a model with fewer nodes or a larger allowed error helps</source>
+        <translation>Die Simulation antwortet spät: Die Kraft folgt ihrer letzten Antwort weiter; ein Modell mit weniger Knoten oder ein größerer erlaubter Fehler hilft</translation>
+    </message>
+    <message>
+        <source>The simulation answers too late to be felt: the scene is too heavy for this computer; a model with fewer nodes or a larger allowed error helps; force comes back after five answers in time</source>
+        <translation>Die Simulation antwortet zu spät, um gefühlt zu werden: Die Szene ist zu schwer für diesen Rechner; ein Modell mit weniger Knoten oder ein größerer erlaubter Fehler hilft; die Kraft kommt nach fünf rechtzeitigen Antworten wieder</translation>
     </message>
 </context>
 <context>
