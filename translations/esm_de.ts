@@ -4150,6 +4150,10 @@
         <translation>gröber als gewünscht</translation>
     </message>
     <message>
+        <source>too heavy, no picture for %1 s</source>
+        <translation>zu schwer, seit %1 s kein Bild</translation>
+    </message>
+    <message>
         <source>slowed, %1 × real time</source>
         <translation>verlangsamt, %1 × Echtzeit</translation>
     </message>
@@ -4169,6 +4173,10 @@
             <numerusform>%n Feder</numerusform>
             <numerusform>%n Federn</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1, %2 ms behind</source>
+        <translation>%1, %2 ms im Rückstand</translation>
     </message>
     <message>
         <source>real time %1×</source>
