@@ -18,7 +18,7 @@ namespace {
 using WallClock = CommandQueue<SimCommand>::Clock;
 
 /// A frame that is not done after this long ends where it is [s]: then the picture still moves, a command is
-/// obeyed soon, and the hand's model does not grow stale (the servo fades out after 100 ms).
+/// obeyed soon, and the hand's model does not come late (for the servo it does after 100 ms).
 constexpr double kLongestFrame = 0.05;
 
 double seconds(WallClock::time_point time)
