@@ -85,6 +85,7 @@ private:
   void connectDocument();
   void connectActions();
   void connectFrame();
+  void showRun();
   void showProject();
   void refreshRegions();
   void refreshHoldAction();

@@ -88,8 +88,13 @@ void SimulationController::poll()
     emit deviceTicked(m_trace);
     showInstrument();
   }
-  if (newest.sequence == m_snapshot.sequence) return;
+  if (newest.sequence == m_snapshot.sequence) {
+    if (!m_snapshot.playing) return;
+    readClock(m_snapshot, SimThread::now());
+    return emit clockRead();
+  }
   m_snapshot = newest;
+  readClock(m_snapshot, SimThread::now());
   if (snapshotIsCurrent()) {
     m_view->setSnapshot(m_snapshot);
     m_view->setToolForce(m_snapshot.toolForce);

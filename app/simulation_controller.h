@@ -17,8 +17,8 @@
 namespace esm {
 
 /// Joins document, simulation thread, haptic device and preview. The document's changes go to the simulation
-/// as messages; at each refresh of the screen (t_delta) the newest snapshot is shown. Nothing here waits for
-/// another thread. GUI thread.
+/// as messages; at each refresh of the screen (t_delta) the newest snapshot is shown, and as long as there is no
+/// newer one, how late that is. Nothing here waits for another thread. GUI thread.
 ///
 /// The pull tool takes hold of a node directly. A device is coupled in one of two ways:
 ///
@@ -80,6 +80,7 @@ public:
 
 signals:
   void frame();                      ///< a new snapshot is there and shown
+  void clockRead();                  ///< none is yet, but the snapshot's figures of the clock are new
   void playingChanged(bool playing); ///< asked for by the user, or the simulation has stopped itself
   void deviceChanged();
   void deviceTicked(const std::vector<esm::TraceSample>& ticks); ///< what it did since the last time

@@ -94,6 +94,7 @@ void addRun(QJsonObject& json, SimulationController* run)
   json["playing"] = snapshot.playing;
   json["time"] = snapshot.time;
   json["realTimeFactor"] = snapshot.realTimeFactor;
+  json["lag"] = snapshot.lag;
   json["toolForce"] = vectorJson(snapshot.toolForce);
   json["forceNorm"] = snapshot.toolForce.norm();
   json["grabbedNode"] = snapshot.grabbedNode;

@@ -16,6 +16,9 @@ namespace esm {
 
 namespace {
 
+constexpr double kLongFrame = 0.5; ///< that a picture may take before its absence is said [s]
+constexpr double kLongLag = 0.1;   ///< that pictures may be late before it is said [s]
+
 QString percent(double tolerance)
 {
   return QLocale().toString(100.0 * tolerance, 'g', 3);
@@ -59,12 +62,16 @@ StabilityLight::StabilityLight(QWidget* parent) : QLabel(parent)
 void StabilityLight::show(const SimSnapshot& snapshot)
 {
   const auto shown = [](double factor) { return static_cast<int>(100.0 * factor + 0.5); };
+  const double frameTime =
+    snapshot.frameTime >= kLongFrame ? 0.1 * std::floor(10.0 * snapshot.frameTime) : 0.0;
   if (snapshot.stability == m_stability && snapshot.playing == m_playing && snapshot.message == m_message &&
-      shown(snapshot.realTimeFactor) == shown(m_realTimeFactor) && snapshot.quality.rung == m_quality.rung)
+      shown(snapshot.realTimeFactor) == shown(m_realTimeFactor) && frameTime == m_frameTime &&
+      snapshot.quality.rung == m_quality.rung)
     return;
   m_stability = snapshot.stability;
   m_playing = snapshot.playing;
   m_realTimeFactor = snapshot.realTimeFactor;
+  m_frameTime = frameTime;
   m_quality = snapshot.quality;
   m_message = snapshot.message;
   refresh();
@@ -112,7 +119,9 @@ void StabilityLight::refresh()
       words = tr("rougher than wanted");
       break;
     case Stability::Slow:
-      words = tr("slowed, %1 × real time").arg(QLocale().toString(m_realTimeFactor, 'f', 2));
+      words = m_frameTime > 0.0
+                ? tr("too heavy, no picture for %1 s").arg(QLocale().toString(m_frameTime, 'f', 1))
+                : tr("slowed, %1 × real time").arg(QLocale().toString(m_realTimeFactor, 'f', 2));
       break;
     default:
       words = tr("stable");
@@ -292,6 +301,9 @@ void StatusStrip::setRun(const SimSnapshot& snapshot)
     m_realTime->setText(tr("real time %1×").arg(factor));
   else
     m_realTime->setText(tr("real time %1×, error %2 %").arg(factor, percent(snapshot.quality.tolerance)));
+  if (m_nodeCount > 0 && snapshot.lag > kLongLag)
+    m_realTime->setText(
+      tr("%1, %2 ms behind").arg(m_realTime->text(), locale.toString(1e3 * snapshot.lag, 'f', 0)));
   m_realTime->setToolTip(tr("Simulated time over wall time; a frame costs %1 % of its period")
                            .arg(locale.toString(100.0 * snapshot.frameCost, 'f', 0)) +
                          QLatin1Char('\n') + rungText(snapshot.quality));

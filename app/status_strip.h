@@ -17,7 +17,8 @@ class QStatusBar;
 namespace esm {
 
 /// How the run goes, as light and words: green while the tolerance is kept, yellow while something gives way
-/// (implicit steps, accuracy, the clock), red when it had to stop. Cause and cure are in the tool tip (and in
+/// (implicit steps, accuracy, the clock), red when it had to stop. A picture that does not come is said while
+/// it does not. Cause and cure are in the tool tip (and in
 /// the status line when the simulation had to stop).
 class StabilityLight : public QLabel {
   Q_OBJECT
@@ -35,6 +36,7 @@ private:
   Stability m_stability = Stability::Idle;
   bool m_playing = false;
   double m_realTimeFactor = 0.0;
+  double m_frameTime = 0.0; ///< of a picture that takes long, to a tenth; else 0 [s]
   QualityState m_quality;
   std::string m_message; ///< the engine's, English
 };

@@ -39,7 +39,8 @@ enum class ServoReason : std::uint8_t {
   ForceTooLarge, ///< armed, but force waits until it would begin with almost nothing
   NoScene,       ///< armed, but no tissue moves: paused, or no model
   NoContact,     ///< armed, but nothing is held or touched
-  StaleModel,    ///< the simulation has not answered for a while
+  LateModel,     ///< force is on, by models that come late
+  StaleModel,    ///< the simulation answers too late to be felt
   EmergencyStop,
   BadModel,      ///< the simulation sent a force that is no number
   EnergyTooHigh, ///< the loop gave energy that nobody had put in

@@ -11,11 +11,11 @@ namespace esm {
 
 namespace {
 
-constexpr double kBlendShare = 0.25;                          ///< of the time between two models
-constexpr double kLeastInterval = 0.001, kMostInterval = 0.1; ///< [s]
-constexpr double kTickSmoothing = 1.0;                        ///< [s]
-constexpr double kUnevenShare = 2.0;                          ///< of the ticks' deviation counts as tick
-constexpr double kSlack = 1.0;                                ///< [N/m]; a softer spring stores nothing
+constexpr double kBlendShare = 0.25;     ///< of the time between two models
+constexpr double kLeastInterval = 0.001; ///< [s]
+constexpr double kTickSmoothing = 1.0;   ///< [s]
+constexpr double kUnevenShare = 2.0;     ///< of the ticks' deviation counts as tick
+constexpr double kSlack = 1.0;           ///< [N/m]; a softer spring stores nothing
 
 constexpr double kImplausible = 1e9; ///< [m], [N], [N/m], [N s/m]; sums of such numbers stay finite
 
@@ -89,6 +89,7 @@ ContactLaw::Plane ContactLaw::planeOf(const ContactModel& model, double scale) c
   const CappedMatrix stiffness(scale * model.stiffness, stiffnessCap(viscosity.values.minCoeff()));
   plane.stiffness = stiffness.matrix();
   plane.compliance = stiffness.inverse();
+  plane.place = model.position;
   plane.constant = scale * model.force + plane.stiffness * model.position;
   if (const double length = model.normal.norm(); length > 0.0) plane.normal = model.normal / length;
   plane.friction = std::max(model.friction, 0.0);
@@ -102,26 +103,55 @@ bool ContactLaw::take(const ContactModel& model, double now, double scale) noexc
     m_sequence = model.sequence;
     return false;
   }
-  const bool goesOn = model.scene == m_scene && !m_stale;
+  hear(model, now);
+  if (m_stale) return true; // the next ones will be asked
+  const bool goesOn = model.scene == m_scene;
   const bool fades = m_presence > 0.0;
   m_sceneLeaves = fades && model.scene != m_scene;
   m_leaves = m_sceneLeaves || (fades && model.active && !m_active);
   if (m_leaves) return true; // asked again with the next tick
   if (goesOn) {
-    m_interval += 0.2 * (std::clamp(now - m_arrival, kLeastInterval, kMostInterval) - m_interval);
+    m_interval += 0.2 * (std::clamp(m_gap, kLeastInterval, kLongestHold) - m_interval);
     if (model.edition != m_edition || scale != m_scale) m_editLeft = kEditTime;
   }
   m_sequence = model.sequence;
   m_scene = model.scene;
   m_edition = model.edition;
   m_scale = scale;
-  m_arrival = now;
-  m_stale = false;
   m_active = model.active;
   if (!model.active) return true; // the old plane fades out
   m_plane = planeOf(model, scale);
   m_isNew = true;
   return true;
+}
+
+/// Counts answers that came in time. Another scene owes none: it begins anew.
+void ContactLaw::hear(const ContactModel& model, double now) noexcept
+{
+  if (model.sequence == m_heard) return;
+  m_heard = model.sequence;
+  m_gap = now - m_arrival;
+  m_arrival = now;
+  if (model.scene != m_scene)
+    m_timely = kTimelyAnswers;
+  else
+    m_timely = m_gap <= kLateAfter ? std::min(m_timely + 1, kTimelyAnswers) : 0;
+  m_stale = m_stale && m_timely < kTimelyAnswers;
+}
+
+/// Whether a plane that is late may go on. @param force  that it would be felt with, without presence [N].
+void ContactLaw::hold(double now, const Eigen::Vector3d& position, const Eigen::Vector3d& force) noexcept
+{
+  const double silence = now - m_arrival;
+  m_holds = m_scene != 0 && silence > kLateAfter && !m_stale;
+  if (!m_holds) return;
+  const bool isTrusted = !m_plane.compliance.isZero(0.0) && (position - m_plane.place).norm() <= kTrustedWay;
+  const bool ends = m_active && !isTrusted && !force.isZero(0.0);
+  m_stale = silence > kLongestHold || (ends && m_size > 0.0);
+  m_holds = !m_stale;
+  if (!ends || m_stale) return;
+  m_active = false; // nothing of it was felt: it does not begin
+  m_presence = 0.0;
 }
 
 void ContactLaw::forget() noexcept
@@ -144,7 +174,10 @@ Eigen::Vector3d ContactLaw::force(double now, double dt, const Eigen::Vector3d& 
                                   const Eigen::Vector3d& velocity, double age) noexcept
 {
   measure(dt, age);
-  m_stale = m_scene != 0 && now - m_arrival > kStaleAfter;
+  const Eigen::Vector3d full =
+    touching(m_plane.constant - m_plane.stiffness * position - m_plane.viscosity * velocity, m_plane.normal,
+             m_plane.friction);
+  hold(now, position, full);
   const bool wasAbsent = m_presence == 0.0;
   m_presence = std::clamp(m_presence + (present() ? dt : -dt) / kFadeTime, 0.0, 1.0);
   m_begins = wasAbsent && m_presence > 0.0;
@@ -154,9 +187,6 @@ Eigen::Vector3d ContactLaw::force(double now, double dt, const Eigen::Vector3d& 
   const Eigen::Vector3d elastic =
     touching(m_plane.constant - m_plane.stiffness * position, m_plane.normal, m_plane.friction);
   m_stored = 0.5 * elastic.dot(m_plane.compliance * elastic);
-  const Eigen::Vector3d full =
-    touching(m_plane.constant - m_plane.stiffness * position - m_plane.viscosity * velocity, m_plane.normal,
-             m_plane.friction);
   if (m_isNew) {
     // Nothing is felt yet that could jump while a contact only begins.
     m_jump = wasAbsent ? Eigen::Vector3d(Eigen::Vector3d::Zero()) : Eigen::Vector3d(m_shown - full);

@@ -24,10 +24,12 @@ std::string reasonText(ServoReason reason)
     return "No tissue moves: there is no model, or the simulation is paused";
   case ServoReason::NoContact:
     return "Nothing is touched or held";
+  case ServoReason::LateModel:
+    return "The simulation answers late: the force goes on by its last answer; a model with fewer nodes or a "
+           "larger allowed error helps";
   case ServoReason::StaleModel:
-    return "The simulation has not answered for 0.1 s: the scene is too heavy for this computer; a model "
-           "with "
-           "fewer nodes or a larger allowed error helps";
+    return "The simulation answers too late to be felt: the scene is too heavy for this computer; a model "
+           "with fewer nodes or a larger allowed error helps; force comes back after five answers in time";
   case ServoReason::EmergencyStop:
     return "Stopped by the user; arm again to go on";
   case ServoReason::BadModel:

@@ -13,6 +13,7 @@ namespace {
 constexpr double kVelocityCutoff = 200.0; ///< [Hz]; above it encoder steps show, below it damping comes late
 constexpr double kNoSpeed = 1e-12;        ///< [m/s], along an axis
 constexpr double kMostScale = 10.0;
+constexpr double kMostOfHold = 0.25 * EnergyGuard::kTrip; ///< generated while a late model holds [J]
 
 } // namespace
 
@@ -61,6 +62,7 @@ Eigen::Vector3d ServoCore::wish(double now, double dt, double limit) noexcept
     if (m_law.present() && m_arming.opens()) m_arming.fail(ServoReason::EnergyTooHigh);
     m_energy.forget();
   }
+  watchHold();
   const double size = force.stableNorm();
   force += m_energy.damping(m_velocity);
   if (const double norm = force.stableNorm(); norm > limit) force *= std::max(limit, 0.0) / norm;
@@ -69,6 +71,14 @@ Eigen::Vector3d ServoCore::wish(double now, double dt, double limit) noexcept
   m_share = m_law.presence() * gain * (size > limit ? std::max(limit, 0.0) / size : 1.0);
   if (gain == 0.0) return Eigen::Vector3d::Zero();
   return gain * force - m_arming.dampingShare() * m_device.profile().maxDamping * m_velocity;
+}
+
+/// What a late model gives beyond its springs is an early sign: it ends long before the guard would trip.
+void ServoCore::watchHold() noexcept
+{
+  const double generated = m_energy.generated();
+  m_beforeHold = m_law.holds() ? std::min(m_beforeHold, generated) : generated;
+  if (generated > m_beforeHold + kMostOfHold) m_law.endHold();
 }
 
 void ServoCore::sendZero() noexcept
@@ -118,7 +128,8 @@ ServoReason ServoCore::reason() const noexcept
   if (m_law.stale()) return ServoReason::StaleModel;
   if (m_law.scene() == 0) return ServoReason::NoScene;
   if (!m_law.present()) return ServoReason::NoContact;
-  return m_arming.waits() ? ServoReason::ForceTooLarge : ServoReason::Plain;
+  if (m_arming.waits()) return ServoReason::ForceTooLarge;
+  return m_law.late() ? ServoReason::LateModel : ServoReason::Plain;
 }
 
 void ServoCore::report(double now, double limit) noexcept

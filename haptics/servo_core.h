@@ -68,6 +68,7 @@ public:
 private:
   void take(const DeviceSample& sample, double dt) noexcept;
   Eigen::Vector3d wish(double now, double dt, double limit) noexcept;
+  void watchHold() noexcept;
   void sendTool(double now) noexcept;
   ServoReason reason() const noexcept;
   void report(double now, double limit) noexcept;
@@ -84,7 +85,8 @@ private:
   ContactLaw m_law;
   EnergyGuard m_energy;
   ForceLimiter m_limiter;
-  double m_share = 0.0; ///< of the law's force that was sent last [1]
+  double m_share = 0.0;      ///< of the law's force that was sent last [1]
+  double m_beforeHold = 0.0; ///< least energy generated since a late model holds [J]
   DeviceSample m_sample;
   Eigen::Vector3d m_lastPosition = Eigen::Vector3d::Zero();
   Eigen::Vector3d m_velocity = Eigen::Vector3d::Zero();

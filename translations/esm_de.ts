@@ -2088,8 +2088,12 @@
         <translation>Nichts wird berührt oder gehalten</translation>
     </message>
     <message>
-        <source>The simulation has not answered for 0.1 s: the scene is too heavy for this computer; a model with fewer nodes or a larger allowed error helps</source>
-        <translation>Die Simulation hat 0,1 s lang nicht geantwortet: Die Szene ist zu schwer für diesen Rechner; ein Modell mit weniger Knoten oder ein größerer erlaubter Fehler hilft</translation>
+        <source>The simulation answers late: the force goes on by its last answer; a model with fewer nodes or a larger allowed error helps</source>
+        <translation>Die Simulation antwortet spät: Die Kraft folgt ihrer letzten Antwort weiter; ein Modell mit weniger Knoten oder ein größerer erlaubter Fehler hilft</translation>
+    </message>
+    <message>
+        <source>The simulation answers too late to be felt: the scene is too heavy for this computer; a model with fewer nodes or a larger allowed error helps; force comes back after five answers in time</source>
+        <translation>Die Simulation antwortet zu spät, um gefühlt zu werden: Die Szene ist zu schwer für diesen Rechner; ein Modell mit weniger Knoten oder ein größerer erlaubter Fehler hilft; die Kraft kommt nach fünf rechtzeitigen Antworten wieder</translation>
     </message>
 </context>
 <context>
@@ -4146,6 +4150,10 @@
         <translation>gröber als gewünscht</translation>
     </message>
     <message>
+        <source>too heavy, no picture for %1 s</source>
+        <translation>zu schwer, seit %1 s kein Bild</translation>
+    </message>
+    <message>
         <source>slowed, %1 × real time</source>
         <translation>verlangsamt, %1 × Echtzeit</translation>
     </message>
@@ -4165,6 +4173,10 @@
             <numerusform>%n Feder</numerusform>
             <numerusform>%n Federn</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>%1, %2 ms behind</source>
+        <translation>%1, %2 ms im Rückstand</translation>
     </message>
     <message>
         <source>real time %1×</source>

@@ -25,10 +25,16 @@ constexpr KnownSentence kReasons[] = {
   {"No tissue moves: there is no model, or the simulation is paused",
    QT_TRANSLATE_NOOP("esm::HapticText", "No tissue moves: there is no model, or the simulation is paused")},
   {"Nothing is touched or held", QT_TRANSLATE_NOOP("esm::HapticText", "Nothing is touched or held")},
-  {R"(The simulation has not answered for 0\.1 s: the scene is too heavy for this computer; a model with fewer nodes or a larger allowed error helps)",
-   QT_TRANSLATE_NOOP("esm::HapticText",
-                     "The simulation has not answered for 0.1 s: the scene is too heavy for this computer; "
-                     "a model with fewer nodes or a larger allowed error helps")},
+  {"The simulation answers late: the force goes on by its last answer; a model with fewer nodes or a larger "
+   "allowed error helps",
+   QT_TRANSLATE_NOOP("esm::HapticText", "The simulation answers late: the force goes on by its last answer; "
+                                        "a model with fewer nodes or a larger allowed error helps")},
+  {"The simulation answers too late to be felt: the scene is too heavy for this computer; a model with fewer "
+   "nodes or a larger allowed error helps; force comes back after five answers in time",
+   QT_TRANSLATE_NOOP(
+     "esm::HapticText",
+     "The simulation answers too late to be felt: the scene is too heavy for this computer; a model with "
+     "fewer nodes or a larger allowed error helps; force comes back after five answers in time")},
   {"Stopped by the user; arm again to go on",
    QT_TRANSLATE_NOOP("esm::HapticText", "Stopped by the user; arm again to go on")},
   {"The simulation sent a force that is not a number; reset it, then arm again",

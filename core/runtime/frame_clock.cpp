@@ -17,7 +17,17 @@ void FrameClock::start(double now) noexcept
 {
   m_deadline = now;
   m_lastEnd = now;
+  m_lag = 0.0;
   m_first = true;
+}
+
+Pace FrameClock::paceAt(double now) const noexcept
+{
+  const double elapsed = std::max(now - m_lastEnd, m_period), most = m_period / elapsed;
+  const double weight = 1.0 - std::exp(-elapsed / kSmoothing);
+  const double factor = m_first ? most : std::min(m_factor, m_factor + weight * (most - m_factor));
+  return {factor, std::max({0.0, m_lag, now - m_deadline - m_period}),
+          std::max(0.0, now - std::max(m_deadline, m_lastEnd))};
 }
 
 void FrameClock::endFrame(double now, double simulated, double processorTime) noexcept
@@ -31,6 +41,7 @@ void FrameClock::endFrame(double now, double simulated, double processorTime) no
   m_lastEnd = m_first ? m_deadline + elapsed : now;
   m_first = false;
 
+  m_lag = std::max(0.0, now - m_deadline - simulated);
   m_deadline += m_period;
   if (now > m_deadline + m_period) m_deadline = now;
 }

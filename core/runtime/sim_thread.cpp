@@ -19,11 +19,10 @@ namespace {
 using WallClock = CommandQueue<SimCommand>::Clock;
 
 /// A frame that is not done after this long ends where it is [s]: then the picture still moves, a command is
-/// obeyed soon, and the hand's model does not grow stale (the servo fades out after 100 ms).
+/// obeyed soon, and the hand's model does not come late (for the servo it does after 100 ms).
 constexpr double kLongestFrame = 0.05;
 /// So long may one be whose steps are dearer than that, if nobody wants anything meanwhile [s].
 constexpr double kLongestStep = 10.0;
-constexpr double kSlowFactor = 0.95;
 
 double seconds(WallClock::time_point time)
 {
@@ -45,6 +44,16 @@ double processorTime()
 }
 
 } // namespace
+
+void readClock(SimSnapshot& picture, double now) noexcept
+{
+  const Pace pace = picture.playing ? picture.clock.paceAt(now) : Pace{};
+  picture.realTimeFactor = pace.realTimeFactor;
+  picture.lag = pace.lag;
+  picture.frameTime = pace.frameTime;
+  const bool runs = picture.stability != Stability::Idle && picture.stability != Stability::Stopped;
+  if (runs && picture.playing && pace.isSlow()) picture.stability = Stability::Slow;
+}
 
 NetPicture& NetPicture::operator=(const NetPicture& other)
 {
@@ -138,10 +147,9 @@ void SimThread::Impl::publish()
   SimSnapshot& picture = pictures.back();
   runner.draw(picture);
   picture.sequence = ++sequence;
-  picture.realTimeFactor = runner.playing() ? clock.realTimeFactor() : 0.0;
+  picture.clock = clock;
   picture.frameCost = runner.playing() ? clock.frameCost() : 0.0;
-  const bool runs = picture.stability != Stability::Idle && picture.stability != Stability::Stopped;
-  if (runs && picture.playing && picture.realTimeFactor < kSlowFactor) picture.stability = Stability::Slow;
+  readClock(picture, seconds(WallClock::now()));
   pictures.publish();
 }
 
@@ -222,6 +230,11 @@ void SimThread::touch(bool on, double radius, double maxForce)
 const SimSnapshot& SimThread::latest()
 {
   return m_impl->pictures.latest();
+}
+
+double SimThread::now() noexcept
+{
+  return seconds(WallClock::now());
 }
 
 TripleBuffer<ToolState>& SimThread::toolInput() noexcept

@@ -4,6 +4,7 @@
 
 #include "core/base/result.h"
 #include "core/dynamics/simulation.h"
+#include "core/runtime/frame_clock.h"
 #include "core/runtime/hand_over.h"
 #include "core/runtime/quality_ladder.h"
 
@@ -43,7 +44,10 @@ struct SimSnapshot : NetPicture {
   std::uint64_t generation = 0; ///< of the load() whose net this is: a reader skips snapshots of an older net
   bool playing = false;
   double time = 0.0;           ///< simulated [s]
+  FrameClock clock{0.0};       ///< as of this picture; see readClock()
   double realTimeFactor = 0.0; ///< simulated over wall time, smoothed; 0 while paused
+  double lag = 0.0;            ///< of simulated time behind the wall clock; 0 while paused [s]
+  double frameTime = 0.0;      ///< for how long the next picture has been computed; 0: it is not due [s]
   double frameCost = 0.0;      ///< processor time per frame over frame period [1]
   Stability stability = Stability::Idle;
   StepReport report; ///< of the last frame
@@ -61,6 +65,11 @@ struct SimSnapshot : NetPicture {
   bool tipTouches = false;
   Eigen::Vector3d tipPosition = Eigen::Vector3d::Zero(); ///< where it is shown: never beyond the surface [m]
 };
+
+/// Brings the figures of the clock up to `now`, and the stability that follows from them: a picture is as old
+/// as the frame under way is long, and would else tell of a run in time while the simulation hangs.
+/// Only arithmetic, see FrameClock. @param now  on SimThread's clock, not before the picture was made [s].
+void readClock(SimSnapshot& picture, double now) noexcept;
 
 /// The simulation in its own thread, on the wall clock at frames of 1/frameRate. All calls return at once:
 /// commands go through a queue and take effect at the next frame border, in order.
@@ -98,8 +107,9 @@ public:
   /// `radius` [m].
   void touch(bool on, double radius = 0.003, double maxForce = 5.0);
 
-  /// The newest picture; valid until the next call. Never waits.
+  /// The newest picture; valid until the next call. Never waits. Its figures of the clock are as old as it is.
   const SimSnapshot& latest();
+  static double now() noexcept; ///< for readClock() [s]; any thread
 
   TripleBuffer<ToolState>& toolInput() noexcept;        ///< servo thread writes
   TripleBuffer<ContactModel>& contactOutput() noexcept; ///< servo thread reads

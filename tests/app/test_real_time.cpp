@@ -133,6 +133,38 @@ TEST_F(RealTimeTest, TheStatusBarShowsAccuracyWorkAndSleep)
   EXPECT_TRUE(label("lblSolver")->text().isEmpty());
 }
 
+// A frame that hangs, read again and again while no other picture comes: the light turns, the lag is shown from
+// 100 ms on, and after half a second it is said that there is no picture.
+TEST_F(RealTimeTest, AFrameThatHangsIsSeenWhileItHangs)
+{
+  QStatusBar bar;
+  StatusStrip strip(&bar);
+  strip.setNet(64, 161);
+  const auto text = [&](const char* name) { return bar.findChild<QLabel*>(QLatin1String(name))->text(); };
+  SimSnapshot picture = running(Stability::Good);
+  picture.clock = FrameClock(0.02);
+  picture.clock.start(0.0);
+  picture.clock.endFrame(0.02, 0.02, 0.02); // the next one is due at 0.02 s
+  const auto readAt = [&](double now) {
+    readClock(picture, now);
+    strip.setRun(picture);
+  };
+  readAt(0.03);
+  EXPECT_TRUE(text("lblStable").contains("stable"));
+  EXPECT_EQ(text("lblRealTime"), "real time 1.00×");
+  readAt(0.1); // 60 ms late
+  EXPECT_TRUE(text("lblStable").contains("slowed")) << qPrintable(text("lblStable"));
+  EXPECT_FALSE(text("lblRealTime").contains("behind"));
+  readAt(0.29);
+  EXPECT_TRUE(text("lblRealTime").endsWith("×, 250 ms behind")) << qPrintable(text("lblRealTime"));
+  readAt(1.35);
+  EXPECT_TRUE(text("lblStable").contains("too heavy, no picture for 1.3 s")) << qPrintable(text("lblStable"));
+  language.set(Language::German);
+  readAt(2.0201);
+  EXPECT_TRUE(text("lblStable").contains("zu schwer, seit 2,0 s kein Bild")) << qPrintable(text("lblStable"));
+  EXPECT_TRUE(text("lblRealTime").endsWith("ms im Rückstand")) << qPrintable(text("lblRealTime"));
+}
+
 // A message or a label that is cut off tells nothing: lesser ones make room, and come back.
 TEST_F(RealTimeTest, TheStatusBarMakesRoomForAMessage)
 {
@@ -218,6 +250,34 @@ TEST_F(RealTimeTest, TheWindowSaysThatATooStiffNetIsRough)
   EXPECT_TRUE(note->isVisible());
   window.controller()->reset();
   EXPECT_TRUE(QTest::qWaitFor([&] { return !note->isVisible(); }, 20000));
+}
+
+// A net of steps so fine that a picture takes many refreshes of the screen: in between the window reads the
+// clock, and for one and the same picture the time that the next one has taken rises.
+TEST_F(RealTimeTest, TheWindowReadsTheClockBetweenTwoPictures)
+{
+  MainWindow window(&language);
+  Project project = test::sheetProject();
+  project.simulation.solver = {"verlet", 1e-3, 1e-8, 1};
+  window.document()->start(std::move(project), QString());
+  window.show();
+  const SimSnapshot& snapshot = window.controller()->snapshot();
+  std::uint64_t sequence = 0;
+  double frameTime = 0.0;
+  int risen = 0;
+  QObject::connect(window.controller(), &SimulationController::clockRead, &window, [&] {
+    risen += snapshot.sequence == sequence && snapshot.frameTime > frameTime ? 1 : 0;
+    sequence = snapshot.sequence;
+    frameTime = snapshot.frameTime;
+  });
+  window.controller()->setPlaying(true);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return risen > 3; }, 20000));
+  EXPECT_TRUE(QTest::qWaitFor(
+    [&] { return window.findChild<QLabel*>("lblStable")->text().contains("slowed"); }, 20000));
+  window.controller()->setPlaying(false);
+  EXPECT_TRUE(QTest::qWaitFor([&] { return !snapshot.playing; }, 20000));
+  EXPECT_EQ(snapshot.frameTime, 0.0);
+  EXPECT_EQ(snapshot.lag, 0.0);
 }
 
 // What the engine really says, in German: should a sentence of it change, its translation is missed here.

@@ -16,6 +16,7 @@
 #include <optional>
 #include <random>
 #include <sstream>
+#include <utility>
 
 namespace esm {
 
@@ -27,6 +28,7 @@ constexpr double kRadius = 0.03;       ///< of the organ [m]
 constexpr double kStiffest = 3000.0;   ///< that a device of this kind may feel [N/m], see DeviceProfile
 constexpr double kFadeOut = 0.055;     ///< 50 ms by the safety rules, and some ticks of rounding [s]
 constexpr double kWait = 0.05;         ///< 50 ticks below 0.2 N [s]
+constexpr double kHold = 1.0;          ///< of a late model at most [s]
 constexpr double kSmall = 0.2;         ///< [N]
 constexpr double kSlew = 1000.0;       ///< [N/s]
 constexpr double kExtraDamping = 4.0;  ///< 20 % of the device's 20 N s/m while force fades in
@@ -140,7 +142,13 @@ public:
   void begins(double now, const Eigen::Vector3d& hand, double force)
   {
     m_begin = {now, hand, force};
+    m_silence.reset();
     m_leap.reset();
+  }
+  /// No answer any more: what is felt now may go on until it has been held for its time.
+  void fallsSilent(double now, const Eigen::Vector3d& hand)
+  {
+    m_silence = Event{now + kHold + kTick, hand, 10.0};
   }
   /// A contact comes to where the hand is already: what it has at once is small, the rest fades in.
   /// @param gone after which the old force is [s].
@@ -149,8 +157,9 @@ public:
     m_leap = Event{now, hand, force, gone};
   }
 
-  double most(double now, const Eigen::Vector3d& hand, double limit, double armTime, double speed) const
+  double most(double now, const Eigen::Vector3d& hand, double limit, double armTime, double speed)
   {
+    if (m_silence && now >= m_silence->time) m_begin = *std::exchange(m_silence, {});
     const double damping = kExtraDamping * speed;
     double most = limit;
     const double age = now - m_begin.time;
@@ -158,7 +167,7 @@ public:
       most = std::min(most, m_begin.force + kStiffest * (hand - m_begin.hand).norm() + damping +
                               kGuardDamping * speed);
     else
-      most = std::min(most, (age - kWait) / armTime * limit + damping);
+      most = std::min(most, (age - kWait + kTick) / armTime * limit + damping); // the last of the 50 begins
     if (m_leap) {
       const double since = now - m_leap->time, way = (hand - m_leap->hand).norm();
       most = std::min(most, (since < m_leap->gone ? m_leap->force : 0.0) + kSmall + kStiffest * way +
@@ -175,7 +184,7 @@ private:
     double gone = 0.0;
   };
   Event m_begin{-10.0, Eigen::Vector3d::Zero(), 0.0};
-  std::optional<Event> m_leap;
+  std::optional<Event> m_silence, m_leap;
 };
 
 enum class Deed {
@@ -191,6 +200,7 @@ enum class Deed {
   Edit,
   Unplug,
   Silence,
+  Heavy,
   Place,
   Tool,
   Gain,
@@ -348,9 +358,14 @@ private:
         plug();
       }
       break;
-    case Deed::Silence: // a heavy scene: no frame for a while
-      m_nextFrame = m_now + 0.16;
-      m_bound.begins(m_now + 0.101, m_hand.at(m_now), 10.0); // it stays until the silence is noticed
+    case Deed::Silence: // a simulation that hangs, and what comes after
+      m_nextFrame = m_now + kHold + 0.06;
+      m_bound.fallsSilent(m_now, m_hand.at(m_now));
+      if (coin()) break; // whatever is done next breaks in on it
+      for (const double end = m_nextFrame; m_now < end && !m_bad;) tick();
+      break;
+    case Deed::Heavy: // frames that take up to half a second each, or do no longer
+      m_heavy = !m_heavy;
       break;
     case Deed::Place:
       ++m_epoch;
@@ -396,7 +411,7 @@ private:
     const Eigen::Vector3d before = m_hand.at(m_now);
     m_now += kTick;
     if (m_now >= m_nextFrame) {
-      m_nextFrame = m_now + kFrame;
+      m_nextFrame = m_now + (m_heavy ? 0.5 * unit() : kFrame);
       m_runner.runFrame();
     }
     if (!m_loop) return;
@@ -447,7 +462,7 @@ private:
   double m_atLimit = 0.0, m_limitSince = -1.0; ///< force when the limit was changed [N], when [s]
   std::uint32_t m_epoch = 0;
   std::uint64_t m_generation = 0;
-  bool m_loaded = false, m_plays = false, m_held = false, m_bad = false;
+  bool m_loaded = false, m_plays = false, m_held = false, m_heavy = false, m_bad = false;
   Eigen::Vector3d m_last = Eigen::Vector3d::Zero();
   Bound m_bound;
   TripleBuffer<ToolState> m_tool;

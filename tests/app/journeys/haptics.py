@@ -26,13 +26,13 @@ def tab(number):
 
 class Stalled(Exception):
     """The computer did not run for a while: after 20 ms the servo takes the force away, as from a device that does not
-    reply, after 100 ms as from a simulation that does not answer. With much gain the one old force that the hand felt
+    reply, after a second as from a simulation that does not answer. With much gain the one old force that the hand felt
     meanwhile may give it more energy than the tissue had."""
 
 
 def alive(s):
     device = s["device"]
-    if device["state"] == FAULT and (re.search("does not reply|has not answered", device["reason"])
+    if device["state"] == FAULT and (re.search("does not reply|answers too late", device["reason"])
                                      or device["rate"] < STEADY and "more energy" in device["reason"]):
         raise Stalled
     return True

@@ -78,4 +78,63 @@ TEST_F(FrameClockTest, ThePaceIsRightFromTheFirstFrameOn)
   EXPECT_NEAR(clock.realTimeFactor(), 0.2, 1e-9);
 }
 
+// A frame that hangs for a second: known within 100 ms, by the times alone, while nothing has ended yet.
+TEST_F(FrameClockTest, AFrameThatHangsIsKnownBeforeItEnds)
+{
+  start(0.0);
+  run(100, 0.005);
+  const double due = clock.deadline();
+  EXPECT_FALSE(clock.paceAt(due).isSlow());
+  EXPECT_EQ(clock.paceAt(due).lag, 0.0);
+  double factor = clock.paceAt(due + kPeriod).realTimeFactor;
+  EXPECT_FALSE(clock.paceAt(due + kPeriod).isSlow());
+  for (int i = 1; i <= 50; ++i) {
+    const Pace pace = clock.paceAt(due + (1 + i) * kPeriod);
+    EXPECT_NEAR(pace.lag, i * kPeriod, 1e-9);
+    EXPECT_NEAR(pace.frameTime, (1 + i) * kPeriod, 1e-9);
+    EXPECT_LT(pace.realTimeFactor, factor);
+    EXPECT_TRUE(pace.isSlow() || i < 2) << i; // 40 ms
+    factor = pace.realTimeFactor;
+  }
+  EXPECT_LT(factor, 0.2);
+  // And what is said is no worse than what is true once it ends.
+  const double end = due + 51 * kPeriod;
+  const Pace before = clock.paceAt(end);
+  clock.endFrame(end, kPeriod, 1.0);
+  EXPECT_NEAR(clock.paceAt(end).realTimeFactor, before.realTimeFactor, 1e-12);
+  EXPECT_NEAR(clock.paceAt(end).lag, before.lag, 1e-12);
+  EXPECT_EQ(clock.paceAt(end).frameTime, 0.0);
+}
+
+// Frames of four periods each, one after the other: three periods behind at each end, and no less between.
+TEST_F(FrameClockTest, TheLagOfSlowMotionIsSteady)
+{
+  start(0.0);
+  run(20, 4 * kPeriod);
+  EXPECT_NEAR(clock.paceAt(now).lag, 3 * kPeriod, 1e-9);
+  EXPECT_NEAR(clock.paceAt(now + 2 * kPeriod).lag, 3 * kPeriod, 1e-9);
+  EXPECT_NEAR(clock.paceAt(now + 5 * kPeriod).lag, 4 * kPeriod, 1e-9);
+  run(2, 0.001); // in time again: nothing is owed
+  EXPECT_NEAR(clock.paceAt(now).lag, 0.0, 1e-9);
+}
+
+// A frame that ends on the grid but has moved the net by a quarter of it is three quarters behind.
+TEST_F(FrameClockTest, AFrameBrokenOffIsBehind)
+{
+  start(0.0);
+  clock.endFrame(kPeriod, 0.25 * kPeriod, kPeriod);
+  EXPECT_NEAR(clock.paceAt(kPeriod).lag, 0.75 * kPeriod, 1e-12);
+}
+
+// Before the first frame has ended nothing is known but how long it takes.
+TEST_F(FrameClockTest, TheFirstFrameCountsFromTheStart)
+{
+  start(0.0);
+  run(20, 10 * kPeriod); // of another run
+  start(50.0);
+  EXPECT_NEAR(clock.paceAt(50.0).realTimeFactor, 1.0, 1e-12);
+  EXPECT_EQ(clock.paceAt(50.0).lag, 0.0);
+  EXPECT_NEAR(clock.paceAt(50.0 + 5 * kPeriod).realTimeFactor, 0.2, 1e-12);
+}
+
 } // namespace esm

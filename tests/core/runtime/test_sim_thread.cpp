@@ -205,4 +205,49 @@ TEST(SimThread, AnOverloadedSimulationIsSlowButObeys)
   EXPECT_TRUE(waitFor(simulation, [](const SimSnapshot& p) { return !p.playing; }));
 }
 
+// Whoever reads the last picture a second after its frame was due learns that none has come: the reader's time
+// is invented, the picture is that of a real thread.
+TEST(SimThread, APictureThatIsOldSaysSoWhenItIsRead)
+{
+  SimThread simulation(60.0);
+  simulation.load(chain(6), gravity(), {});
+  simulation.play();
+  ASSERT_TRUE(waitFor(simulation, [](const SimSnapshot& p) { return p.playing && p.time > 0.0; }));
+  SimSnapshot picture = simulation.latest();
+  const double due = picture.clock.deadline();
+  const double before = picture.realTimeFactor;
+  readClock(picture, due + 0.1);
+  EXPECT_EQ(picture.stability, Stability::Slow);
+  EXPECT_NEAR(picture.lag, 0.1 - 1.0 / 60.0, 1e-9);
+  EXPECT_NEAR(picture.frameTime, 0.1, 1e-9);
+  const double after = picture.realTimeFactor;
+  EXPECT_LT(after, before);
+  readClock(picture, due + 1.0);
+  EXPECT_NEAR(picture.lag, 1.0 - 1.0 / 60.0, 1e-9);
+  EXPECT_LT(picture.realTimeFactor, 0.5 * after);
+
+  simulation.pause();
+  ASSERT_TRUE(waitFor(simulation, [](const SimSnapshot& p) { return !p.playing; }));
+  picture = simulation.latest();
+  const Stability stability = picture.stability;
+  readClock(picture, due + 1000.0); // paused, for as long as it likes
+  EXPECT_EQ(picture.stability, stability);
+  EXPECT_EQ(picture.realTimeFactor, 0.0);
+  EXPECT_EQ(picture.lag, 0.0);
+  EXPECT_EQ(picture.frameTime, 0.0);
+}
+
+// What has stopped or is not there is not slow.
+TEST(SimThread, TheClockChangesNoWorseWord)
+{
+  for (const Stability word : {Stability::Idle, Stability::Stopped}) {
+    SimSnapshot picture;
+    picture.playing = true;
+    picture.clock = FrameClock(0.02);
+    picture.stability = word;
+    readClock(picture, 1000.0);
+    EXPECT_EQ(picture.stability, word);
+  }
+}
+
 } // namespace esm
