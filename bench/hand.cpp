@@ -57,7 +57,7 @@ struct Pull {
   std::string solver;   ///< in the middle of the pull
 };
 
-/// Its outermost node in x is pulled 10 mm in 0.3 s, held, and let go.
+/// Its outermost node in x is pulled, with the patch around it, 10 mm in 0.3 s, held, and let go.
 Pull pull(const Project& project)
 {
   HandScene scene(project);
@@ -66,7 +66,7 @@ Pull pull(const Project& project)
   Eigen::Index node = 0;
   project.net.restPosition.row(0).maxCoeff(&node);
   const Eigen::Vector3d grip = scene.picture().position.col(node);
-  scene.apply(command::Grab{static_cast<Index>(node), grip, 5.0});
+  scene.apply(command::Grab{static_cast<Index>(node), grip, 5.0, kGripRadius});
   Pull result;
   bool hasMoved = false;
   double simulated = 0.0, held = 0.0;

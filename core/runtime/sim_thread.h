@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/dynamics/simulation.h"
 #include "core/runtime/hand_over.h"
+#include "core/runtime/node_patch.h"
 #include "core/runtime/quality_ladder.h"
 
 #include <memory>
@@ -87,9 +88,10 @@ public:
   /// come. Before the first call: only the clock.
   void setQuality(QualityPlan plan);
 
-  /// Takes hold of a node with a spring towards `target`. The spring's stiffness is chosen from the net so
-  /// that grabbing never makes it unstable, and the pull is limited to `maxForce` [N].
-  void grab(Index node, const Eigen::Vector3d& target, double maxForce = 5.0);
+  /// Takes hold of the patch within `radius` [m] of a node, and leads it: the node to `target`. The hold's
+  /// stiffness is chosen from the net so that grabbing never makes it unstable, and the pull is limited to
+  /// `maxForce` [N].
+  void grab(Index node, const Eigen::Vector3d& target, double maxForce = 5.0, double radius = kGripRadius);
   void moveGrab(const Eigen::Vector3d& target);
   void release();
   /// While on, the grab's target is the newest ToolState instead of moveGrab(): the hand on a device leads.

@@ -18,6 +18,7 @@ namespace {
 
 constexpr int kMostTriangles = 64;      ///< that a contact slides over in one frame
 constexpr double kLeastAgreement = 0.3; ///< of the smooth normal with the face's, as a cosine
+constexpr double kLowerPart = 0.5;      ///< of a ball's radius, aside of its lowest point
 constexpr double kSameStretch = 0.5;    ///< of two places at rest, as a cosine between their normals
 constexpr double kLeastForce = 1e-6;    ///< [N]
 
@@ -37,30 +38,20 @@ ToolTip::ToolTip(const SpringNet& net, double radius, double maxForce)
   : m_surface(net.triangles, net.restPosition),
     m_rest(net.restPosition),
     m_isClosed(isClosedSurface(net)),
+    m_finder(net),
+    m_press(net),
     m_radius(std::isfinite(radius) ? std::max(radius, 0.0) : 0.0)
 {
   setMaxForce(maxForce);
-  const auto nodes = static_cast<std::size_t>(net.nodeCount());
-  m_firstTriangle.assign(nodes + 1, 0);
-  for (Index t = 0; t < net.triangleCount(); ++t)
-    for (int k = 0; k < 3; ++k) ++m_firstTriangle[static_cast<std::size_t>(net.triangles(k, t)) + 1];
-  for (std::size_t i = 1; i <= nodes; ++i) m_firstTriangle[i] += m_firstTriangle[i - 1];
-  m_triangleAt.resize(m_firstTriangle.back());
-  std::vector<std::size_t> place(m_firstTriangle);
-  for (Index t = 0; t < net.triangleCount(); ++t)
-    for (int k = 0; k < 3; ++k) m_triangleAt[place[static_cast<std::size_t>(net.triangles(k, t))]++] = t;
-  adapt(net);
+  m_trianglesOf.build(static_cast<std::size_t>(net.nodeCount()), [&](const auto& add) {
+    for (Index t = 0; t < net.triangleCount(); ++t)
+      for (int k = 0; k < 3; ++k) add(net.triangles(k, t), t);
+  });
 }
 
 void ToolTip::adapt(const SpringNet& net)
 {
-  m_own.assign(static_cast<std::size_t>(net.nodeCount()), 0.0);
-  for (Index s = 0; s < net.springCount(); ++s)
-    for (int end = 0; end < 2; ++end) m_own[static_cast<std::size_t>(net.ends(end, s))] += net.stiffness[s];
-  for (Index a = 0; a < net.anchors.count(); ++a)
-    m_own[static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(a)])] +=
-      net.anchors.stiffness[a];
-  m_mass.assign(net.mass.data(), net.mass.data() + net.mass.size());
+  m_press.adapt(net);
 }
 
 void ToolTip::setMaxForce(double newtons) noexcept
@@ -90,6 +81,13 @@ Eigen::Vector3d ToolTip::faceNormal(Index triangle) const
   return (m_surface.corner(triangle, 1) - a).cross(m_surface.corner(triangle, 2) - a);
 }
 
+Eigen::Vector3d ToolTip::nodeNormal(Index node) const
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Index triangle : m_trianglesOf[static_cast<std::size_t>(node)]) sum += faceNormal(triangle);
+  return sum.normalized();
+}
+
 /// The nodes' normals between them, so that the force does not turn suddenly where triangles meet; the face's
 /// own where the surface is too sharp for that.
 Eigen::Vector3d ToolTip::normalAt(const SurfacePoint& point) const
@@ -97,14 +95,25 @@ Eigen::Vector3d ToolTip::normalAt(const SurfacePoint& point) const
   const Eigen::Vector3d face = faceNormal(point.triangle).normalized();
   Eigen::Vector3d smooth = Eigen::Vector3d::Zero();
   for (int k = 0; k < 3; ++k) {
-    const auto node = static_cast<std::size_t>(m_surface.triangles()(k, point.triangle));
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t i = m_firstTriangle[node]; i < m_firstTriangle[node + 1]; ++i)
-      sum += faceNormal(m_triangleAt[i]);
-    smooth += point.weight[k] * sum.normalized();
+    smooth += point.weight[k] * nodeNormal(m_surface.triangles()(k, point.triangle));
   }
   smooth.normalize();
   return smooth.dot(face) > kLeastAgreement ? smooth : face;
+}
+
+/// Of all that the lower part of the ball would lie on, the point's own among them. On a mesh finer than the ball
+/// the triangles there tilt by what each node is off the ball's surface, and the whole pull would tilt with one.
+Eigen::Vector3d ToolTip::normalUnder(const SurfacePoint& point)
+{
+  const Eigen::Vector3d own = normalAt(point);
+  const Eigen::Vector3i corners = m_surface.triangles().col(point.triangle);
+  m_finder.find(m_surface.position(), {corners.data(), 3}, m_surface.pointAt(point), kLowerPart * m_radius,
+                m_around);
+  Eigen::Vector3d sum = own;
+  for (const PatchNode& found : m_around)
+    if (const Eigen::Vector3d normal = nodeNormal(found.node); normal.dot(own) > kLeastAgreement)
+      sum += found.share * normal;
+  return sum.normalized();
 }
 
 /// Down the distance to `goal`, from triangle to triangle that share a corner: the nearest point of this part
@@ -123,8 +132,8 @@ SurfacePoint ToolTip::slideTo(const Eigen::Vector3d& goal, const SurfacePoint& f
       if (best.weight[k] == 0.0) continue; // only where it has come to: an edge or a corner
       if (best.weight.minCoeff() > 0.0) break;
       const auto node = static_cast<std::size_t>(m_surface.triangles()(k, best.triangle));
-      for (std::size_t n = m_firstTriangle[node]; n < m_firstTriangle[node + 1]; ++n) {
-        const SurfacePoint candidate = nearestOn(m_triangleAt[n]);
+      for (const Index triangle : m_trianglesOf[node]) {
+        const SurfacePoint candidate = nearestOn(triangle);
         const double squared = (m_surface.pointAt(candidate) - goal).squaredNorm();
         if (squared >= distance) continue;
         distance = squared;
@@ -147,6 +156,7 @@ void ToolTip::update(const NetState& state)
     hold(state.time);
   else
     search();
+  if (isNear()) press(state);
   m_last = m_hand;
   m_hasLast = true;
 }
@@ -170,7 +180,7 @@ void ToolTip::hold(double time)
 /// As the surface is now, at the point that was touched.
 bool ToolTip::isOut()
 {
-  m_normal = m_side * normalAt(m_contact);
+  m_normal = m_side * normalUnder(m_contact);
   m_place = m_surface.pointAt(m_contact);
   return m_normal.dot(m_hand - m_place) > m_radius;
 }
@@ -216,7 +226,7 @@ void ToolTip::search()
 /// a surface that tilts in the contact would hold on to the tip otherwise.
 void ToolTip::follow()
 {
-  m_normal = m_side * normalAt(m_contact);
+  m_normal = m_side * normalUnder(m_contact);
   m_place = m_surface.pointAt(m_contact);
   const Eigen::Vector3d goal = m_hand - m_radius * m_normal;
   const SurfacePoint free = slideTo(goal, m_contact);
@@ -224,7 +234,7 @@ void ToolTip::follow()
   const double most = kFriction * (freePlace - goal).norm(), way = back.norm();
   if (way > most) {
     m_contact = slideTo(freePlace + (most / way) * back, free);
-    m_normal = m_side * normalAt(m_contact);
+    m_normal = m_side * normalUnder(m_contact);
     m_place = m_surface.pointAt(m_contact);
   }
   place();
@@ -270,17 +280,6 @@ double ToolTip::gap() const noexcept
   return isNear() ? std::max(0.0, (m_hand - m_place).norm() - m_radius) : kReach;
 }
 
-NodeCombination ToolTip::point() const noexcept
-{
-  const SurfacePoint& point = m_touches ? m_contact : m_near;
-  NodeCombination nodes;
-  for (int k = 0; k < 3; ++k) {
-    nodes.node[static_cast<std::size_t>(k)] = m_surface.triangles()(k, point.triangle);
-    nodes.weight[static_cast<std::size_t>(k)] = point.weight[k];
-  }
-  return nodes;
-}
-
 Eigen::Vector3d ToolTip::proxy() const noexcept
 {
   return touches() ? Eigen::Vector3d(m_place + m_lift * m_normal) : m_hand;
@@ -288,50 +287,41 @@ Eigen::Vector3d ToolTip::proxy() const noexcept
 
 // === Forces
 
-Eigen::Vector3d ToolTip::pull() const
+/// Not the inner side of a fold, though the way along the surface there is short.
+bool ToolTip::facesHand(Index node) const
 {
-  return m_hand - m_radius * m_normal - m_place;
+  return m_side * m_normal.dot(nodeNormal(node)) > kLeastAgreement;
 }
 
-double ToolTip::stiffness() const noexcept
+/// While tissue follows a hand that came out, what was pressed last stays so.
+void ToolTip::press(const NetState& state)
 {
-  const NodeCombination nodes = point();
-  double own = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) own += nodes.weight[k] * m_own[static_cast<std::size_t>(nodes.node[k])];
-  return toolStiffness(own);
-}
-
-/// A spring on each corner by its weight: together they pull the contact point like one, and none turns the
-/// triangle.
-std::array<ToolSpring, 3> ToolTip::springs(const NetState& state) const
-{
-  const NodeCombination nodes = point();
-  const double k = stiffness();
-  const LimitedPull limited = limitedPull(pull(), k, m_maxForce);
-  Eigen::Vector3d surfaceVelocity = Eigen::Vector3d::Zero();
-  double mass = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    surfaceVelocity += nodes.weight[i] * state.velocity.col(nodes.node[i]);
-    mass += nodes.weight[i] * m_mass[static_cast<std::size_t>(nodes.node[i])];
+  const SurfacePoint& point = m_touches ? m_contact : m_near;
+  BallContact contact;
+  contact.weight = point.weight;
+  contact.place = m_place;
+  contact.normal = m_normal;
+  contact.radius = m_radius;
+  for (int k = 0; k < 3; ++k)
+    contact.corner[static_cast<std::size_t>(k)] = m_surface.triangles()(k, point.triangle);
+  if (m_touches) contact.pull = m_hand - m_radius * m_normal - m_place;
+  const bool holds = m_touches && m_wasOut;
+  if (holds) {
+    m_covered.assign(m_press.nodes().begin(), m_press.nodes().end());
+  } else {
+    m_covered.clear();
+    if (m_touches) m_finder.find(state.position, contact.corner, m_place, m_radius, m_around);
+    if (m_touches)
+      for (const PatchNode& found : m_around)
+        if (facesHand(found.node)) m_covered.push_back(found.node);
   }
-  // Along the surface the damper moves with it: drag is friction's.
-  const Eigen::Vector3d velocity = surfaceVelocity + m_normal.dot(m_velocity - surfaceVelocity) * m_normal;
-  std::array<ToolSpring, 3> springs;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double share = limited.softness * nodes.weight[i];
-    springs[i] = {nodes.node[i], state.position.col(nodes.node[i]) + limited.offset, velocity, share * k,
-                  share * toolViscosity(k, mass)};
-  }
-  return springs;
+  m_press.press(state.position, contact, m_covered, holds, m_maxForce);
 }
 
 Eigen::Vector3d ToolTip::forceOnHand(const NetState& state) const
 {
   if (!touches()) return Eigen::Vector3d::Zero();
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  for (const ToolSpring& spring : springs(state))
-    force += spring.stiffness * (state.position.col(spring.node) - spring.target) +
-             spring.viscosity * (state.velocity.col(spring.node) - spring.targetVelocity);
+  const Eigen::Vector3d force = m_press.forceOnHand(state, m_velocity);
   if (force.dot(m_normal) <= 0.0) return Eigen::Vector3d::Zero(); // leaving faster than the surface follows
   return limitedForce(force, m_maxForce);
 }
@@ -341,7 +331,7 @@ ContactModel ToolTip::contactModel(const NetState& state, const Eigen::Matrix3d&
   ContactModel model;
   model.time = state.time;
   if (!isNear()) return model;
-  const double k = stiffness();
+  const double k = m_press.stiffness();
   model.active = true;
   model.normal = m_normal;
   model.friction = 2.0 * kFriction; // the contact point's own cone is the narrower one
@@ -351,14 +341,10 @@ ContactModel ToolTip::contactModel(const NetState& state, const Eigen::Matrix3d&
     model.stiffness = across * m_normal * m_normal.transpose();
     return model;
   }
-  double mass = 0.0;
-  const NodeCombination nodes = point();
-  for (std::size_t i = 0; i < 3; ++i)
-    mass += nodes.weight[i] * m_mass[static_cast<std::size_t>(nodes.node[i])];
   model.position = m_hand;
-  model.stiffness = inSeries(pullStiffness(pull(), k, m_maxForce), compliance);
+  model.stiffness = inSeries(pullStiffness(m_press.apart(), k, m_maxForce), compliance);
   model.viscosity =
-    toolViscosity(k, mass) / k * m_normal.dot(model.stiffness * m_normal) * m_normal * m_normal.transpose();
+    m_press.viscosity() / k * m_normal.dot(model.stiffness * m_normal) * m_normal * m_normal.transpose();
   model.force = forceOnHand(state) + model.viscosity * m_velocity;
   return model;
 }

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/dynamics/simulation.h"
+#include "core/runtime/ball_press.h"
 #include "core/runtime/deforming_surface.h"
 #include "core/runtime/hand_over.h"
-#include "core/runtime/static_compliance.h"
+#include "core/runtime/node_patch.h"
 
-#include <array>
+#include <span>
 #include <vector>
 
 namespace esm {
@@ -19,8 +21,9 @@ namespace esm {
 ///            \  |  /
 ///             ( h )          hand: where the device is, may be deep inside
 ///
-/// A god-object (Zilles and Salisbury 1995): the proxy stays outside whatever the hand does, a spring pulls
-/// the contact point towards where the hand would have it, h - r n, and the hand back by the same force. The
+/// A god-object (Zilles and Salisbury 1995): the proxy stays outside whatever the hand does, springs push what
+/// the ball covers there towards its surface, were the contact point where the hand would have it, h - r n, and
+/// the hand back by the same force (see BallPress). The
 /// contact point sticks while the drag is within the friction cone and slides along the surface beyond it
 /// (Harwin and Melder 2002). Contact begins where the hand's way first meets the surface, so thin walls are
 /// not jumped through, and ends when the hand comes out again.
@@ -49,22 +52,25 @@ public:
   bool isNear() const noexcept { return m_touches || m_near.triangle != kNoIndex; }
   /// From the ball to the surface, kReach at most; 0 while it pulls [m].
   double gap() const noexcept;
-  /// The contact, or the point next to it. @pre isNear()
-  NodeCombination point() const noexcept;
+  /// What it presses on, or would next. @pre isNear()
+  const NodeCombination& point() const noexcept { return m_press.point(); }
 
   const Eigen::Vector3d& hand() const noexcept { return m_hand; }
   double radius() const noexcept { return m_radius; }
   Eigen::Vector3d proxy() const noexcept; ///< centre of the ball as shown [m]
 
-  /// What pulls the surface in the coming frame. @pre pulls()
-  std::array<ToolSpring, 3> springs(const NetState& state) const;
+  /// What pulls the surface in the coming frame, as it was at the last update(). Valid until the next call.
+  /// @pre pulls()
+  std::span<const ToolSpring> springs(const NetState& state) { return m_press.springs(state, m_velocity); }
   Eigen::Vector3d forceOnHand(const NetState& state) const; ///< [N]; zero without contact
   /// @param compliance  of the net at point() [m/N]. `sequence` is the caller's.
   ContactModel contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const;
 
 private:
   Eigen::Vector3d normalAt(const SurfacePoint& point) const;
+  Eigen::Vector3d normalUnder(const SurfacePoint& point);
   Eigen::Vector3d faceNormal(Index triangle) const;
+  Eigen::Vector3d nodeNormal(Index node) const;
   SurfacePoint slideTo(const Eigen::Vector3d& goal, const SurfacePoint& from) const;
   void search();
   void begin(const SurfacePoint& point, double side);
@@ -73,15 +79,17 @@ private:
   bool isOut();
   void place();
   bool isUnhooked() const;
-  Eigen::Vector3d pull() const; ///< from the contact point to where the hand would have it [m]
-  double stiffness() const noexcept;
+  void press(const NetState& state);
+  bool facesHand(Index node) const;
 
   DeformingSurface m_surface;
   Eigen::Matrix3Xd m_rest; ///< positions at t = 0 [m]
   bool m_isClosed = false;
-  std::vector<std::size_t> m_firstTriangle; ///< triangles at node i: m_triangleAt[m_firstTriangle[i] ... + 1)
-  std::vector<Index> m_triangleAt;
-  std::vector<double> m_own, m_mass; ///< by nodes: stiffness around [N/m], [kg]
+  Grouped<Index> m_trianglesOf; ///< by node
+  PatchFinder m_finder;
+  BallPress m_press;
+  std::vector<PatchNode> m_around;
+  std::vector<Index> m_covered; ///< of m_around, what the ball may touch
 
   double m_radius, m_maxForce;
   Eigen::Vector3d m_hand = Eigen::Vector3d::Zero(), m_velocity = Eigen::Vector3d::Zero();
