@@ -417,6 +417,8 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();
   picture.message = m_message.empty() ? m_why : m_message;
   picture.grabbedNode = m_grip ? m_grip->node() : kNoIndex;
+  picture.heldNodes.clear();
+  if (m_grip) picture.heldNodes = m_grip->point().node;
   picture.toolPosition.setZero();
   picture.toolForce.setZero();
   picture.tipRadius = 0.0;

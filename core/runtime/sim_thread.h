@@ -10,6 +10,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -56,6 +57,7 @@ struct SimSnapshot : NetPicture {
   std::string solver;
   std::string message; ///< why this solver, or what went wrong and the cure (English)
   Index grabbedNode = kNoIndex;
+  std::vector<Index> heldNodes; ///< the patch in the hand, grabbedNode the first of it
   Eigen::Vector3d toolPosition = Eigen::Vector3d::Zero(); ///< [m]
   Eigen::Vector3d toolForce = Eigen::Vector3d::Zero();    ///< on the hand [N]
   double tipRadius = 0.0;                                 ///< [m]; 0: no tip that touches

@@ -49,7 +49,8 @@ ToolGrip::ToolGrip(const SpringNet& net, const Eigen::Matrix3Xd& position, Index
   std::vector<PatchNode> patch;
   PatchFinder(net).find(position, {&node, 1}, centre, std::isfinite(radius) ? radius : 0.0, patch);
   for (const PatchNode& found : patch)
-    m_held.push_back({found.node, leadOf(found.share), position.col(found.node) - centre});
+    if (found.node == node || !net.fixed[static_cast<std::size_t>(found.node)])
+      m_held.push_back({found.node, leadOf(found.share), position.col(found.node) - centre});
   adapt(net);
 }
 

@@ -176,6 +176,7 @@ TEST_F(SimRunnerTest, AGrabbedNodeGoesToItsTargetAndTheForceKeepsItsLimit)
   runner.apply(command::Grab{5, target, 5.0});
   frames(120);
   EXPECT_EQ(picture().grabbedNode, 5);
+  EXPECT_EQ(picture().heldNodes, (std::vector<Index>{5, 4})); // a third of whose cell is within 8 mm
   EXPECT_EQ(picture().toolPosition, target);
   // The hand's spring is nearly ten times as stiff as the chain, so most of the way is gone.
   EXPECT_LT((picture().position.col(5) - target).norm(), 0.005);
@@ -191,6 +192,7 @@ TEST_F(SimRunnerTest, AGrabbedNodeGoesToItsTargetAndTheForceKeepsItsLimit)
   runner.apply(command::Release{});
   frames(1);
   EXPECT_EQ(picture().grabbedNode, kNoIndex);
+  EXPECT_TRUE(picture().heldNodes.empty());
   EXPECT_TRUE(picture().toolForce.isZero(0.0));
 }
 

@@ -62,6 +62,16 @@ TEST(ToolGrip, KeepsThePatchAsItWasTaken)
   EXPECT_EQ(grip.point().node.front(), 3);
 }
 
+// What is fixed beside the place does not hold the hand back.
+TEST(ToolGrip, FixedNodesAreLeftOut)
+{
+  const SpringNet net = chain(3); // the first one is fixed
+  const ToolGrip grip(net, net.restPosition, 1, 0.012, net.restPosition.col(1), 5.0);
+  EXPECT_EQ(grip.point().node, (std::vector<Index>{1, 2}));
+  const ToolGrip onFixed(net, net.restPosition, 0, 0.0, net.restPosition.col(0), 5.0);
+  EXPECT_EQ(onFixed.point().node, std::vector<Index>{0});
+}
+
 TEST(ToolGrip, FarHandsPullWithTheLimitAndTheSpringsOnlySoften)
 {
   const SpringNet net = chain(7);
