@@ -105,14 +105,18 @@ Eigen::Vector3d ToolTip::normalAt(const SurfacePoint& point) const
 /// the triangles there tilt by what each node is off the ball's surface, and the whole pull would tilt with one.
 Eigen::Vector3d ToolTip::normalUnder(const SurfacePoint& point)
 {
-  const Eigen::Vector3d own = normalAt(point);
+  const Eigen::Vector3d own = normalAt(point), place = m_surface.pointAt(point);
   const Eigen::Vector3i corners = m_surface.triangles().col(point.triangle);
-  m_finder.find(m_surface.position(), {corners.data(), 3}, m_surface.pointAt(point), kLowerPart * m_radius,
-                m_around);
+  const double reach = kLowerPart * m_radius;
+  m_finder.find(m_surface.position(), {corners.data(), 3}, place, reach, m_around);
   Eigen::Vector3d sum = own;
-  for (const PatchNode& found : m_around)
-    if (const Eigen::Vector3d normal = nodeNormal(found.node); normal.dot(own) > kLeastAgreement)
-      sum += found.share * normal;
+  for (const PatchNode& found : m_around) {
+    // Fades out at the rim, so that nothing jumps as the point slides on.
+    const double aside = (m_surface.position().col(found.node) - place).norm() / reach;
+    const double weight = aside < 1.0 ? (1.0 - aside * aside) * (1.0 - aside * aside) : 0.0;
+    const Eigen::Vector3d normal = nodeNormal(found.node);
+    sum += weight * std::max(normal.dot(own), 0.0) * normal;
+  }
   return sum.normalized();
 }
 
@@ -316,6 +320,12 @@ void ToolTip::press(const NetState& state)
         if (facesHand(found.node)) m_covered.push_back(found.node);
   }
   m_press.press(state.position, contact, m_covered, holds, m_maxForce);
+}
+
+std::span<const ToolSpring> ToolTip::springs(const NetState& state)
+{
+  press(state); // the hand may have moved on
+  return m_press.springs(state, m_velocity);
 }
 
 Eigen::Vector3d ToolTip::forceOnHand(const NetState& state) const

@@ -59,9 +59,9 @@ public:
   double radius() const noexcept { return m_radius; }
   Eigen::Vector3d proxy() const noexcept; ///< centre of the ball as shown [m]
 
-  /// What pulls the surface in the coming frame, as it was at the last update(). Valid until the next call.
+  /// What pulls the surface in the coming frame, on the surface of the last update() by the hand of now. Valid until the next call.
   /// @pre pulls()
-  std::span<const ToolSpring> springs(const NetState& state) { return m_press.springs(state, m_velocity); }
+  std::span<const ToolSpring> springs(const NetState& state);
   Eigen::Vector3d forceOnHand(const NetState& state) const; ///< [N]; zero without contact
   /// @param compliance  of the net at point() [m/N]. `sequence` is the caller's.
   ContactModel contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const;
