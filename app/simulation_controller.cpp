@@ -7,6 +7,7 @@
 #include <QCoreApplication>
 #include <QGuiApplication>
 #include <QScreen>
+#include <QSettings>
 
 #include <algorithm>
 #include <utility>
@@ -29,10 +30,20 @@ bool givesForce(DeviceState state)
   return state == DeviceState::Arming || state == DeviceState::Active || state == DeviceState::Fading;
 }
 
+const QString kGripRadiusKey = QStringLiteral("pull/radius"); ///< [m]
+constexpr double kLargestGrip = 0.05;                         ///< [m]
+
+double savedGripRadius()
+{
+  bool isNumber = false;
+  const double metres = QSettings().value(kGripRadiusKey).toDouble(&isNumber);
+  return isNumber && metres >= 0.0 && metres <= kLargestGrip ? metres : kGripRadius;
+}
+
 } // namespace
 
 SimulationController::SimulationController(Document* document, SceneView* view, QObject* parent)
-  : QObject(parent), m_document(document), m_view(view), m_sim(refreshRate())
+  : QObject(parent), m_document(document), m_view(view), m_sim(refreshRate()), m_gripRadius(savedGripRadius())
 {
   setQuality({});
   connect(document, &Document::projectReset, this, [this] {
@@ -145,7 +156,7 @@ void SimulationController::startPull(Index node, const Eigen::Vector3d& target)
   m_leadsByMouse = m_coupling == Coupling::Touches && m_session && m_session->ledByMouse();
   if (m_leadsByMouse) return m_session->moveHand(target - m_place);
   if (m_session) m_session->placeHand(target);
-  m_sim.grab(node, target, m_forceLimit);
+  m_sim.grab(node, target, m_forceLimit, m_gripRadius);
   letDeviceLead();
 }
 
@@ -294,6 +305,12 @@ void SimulationController::setForceLimit(double newtons)
   m_forceLimit = std::max(newtons, 0.0);
   if (m_session) m_session->setForceLimit(m_forceLimit);
   if (m_coupling == Coupling::Touches) touchWithDevice();
+}
+
+void SimulationController::setGripRadius(double metres)
+{
+  m_gripRadius = std::clamp(metres, 0.0, kLargestGrip);
+  QSettings().setValue(kGripRadiusKey, m_gripRadius);
 }
 
 void SimulationController::setForceScale(double scale)

@@ -70,6 +70,9 @@ public:
   void stop(); ///< zero force at the next tick, lets go of the node; stays so until arm()
   void setForceLimit(double newtons);
   double forceLimit() const noexcept { return m_forceLimit; }
+  /// Of the patch that the next pull takes hold of [m]; 0: a node alone. Remembered in the settings.
+  void setGripRadius(double metres);
+  double gripRadius() const noexcept { return m_gripRadius; }
   void setForceScale(double scale); ///< force felt over force of the tissue [1]
   double forceScale() const noexcept { return m_forceScale; }
   /// What the device gives while force is on; else what it would give: the tissue's force times the gain, up
@@ -110,6 +113,7 @@ private:
   Index m_pulledNode = kNoIndex;
   Eigen::Vector3d m_pullTarget = Eigen::Vector3d::Zero();
   double m_forceLimit = 5.0; ///< [N]
+  double m_gripRadius;       ///< [m]
   double m_forceScale = 1.0;
 };
 

@@ -100,7 +100,8 @@ double errorOfPull(const Project& project)
   const Eigen::Matrix3Xd start = exact.wholeFrame();
   scene.wholeFrame();
   const Eigen::Vector3d grip = start.col(node);
-  for (HandScene* one : {&scene, &exact}) one->apply(command::Grab{static_cast<Index>(node), grip, 5.0});
+  for (HandScene* one : {&scene, &exact})
+    one->apply(command::Grab{static_cast<Index>(node), grip, 5.0, kGripRadius});
   double wrong = 0.0, moved = 0.0;
   for (int frame = 1; frame <= 60; ++frame) {
     for (HandScene* one : {&scene, &exact}) one->apply(command::MoveGrab{grip + wayAt(frame * kPeriod)});
@@ -111,7 +112,7 @@ double errorOfPull(const Project& project)
   return std::sqrt(wrong / moved);
 }
 
-/// Pulled 10 mm in 0.3 s, held, and let go.
+/// Pulled with the patch around it 10 mm in 0.3 s, held, and let go.
 Pull pull(const Project& project)
 {
   HandScene scene(project);
@@ -119,7 +120,7 @@ Pull pull(const Project& project)
   for (int i = 0; i < 60; ++i) scene.frame(took); // to rest
   const Eigen::Index node = gripOf(project);
   const Eigen::Vector3d grip = scene.picture().position.col(node);
-  scene.apply(command::Grab{static_cast<Index>(node), grip, 5.0});
+  scene.apply(command::Grab{static_cast<Index>(node), grip, 5.0, kGripRadius});
   Pull result;
   bool hasMoved = false;
   double simulated = 0.0, held = 0.0;

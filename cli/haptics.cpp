@@ -148,7 +148,8 @@ void addTissueOptions(CLI::App& command, HapticRunOptions& options)
             NumberRange::NotNegative);
   addNumber(command, "--frames", options.frameRate, "frames of the simulation per second (default: 60)",
             NumberRange::Positive);
-  addInteger(command, "--node", options.node, "hold this node instead of touching the surface", 0, 1 << 30);
+  addInteger(command, "--node", options.node,
+             "hold this node and what is within 8 mm of it instead of touching the surface", 0, 1 << 30);
   command.add_option(
     "--csv", options.csv,
     "what came to pass, tick by tick, written meanwhile: t, position, velocity, force, work, "

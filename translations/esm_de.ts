@@ -2139,6 +2139,14 @@
         <translation>Größte Kraft von Ziehwerkzeug und Gerät in N; nie über der des Geräts</translation>
     </message>
     <message>
+        <source>Grip</source>
+        <translation>Griff</translation>
+    </message>
+    <message>
+        <source>Radius of the patch that the pull tool takes hold of, in mm; at 0 mm one node alone</source>
+        <translation>Radius der Stelle, die das Ziehwerkzeug fasst, in mm; bei 0 mm ein Knoten allein</translation>
+    </message>
+    <message>
         <source>Gain</source>
         <translation>Verstärkung</translation>
     </message>

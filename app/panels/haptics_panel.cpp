@@ -59,6 +59,8 @@ HapticsPanel::HapticsPanel(DeviceDesk* desk, SimulationController* controller, Q
   buildTabs(desk);
   connect(m_limit, &GestureSpinBox::edited, this,
           [this](double newtons, int) { m_controller->setForceLimit(newtons); });
+  connect(m_grip, &GestureSpinBox::edited, this,
+          [this](double millimetres, int) { m_controller->setGripRadius(1e-3 * millimetres); });
   connect(m_gain, &GestureSpinBox::edited, this,
           [this](double factor, int) { m_controller->setForceScale(factor); });
   connect(m_arm, &QPushButton::clicked, this, [this](bool on) {
@@ -106,6 +108,9 @@ void HapticsPanel::buildHead()
   m_limitLabel = new QLabel(this);
   m_limit = field("hapticForceLimit", 0.1, 20.0, 0.5);
   m_limitLabel->setBuddy(m_limit);
+  m_gripLabel = new QLabel(this);
+  m_grip = field("pullRadius", 0.0, 50.0, 1.0);
+  m_gripLabel->setBuddy(m_grip);
   m_gainLabel = new QLabel(this);
   m_gain = field("hapticGain", 0.0, 10.0, 0.1);
   m_gainLabel->setBuddy(m_gain);
@@ -173,6 +178,7 @@ void HapticsPanel::buildTabs(DeviceDesk* desk)
   auto* below = new QHBoxLayout;
   below->addWidget(m_message, 1);
   for (QWidget* each : {static_cast<QWidget*>(m_limitLabel), static_cast<QWidget*>(m_limit),
+                        static_cast<QWidget*>(m_gripLabel), static_cast<QWidget*>(m_grip),
                         static_cast<QWidget*>(m_gainLabel), static_cast<QWidget*>(m_gain)})
     below->addWidget(each);
   auto* layout = new QVBoxLayout(this);
@@ -214,6 +220,7 @@ void HapticsPanel::refreshState()
     m_limit->setMaximum(most);
   }
   if (!m_limit->hasFocus()) m_limit->display(m_controller->forceLimit());
+  if (!m_grip->hasFocus()) m_grip->display(1e3 * m_controller->gripRadius());
   if (!m_gain->hasFocus()) m_gain->display(m_controller->forceScale());
   refreshArm();
   m_devices->refresh();
@@ -263,6 +270,10 @@ void HapticsPanel::retranslateUi()
            tr("Largest force that pull tool and device may give, in N; never above the device's own"));
   m_limit->setSuffix(QStringLiteral(" N"));
   m_limit->setLocale(QLocale());
+  m_gripLabel->setText(tr("Grip"));
+  describe(m_grip, tr("Radius of the patch that the pull tool takes hold of, in mm; at 0 mm one node alone"));
+  m_grip->setSuffix(QStringLiteral(" mm"));
+  m_grip->setLocale(QLocale());
   m_gainLabel->setText(tr("Gain"));
   describe(m_gain, tr("Force felt over force of the tissue"));
   m_gain->setSuffix(QStringLiteral("×"));

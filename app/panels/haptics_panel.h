@@ -43,9 +43,9 @@ private:
   void setMessage(const QString& text);
 
   SimulationController* m_controller;
-  QLabel *m_state = nullptr, *m_message = nullptr, *m_limitLabel = nullptr, *m_gainLabel = nullptr,
-         *m_forceLabel = nullptr, *m_force = nullptr, *m_timing = nullptr;
-  GestureSpinBox *m_limit = nullptr, *m_gain = nullptr;
+  QLabel *m_state = nullptr, *m_message = nullptr, *m_limitLabel = nullptr, *m_gripLabel = nullptr,
+         *m_gainLabel = nullptr, *m_forceLabel = nullptr, *m_force = nullptr, *m_timing = nullptr;
+  GestureSpinBox *m_limit = nullptr, *m_grip = nullptr, *m_gain = nullptr;
   QPushButton *m_arm = nullptr, *m_stop = nullptr;
   QTabWidget* m_tabs = nullptr;
   QWidget* m_emulator = nullptr; ///< null without emulation

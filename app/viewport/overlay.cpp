@@ -271,8 +271,20 @@ void Overlay::drawPull()
     m_painter.setPen(QPen(faded(m_palette.color(QPalette::WindowText), 0.7), 1.5, Qt::DashLine));
     m_painter.drawLine(node, hand);
   }
+  drawHeld();
   drawRing(grabbed, 5.0, kAccent);
   drawForce(grabbed);
+}
+
+/// The patch in the hand, node by node, so that it is seen how it lies on the tissue.
+void Overlay::drawHeld()
+{
+  m_painter.setPen(Qt::NoPen);
+  m_painter.setBrush(kAccent);
+  for (const Index node : m_model.heldNodes()) {
+    const QPointF at = toQt(m_model.camera.project(m_model.position().col(node)).pixel);
+    if (!std::isnan(at.x())) m_painter.drawEllipse(at, 2.5, 2.5);
+  }
 }
 
 void Overlay::drawForce(Index node)

@@ -40,6 +40,7 @@ private:
   void drawRegion();
   void drawSelectionBox();
   QString hint() const;
+  void drawHeld();
   void drawForce(Index node);
   void drawSelectedSpring();
   void drawMarks();

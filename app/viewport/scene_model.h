@@ -56,6 +56,8 @@ public:
   bool springsShown() const noexcept { return m_springs; } ///< but for struts
   bool strutsShown() const noexcept { return m_struts; }
   Index grabbedNode() const noexcept { return m_grabbed; }
+  /// What a hand holds besides.
+  const std::vector<Index>& heldNodes() const noexcept { return m_held; }
   const Eigen::Matrix3Xd& marks() const noexcept { return m_marks; }
   const Instrument& instrument() const noexcept { return m_instrument; }
 
@@ -106,6 +108,7 @@ private:
   Eigen::ArrayXd m_tension;                     ///< S [N]
   double m_time = 0.0;                          ///< of the snapshot [s]
   Index m_grabbed = kNoIndex;
+  std::vector<Index> m_held;
   std::vector<Region> m_regions;
   int m_selectedRegion = -1;
   std::vector<Index> m_selection;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
+#include "core/runtime/node_patch.h"
 #include "core/runtime/quality_ladder.h"
 
 #include <Eigen/Core>
@@ -36,8 +37,9 @@ struct SetQuality {
 };
 struct Grab {
   Index node;
-  Eigen::Vector3d target; ///< [m]
-  double maxForce;        ///< [N]
+  Eigen::Vector3d target;      ///< [m]
+  double maxForce;             ///< [N]
+  double radius = kGripRadius; ///< of the patch that is held around the node [m]; 0: the node alone
 };
 struct MoveGrab {
   Eigen::Vector3d target; ///< [m]

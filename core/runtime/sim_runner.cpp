@@ -140,7 +140,8 @@ void SimRunner::carryOut(const command::Grab& grab)
   // The window may still show an older net than the one that runs: such a node is no fault, only too late.
   if (!m_simulation || grab.node < 0 || grab.node >= m_simulation->net().nodeCount()) return;
   if (m_contactActive) closeScene();
-  m_grip.emplace(m_simulation->net(), grab.node, grab.target, grab.maxForce);
+  m_grip.emplace(m_simulation->net(), m_simulation->state().position, grab.node, grab.radius, grab.target,
+                 grab.maxForce);
 }
 
 void SimRunner::carryOut(const command::MoveGrab& move)
@@ -256,8 +257,7 @@ void SimRunner::pull()
 {
   const NetState& state = m_simulation->state();
   if (m_grip) {
-    const ToolSpring spring = m_grip->spring(state);
-    m_simulation->setTools({&spring, 1});
+    m_simulation->setTools(m_grip->springs(state));
   } else if (deviceTouches() && m_tip->pulls()) {
     m_simulation->setTools(m_tip->springs(state));
   } else {
@@ -319,8 +319,7 @@ void SimRunner::publishContact()
   const NetState& state = m_simulation->state();
   ContactModel model;
   if (deviceFeels() && m_grip)
-    model = m_grip->contactModel(
-      state, m_compliance.at(*m_simulation, {{m_grip->node(), kNoIndex, kNoIndex}, {1.0, 0.0, 0.0}}));
+    model = m_grip->contactModel(state, m_compliance.at(*m_simulation, m_grip->point()));
   else if (deviceFeels() && m_tip->isNear())
     model = m_tip->contactModel(state, m_compliance.at(*m_simulation, m_tip->point()));
   if (!model.force.allFinite() || !model.stiffness.allFinite()) model = {};
@@ -378,6 +377,8 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();
   picture.message = m_message.empty() ? m_why : m_message;
   picture.grabbedNode = m_grip ? m_grip->node() : kNoIndex;
+  picture.heldNodes.clear();
+  if (m_grip) picture.heldNodes = m_grip->point().node;
   picture.toolPosition.setZero();
   picture.toolForce.setZero();
   picture.tipRadius = 0.0;

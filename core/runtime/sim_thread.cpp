@@ -202,9 +202,9 @@ void SimThread::setQuality(QualityPlan plan)
   m_impl->commands.push(command::SetQuality{std::move(plan)});
 }
 
-void SimThread::grab(Index node, const Eigen::Vector3d& target, double maxForce)
+void SimThread::grab(Index node, const Eigen::Vector3d& target, double maxForce, double radius)
 {
-  m_impl->commands.push(command::Grab{node, target, maxForce});
+  m_impl->commands.push(command::Grab{node, target, maxForce, radius});
 }
 
 void SimThread::moveGrab(const Eigen::Vector3d& target)

@@ -6,10 +6,12 @@
 #include "core/dynamics/simulation.h"
 #include "core/runtime/frame_clock.h"
 #include "core/runtime/hand_over.h"
+#include "core/runtime/node_patch.h"
 #include "core/runtime/quality_ladder.h"
 
 #include <memory>
 #include <string>
+#include <vector>
 
 namespace esm {
 
@@ -59,6 +61,7 @@ struct SimSnapshot : NetPicture {
   std::string solver;
   std::string message; ///< why this solver, or what went wrong and the cure (English)
   Index grabbedNode = kNoIndex;
+  std::vector<Index> heldNodes; ///< the patch in the hand, grabbedNode the first of it
   Eigen::Vector3d toolPosition = Eigen::Vector3d::Zero(); ///< [m]
   Eigen::Vector3d toolForce = Eigen::Vector3d::Zero();    ///< on the hand [N]
   double tipRadius = 0.0;                                 ///< [m]; 0: no tip that touches
@@ -96,9 +99,10 @@ public:
   /// come. Before the first call: only the clock.
   void setQuality(QualityPlan plan);
 
-  /// Takes hold of a node with a spring towards `target`. The spring's stiffness is chosen from the net so
-  /// that grabbing never makes it unstable, and the pull is limited to `maxForce` [N].
-  void grab(Index node, const Eigen::Vector3d& target, double maxForce = 5.0);
+  /// Takes hold of the patch within `radius` [m] of a node, and leads it: the node to `target`. The hold's
+  /// stiffness is chosen from the net so that grabbing never makes it unstable, and the pull is limited to
+  /// `maxForce` [N].
+  void grab(Index node, const Eigen::Vector3d& target, double maxForce = 5.0, double radius = kGripRadius);
   void moveGrab(const Eigen::Vector3d& target);
   void release();
   /// While on, the grab's target is the newest ToolState instead of moveGrab(): the hand on a device leads.

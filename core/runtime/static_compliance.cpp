@@ -27,7 +27,7 @@ std::vector<Index> nodesAround(const SpringNet& net, const NodeCombination& poin
   std::vector<std::uint8_t> met(static_cast<std::size_t>(net.nodeCount()), 0);
   std::vector<Index> nodes;
   const auto meet = [&](Index node) {
-    if (node == kNoIndex || met[static_cast<std::size_t>(node)] || std::ssize(nodes) >= most) return;
+    if (met[static_cast<std::size_t>(node)] || std::ssize(nodes) >= most) return;
     met[static_cast<std::size_t>(node)] = 1;
     nodes.push_back(node);
   };
@@ -93,14 +93,12 @@ Eigen::Matrix3d StaticCompliance::at(const Simulation& simulation, const NodeCom
   if (!m_parts->hasFactor || m_parts->matrix.freeCount() == 0) return compliance;
   for (int axis = 0; axis < 3; ++axis) {
     std::fill(m_parts->vector.begin(), m_parts->vector.end(), Lanes{0, 0, 0, 0});
-    for (std::size_t i = 0; i < 3; ++i)
-      if (point.weight[i] > 0.0)
-        m_parts->vector[static_cast<std::size_t>(point.node[i])][axis] += point.weight[i];
+    for (std::size_t i = 0; i < point.node.size(); ++i)
+      m_parts->vector[static_cast<std::size_t>(point.node[i])][axis] += point.weight[i];
     m_parts->matrix.solve(m_parts->vector);
-    for (std::size_t i = 0; i < 3; ++i)
-      if (point.weight[i] > 0.0)
-        compliance.col(axis) +=
-          point.weight[i] * toVector(m_parts->vector[static_cast<std::size_t>(point.node[i])]);
+    for (std::size_t i = 0; i < point.node.size(); ++i)
+      compliance.col(axis) +=
+        point.weight[i] * toVector(m_parts->vector[static_cast<std::size_t>(point.node[i])]);
   }
   if (!compliance.allFinite()) return Eigen::Matrix3d::Zero();
   return 0.5 * (compliance + compliance.transpose());

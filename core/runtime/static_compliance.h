@@ -5,16 +5,15 @@
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/simulation.h"
 
-#include <array>
 #include <memory>
+#include <vector>
 
 namespace esm {
 
-/// A point that hangs on nodes: x = sum of weight_i p_i, weights >= 0 with sum 1; unused places have weight
-/// 0.
+/// A point that hangs on nodes: x = sum of weight_i p_i, weights >= 0 with sum 1, as many as nodes.
 struct NodeCombination {
-  std::array<Index, 3> node{kNoIndex, kNoIndex, kNoIndex};
-  std::array<double, 3> weight{0.0, 0.0, 0.0};
+  std::vector<Index> node;
+  std::vector<double> weight;
 };
 
 /// How a point of the net gives way to a force that rests on it, once all motion has died down: the 3 x 3

@@ -4,23 +4,33 @@
 
 #include "core/dynamics/simulation.h"
 #include "core/runtime/hand_over.h"
+#include "core/runtime/limited_pull.h"
+#include "core/runtime/node_patch.h"
+#include "core/runtime/static_compliance.h"
 
 #include <Eigen/Core>
 
+#include <span>
+#include <vector>
+
 namespace esm {
 
-/// The hold of a hand on one node: a spring-damper between the two.
+/// The hold of a hand on a patch of nodes, as by a finger or a jaw: a spring-damper from each of them to its
+/// place on the hand, which is where it was when the hand closed.
 ///
-///     node  o--/\/\/--o  hand          on the hand:  F = k (p - h) + c (v - vh)
-///           p, v      h, vh
+///     node i  o--/\/\/--o  h + o_i       on the hand:  F = sum k_i (p_i - h - o_i) + c_i (v_i - vh)
+///             p_i, v_i
 ///
-/// k is a few times what the net itself opposes at that node (so the node follows the hand rather than
-/// lagging behind), c damps the node's own mass on k. The pull is limited, see LimitedPull; the spring is
-/// never stiffer than k.
+/// k_i is what the net bears at hardly any cost of step (see holdOfNodes()), less where the patch has but a share
+/// of the node's cell. Many nodes on a fine mesh, all together they are far stiffer than the tissue is against them, so
+/// that the patch follows the hand nearly as if it were prescribed. The pull, the sum, is limited (see
+/// LimitedPull), and so is what the patch bears to keep its shape.
 class ToolGrip {
 public:
-  /// @pre node in range.
-  ToolGrip(const SpringNet& net, Index node, const Eigen::Vector3d& target, double maxForce);
+  /// Takes hold of all that lies within `radius` [m] of the node and hangs together with it, as it is now.
+  /// @pre node in range. @param target  for the node [m].
+  ToolGrip(const SpringNet& net, const Eigen::Matrix3Xd& position, Index node, double radius,
+           const Eigen::Vector3d& target, double maxForce);
 
   /// Takes the stiffness anew after the net's parameters have changed.
   void adapt(const SpringNet& net);
@@ -28,35 +38,51 @@ public:
 
   Index node() const noexcept { return m_node; }
   const Eigen::Vector3d& target() const noexcept { return m_target; }
-  double stiffness() const noexcept { return m_stiffness; } ///< at its largest [N/m]
+  double stiffness() const noexcept { return m_stiffness; } ///< of all springs, at its largest [N/m]
+  /// What the hand holds: the nodes, `node` first, weighted by their springs.
+  const NodeCombination& point() const noexcept { return m_point; }
 
-  /// The spring for the coming frame: with the limit's force at the state's distance, if that is far.
-  ToolSpring spring(const NetState& state) const;
+  /// The springs for the coming frame: with the limit's force at the state's distance, if that is far. Valid
+  /// until the next call.
+  std::span<const ToolSpring> springs(const NetState& state);
   /// Force on the hand [N], norm <= maxForce.
   Eigen::Vector3d forceOnHand(const NetState& state) const;
 
-  /// How the force on the hand answers motions of the hand: the tool spring in series with what the net
-  /// opposes in the long run, and the tool's damping by the share of the motion that the spring takes.
-  /// @param compliance  of the net at the node [m/N], see StaticCompliance. `sequence` is the caller's.
+  /// How the force on the hand answers motions of the hand: the tool's springs in series with what the net
+  /// opposes in the long run, and the tool's damping by the share of the motion that the springs take.
+  /// @param compliance  of the net at point() [m/N], see StaticCompliance. `sequence` is the caller's.
   ContactModel contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const;
 
 private:
+  struct Held {
+    Index node = kNoIndex;
+    double lead = 0.0;                                ///< of a whole hold [1]
+    Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< from the hand's target [m]
+    double stiffness = 0.0, viscosity = 0.0;          ///< [N/m], [N s/m]
+  };
+  struct Lead {
+    Eigen::Vector3d apart; ///< of the patch from the hand, in the mean of the springs [m]
+    LimitedPull pull;
+    double bond = 1.0; ///< of what pulls the nodes to their places in the patch, that is allowed
+    bool isLimited() const noexcept { return pull.isLimited || bond < 1.0; }
+  };
+  Eigen::Vector3d apart(const Held& held, const NetState& state) const;
+  Lead lead(const NetState& state) const;
+  ToolSpring spring(const Held& held, const Lead& lead, const NetState& state) const;
+  bool pullsAlike(const Lead& led, const NetState& state) const;
+
   Index m_node;
   Eigen::Vector3d m_target;
   Eigen::Vector3d m_targetVelocity = Eigen::Vector3d::Zero();
   double m_maxForce;
-  double m_stiffness = 0.0, m_viscosity = 0.0;
+  double m_stiffness = 0.0, m_viscosity = 0.0; ///< sums
+  std::vector<Held> m_held;
+  NodeCombination m_point;
+  std::vector<ToolSpring> m_springs;
 };
 
 /// Stiffness of a tool's spring with a compliant point behind it: T (I + C T)^-1, symmetric and positive
 /// semidefinite for such T [N/m] and C [m/N].
 Eigen::Matrix3d inSeries(const Eigen::Matrix3d& tool, const Eigen::Matrix3d& compliance);
-
-/// What the net's springs and anchors at a node oppose at most [N/m].
-double stiffnessAround(const SpringNet& net, Index node);
-
-/// How stiff a tool's spring is on that [N/m], and its damping with a mass behind it [N s/m].
-double toolStiffness(double own);
-double toolViscosity(double stiffness, double mass);
 
 } // namespace esm

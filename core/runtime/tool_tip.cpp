@@ -31,6 +31,20 @@ bool isClosedSurface(const SpringNet& net)
                                                 [](Index count) { return count == 2; });
 }
 
+/// How stiff a tool's spring is on what a node opposes itself [N/m], and its damping with a mass behind it [N s/m].
+double toolStiffness(double own)
+{
+  constexpr double kStiffnessRatio = 3.0;
+  constexpr double kLeastStiffness = 20.0; // [N/m]: felt even on a loose node
+  return std::max(kStiffnessRatio * own, kLeastStiffness);
+}
+
+double toolViscosity(double stiffness, double mass)
+{
+  constexpr double kDampingRatio = 0.5; // of the mass on the tool spring [1]
+  return 2.0 * kDampingRatio * std::sqrt(stiffness * mass);
+}
+
 } // namespace
 
 ToolTip::ToolTip(const SpringNet& net, double radius, double maxForce)
@@ -270,13 +284,13 @@ double ToolTip::gap() const noexcept
   return isNear() ? std::max(0.0, (m_hand - m_place).norm() - m_radius) : kReach;
 }
 
-NodeCombination ToolTip::point() const noexcept
+NodeCombination ToolTip::point() const
 {
   const SurfacePoint& point = m_touches ? m_contact : m_near;
   NodeCombination nodes;
   for (int k = 0; k < 3; ++k) {
-    nodes.node[static_cast<std::size_t>(k)] = m_surface.triangles()(k, point.triangle);
-    nodes.weight[static_cast<std::size_t>(k)] = point.weight[k];
+    nodes.node.push_back(m_surface.triangles()(k, point.triangle));
+    nodes.weight.push_back(point.weight[k]);
   }
   return nodes;
 }

@@ -50,7 +50,7 @@ public:
   /// From the ball to the surface, kReach at most; 0 while it pulls [m].
   double gap() const noexcept;
   /// The contact, or the point next to it. @pre isNear()
-  NodeCombination point() const noexcept;
+  NodeCombination point() const;
 
   const Eigen::Vector3d& hand() const noexcept { return m_hand; }
   double radius() const noexcept { return m_radius; }

@@ -65,7 +65,7 @@ Result<std::unique_ptr<Replay>> Replay::create(ReplayScene scene, HandPath path,
   runner.draw(picture);
   if (picture.stability == Stability::Idle) return Error{ErrorCode::InvalidValue, picture.message};
   if (scene.node)
-    runner.apply(command::Grab{*scene.node, start, scene.toolLimit});
+    runner.apply(command::Grab{*scene.node, start, scene.toolLimit, scene.gripRadius});
   else
     runner.apply(command::Touch{true, scene.tipRadius, scene.toolLimit});
   runner.apply(command::FollowDevice{true});

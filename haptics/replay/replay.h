@@ -25,9 +25,10 @@ struct ReplayScene {
   SpringNet net;
   Loads loads;
   SolverSettings solver;
-  std::optional<Index> node; ///< held; else a ball presses on the surface
-  double tipRadius = 0.003;  ///< of the ball [m]
-  double toolLimit = 5.0;    ///< largest force between tool and net [N]
+  std::optional<Index> node;       ///< held; else a ball presses on the surface
+  double gripRadius = kGripRadius; ///< of the patch that is held around the node [m]
+  double tipRadius = 0.003;        ///< of the ball [m]
+  double toolLimit = 5.0;          ///< largest force between tool and net [N]
 };
 
 /// One tick as it arrived at the device.

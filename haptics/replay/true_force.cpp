@@ -19,7 +19,8 @@ public:
   Tool(const ReplayScene& scene, const Eigen::Vector3d& start)
   {
     if (scene.node)
-      m_grip.emplace(scene.net, *scene.node, start, scene.toolLimit);
+      m_grip.emplace(scene.net, scene.net.restPosition, *scene.node, scene.gripRadius, start,
+                     scene.toolLimit);
     else
       m_tip.emplace(scene.net, scene.tipRadius, scene.toolLimit);
   }
@@ -28,8 +29,7 @@ public:
     const NetState& state = simulation.state();
     if (m_grip) {
       m_grip->moveTo(hand, velocity);
-      const ToolSpring spring = m_grip->spring(state);
-      simulation.setTools({&spring, 1});
+      simulation.setTools(m_grip->springs(state));
       return;
     }
     m_tip->moveTo(hand, velocity);

@@ -31,6 +31,7 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <cmath>
 #include <filesystem>
 #include <functional>
 
@@ -297,6 +298,17 @@ TEST_F(HapticsPanelTest, TheForceLimitStaysBelowTheDevicesOwn)
   EXPECT_TRUE(comes([&] { return run()->hapticStatus().forceLimit == 1.5; }));
   limit->setValue(1000.0);
   EXPECT_TRUE(comes([&] { return run()->hapticStatus().forceLimit == run()->deviceProfile()->maxForce; }));
+}
+
+// 8 mm where nobody has said another.
+TEST_F(HapticsPanelTest, TheGripsRadiusIsRemembered)
+{
+  auto* radius = find<QDoubleSpinBox>("pullRadius");
+  EXPECT_EQ(radius->value(), 8.0);
+  radius->setValue(5.0);
+  EXPECT_TRUE(comes([&] { return std::abs(run()->gripRadius() - 0.005) < 1e-12; }));
+  EXPECT_NEAR(QSettings().value("pull/radius").toDouble(), 0.005, 1e-12);
+  QSettings().remove("pull/radius");
 }
 
 // The number is what a hand feels, with gain and limit: what it would feel, then what it does.

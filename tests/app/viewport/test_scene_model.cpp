@@ -129,6 +129,22 @@ TEST(SceneModel, OnlyNewPicturesCount)
   EXPECT_FALSE(model.setSnapshot(snapshot)) << "of an older net";
 }
 
+// A hand that lets go has none; nodes that the net does not have are not asked for.
+TEST(SceneModel, HeldNodesAreThoseInTheHand)
+{
+  const auto net = samples::sphere(1, 0.05);
+  SceneModel model = modelOf(net);
+  SimSnapshot snapshot = samples::restSnapshot(*net, 7, 2);
+  snapshot.grabbedNode = 3;
+  snapshot.heldNodes = {3, 5, net->nodeCount(), kNoIndex};
+  EXPECT_TRUE(model.setSnapshot(snapshot));
+  EXPECT_EQ(model.heldNodes(), (std::vector<Index>{3, 5}));
+  snapshot.sequence = 3;
+  snapshot.grabbedNode = kNoIndex;
+  EXPECT_TRUE(model.setSnapshot(snapshot));
+  EXPECT_TRUE(model.heldNodes().empty());
+}
+
 // Time goes on over a net that rests: nothing to draw, but for a legend that draws in after a pull.
 TEST(SceneModel, ANetAtRestIsNotDrawnAgain)
 {

@@ -397,6 +397,8 @@ TEST(SceneViewGl, PicturesOfAnOrgan)
     }
     snapshot.tension = 0.02 * Eigen::ArrayXd::Random(net->springCount());
     snapshot.grabbedNode = 3;
+    for (Index i = 0; i < net->nodeCount(); ++i)
+      if ((net->restPosition.col(i) - pulled).norm() < 0.008) snapshot.heldNodes.push_back(i);
     snapshot.time = 0.1;
     scene.setSnapshot(snapshot);
     scene.setToolForce({-0.55, 0.1, -0.2});

@@ -19,7 +19,7 @@ Simulation simulationOf(const SpringNet& net)
 
 NodeCombination only(Index node)
 {
-  return {{node, kNoIndex, kNoIndex}, {1.0, 0.0, 0.0}};
+  return {{node}, {1.0}};
 }
 
 } // namespace
@@ -49,7 +49,7 @@ TEST(StaticCompliance, APointBetweenNodesMovesByTheirMean)
 {
   const Simulation simulation = simulationOf(chain(3));
   StaticCompliance compliance;
-  const Eigen::Matrix3d c = compliance.at(simulation, {{1, 2, kNoIndex}, {0.5, 0.5, 0.0}});
+  const Eigen::Matrix3d c = compliance.at(simulation, {{1, 2}, {0.5, 0.5}});
   EXPECT_NEAR(c(0, 0), 0.0125, 0.0125 * 1e-3);
 }
 
