@@ -41,8 +41,8 @@ double toolStiffness(double own)
 
 double toolViscosity(double stiffness, double mass)
 {
-  constexpr double kDampingRatio = 0.5; // of the mass on the tool spring [1]
-  return 2.0 * kDampingRatio * std::sqrt(stiffness * mass);
+  constexpr double kRatio = 0.5; // of critical damping [1]
+  return 2.0 * kRatio * std::sqrt(stiffness * mass);
 }
 
 } // namespace

@@ -15,7 +15,7 @@
 namespace esm::test {
 namespace {
 
-constexpr double kFrame = 1.0 / 60.0;
+constexpr double kPeriod = 1.0 / 60.0;
 constexpr double kFar = 1.0, kFastest = 10.0; ///< of the hand [m], [m/s]
 
 /// Takes hold, moves, lets go, changes what the net is made of, and takes that back.
@@ -45,7 +45,7 @@ public:
   StepReport frame(int questions)
   {
     int asked = 0;
-    return m_simulation.advance(kFrame, {.isSpent = [&] { return ++asked > questions; }});
+    return m_simulation.advance(kPeriod, {.isSpent = [&] { return ++asked > questions; }});
   }
   const Simulation& simulation() const noexcept { return m_simulation; }
 
@@ -116,12 +116,12 @@ private:
   {
     if (uniform() < 0.1) m_goal = m_hand + kFar * anywhere();
     const Eigen::Vector3d way = m_goal - m_hand;
-    const double most = kFastest * kFrame;
+    const double most = kFastest * kPeriod;
     const Eigen::Vector3d step = way.norm() > most ? Eigen::Vector3d(way * (most / way.norm())) : way;
     m_hand += step;
     for (std::size_t i = 0; i < m_held.size(); ++i) {
       m_held[i].target = m_hand + m_offset[i];
-      m_held[i].targetVelocity = step / kFrame;
+      m_held[i].targetVelocity = step / kPeriod;
     }
     m_simulation.setTools(m_held);
   }
@@ -161,12 +161,12 @@ TEST(HandStress, NothingThatAHandDoesBreaksTheNetOrTheFrame)
         << seed;
       ASSERT_TRUE(simulation.state().position.allFinite() && simulation.state().velocity.allFinite()) << seed;
       const double reach = simulation.state().position.cwiseAbs().maxCoeff();
-      ASSERT_LE(reach, 3.0 * kFrames * kFastest * kFrame) << seed << ", frame " << i;
+      ASSERT_LE(reach, 3.0 * kFrames * kFastest * kPeriod) << seed << ", frame " << i;
       const EnergyReport energy = simulation.energyReport();
       const double gained = energy.atEnd.total() - energy.atStart.total() - energy.work - energy.restored;
       ASSERT_LE(gained, 0.1 * energy.largestTerm()) << seed << ", frame " << i << ": " << simulation.why();
     }
-    EXPECT_GT(simulation.state().time, 0.25 * kFrames * kFrame) << seed << ": " << simulation.why();
+    EXPECT_GT(simulation.state().time, 0.25 * kFrames * kPeriod) << seed << ": " << simulation.why();
   }
   EXPECT_GT(interrupted, 0);
   EXPECT_GT(byBlocks, 100);

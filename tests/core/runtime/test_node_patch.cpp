@@ -51,7 +51,7 @@ std::vector<PatchNode> patchOf(const SpringNet& net, Index node, double radius)
   return nodes;
 }
 
-constexpr double kRadius = 0.008;
+constexpr double kPatchRadius = 0.008;
 
 } // namespace
 
@@ -63,9 +63,9 @@ TEST(NodePatch, CoversTheSameAreaOnEveryMesh)
     const Index side = static_cast<Index>(std::lround(0.04 / edge));
     const SpringNet net = test::netOf(sheet(side, edge));
     double area = 0.0;
-    const std::vector<PatchNode> patch = patchOf(net, side * (side / 2) + side / 2, kRadius);
+    const std::vector<PatchNode> patch = patchOf(net, side * (side / 2) + side / 2, kPatchRadius);
     for (const PatchNode& found : patch) area += found.share * edge * edge * std::numbers::sqrt3 / 2.0;
-    EXPECT_NEAR(area / (std::numbers::pi * kRadius * kRadius), 1.0, 0.05) << edge;
+    EXPECT_NEAR(area / (std::numbers::pi * kPatchRadius * kPatchRadius), 1.0, 0.05) << edge;
     EXPECT_EQ(patch.front().node, side * (side / 2) + side / 2);
   }
 }
@@ -79,7 +79,7 @@ TEST(NodePatch, LeavesTheOppositeWallAlone)
   mesh.segments.resize(2, kSide * kSide);
   for (Index i = 0; i < kSide * kSide; ++i) mesh.segments.col(i) << i, i + kSide * kSide;
   const SpringNet net = test::netOf(mesh);
-  const std::vector<PatchNode> patch = patchOf(net, kSide * 10 + 10, kRadius);
+  const std::vector<PatchNode> patch = patchOf(net, kSide * 10 + 10, kPatchRadius);
   EXPECT_GT(patch.size(), 40u);
   for (const PatchNode& found : patch) EXPECT_LT(found.node, kSide * kSide);
 }
@@ -89,7 +89,7 @@ TEST(NodePatch, LeavesTheOppositeWallAlone)
 TEST(NodePatch, FollowsSpringsWhereThereIsNoSurface)
 {
   const SpringNet net = chain(5);
-  const std::vector<PatchNode> patch = patchOf(net, 2, kRadius);
+  const std::vector<PatchNode> patch = patchOf(net, 2, kPatchRadius);
   ASSERT_EQ(patch.size(), 3u);
   EXPECT_EQ(patch[0].node, 2);
   EXPECT_EQ(patch[0].share, 1.0);
