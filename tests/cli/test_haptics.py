@@ -74,9 +74,12 @@ class Haptics(ProgramTest):
         self.press_path()
         self.replay("a.csv", "--stop-simulation", "1.2")
         rows = self.rows("a.csv")
-        self.assertGreater(max(self.force(r) for r in rows if r["t"] < 1.2), 0.02)
-        # The last model came up to a frame before; 100 ms until it is old, 50 ms until it is gone.
-        self.assertEqual(max(self.force(r) for r in rows if r["t"] > 1.36), 0.0)
+        felt = max(self.force(r) for r in rows if r["t"] < 1.2)
+        self.assertGreater(felt, 0.02)
+        # The last answer holds as a spring, for 10 mm of the way back, which the hand has gone by 1.66 s; 50 ms later
+        # it is gone.
+        self.assertGreater(max(self.force(r) for r in rows if 1.36 < r["t"] < 1.5), 0.0)
+        self.assertEqual(max(self.force(r) for r in rows if r["t"] > 1.72), 0.0)
 
     def test_the_falcon_s_twin_feels_what_is_there(self):
         said = self.json_of("haptics", "replay", SOURCE / "resources/samples/uterus_press.csv",
