@@ -181,8 +181,9 @@ TEST(Replay, TissueDoesNotKickAHandThatLeavesIt)
 }
 
 // Nor does it give energy, pressed in and left or pulled about, seven times: what the hand has put into the
-// grip is never below minus a millijoule (A6), and the motors' work on the grip stays below two (it came
-// to 1.2).
+// grip is never below minus a millijoule (A6), and the motors' work on the grip stays below two pressed (it came to
+// 1.2) and, with a patch in the hand that is three times as stiff, below the milliwatt that the guard forgives (3.0 in
+// 3.5 s).
 TEST(Replay, AHandAtTwoHertzGetsNoEnergyFromTheTissue)
 {
   constexpr double kArmed = 2.5, kPeriod = 0.5, kEnd = 6.0; // [s]
@@ -218,7 +219,7 @@ TEST(Replay, AHandAtTwoHertzGetsNoEnergyFromTheTissue)
     }
     EXPECT_GT(largest, 0.3) << held; // it was felt
     EXPECT_GE(least, -1e-3) << held;
-    EXPECT_LE(most, 2e-3) << held;
+    EXPECT_LE(most, held ? 1e-3 * (kEnd - kArmed) : 2e-3) << held;
     EXPECT_EQ(replay->last().state, DeviceState::Active) << held;
     RecordProperty(held ? "most_work_held_millijoule" : "most_work_pressed_millijoule",
                    std::to_string(1e3 * most));
