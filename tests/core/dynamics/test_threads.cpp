@@ -332,8 +332,8 @@ TEST(Threads, DividedDampersAreTheDampers)
 // Whole runs with loads and tools: the same bits with one thread and with two.
 TEST(Threads, RunsHaveTheSameBits)
 {
-  for (const char* solver : {"leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4", "dopri5",
-                             "descent", "block-descent"}) {
+  for (const char* solver :
+       {"leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4", "dopri5", "block-descent"}) {
     const SolverSettings settings = fixedSteps(solver, 1e-3);
     EXPECT_EQ(move(mixedSheet(2), settings, 2, 2), move(mixedSheet(2), settings, 1, 2)) << solver;
   }
