@@ -34,7 +34,6 @@ public:
     m_isDue = m_isDue || (isPossible() && (*m_isSpent)());
     return m_isDue;
   }
-  bool wasDue() const noexcept { return m_isDue; } ///< by the last answer
 
 private:
   const std::function<bool()>* m_isSpent = nullptr; ///< not owned

@@ -2,39 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/integrator.h"
 #include "core/dynamics/stiff_nodes.h"
-#include "core/forces/spring_pass.h"
+#include "core/dynamics/verlet_sweeps.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace esm {
 namespace {
-
-/// How the many step: half = v + h/2 a, x' = x + h half, p' = v + h a + carry (p - v), as in Verlet's method.
-struct Drift {
-  double h, carry;
-};
-
-ESM_CPU_CLONES void drift(const Drift& given, std::size_t count, const Lanes* a, Lanes* x, Lanes* v,
-                          Lanes* p) noexcept
-{
-  const Drift how = given; // as ESM_CPU_CLONES says
-  for (std::size_t i = 0; i < count; ++i) {
-    p[i] = v[i] + (p[i] - v[i]) * how.carry + a[i] * how.h;
-    v[i] += a[i] * (0.5 * how.h);
-    x[i] += v[i] * how.h;
-  }
-}
-
-/// a = F/m, v = half + h/2 a
-ESM_CPU_CLONES void kick(double h, std::size_t count, const double* inverseMass, const Lanes* force, Lanes* a,
-                         Lanes* v) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) {
-    a[i] = force[i] * inverseMass[i];
-    v[i] += a[i] * (0.5 * h);
-  }
-}
 
 /// Velocity Verlet for all nodes but a few, which take the trapezoidal rule: explicit and implicit nodes side by
 /// side (Belytschko and Mullen 1978, Hughes and Liu 1978). The many go first, so that the few find their
@@ -96,15 +70,15 @@ public:
     ++report.steps;
     m_x = state.x; // same size: no allocation
     m_v = state.v;
-    const Drift how{h, carryFor(h)};
+    const Prediction how{h, carryFor(h)};
     system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      drift(how, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
+      predictNodes(how, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
     });
     Rates rates;
     if (!solve(system, state, h, end, rates)) return fail();
     const double* inverseMass = system.inverseMass().data();
     system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      kick(h, n, inverseMass + f, m_force.data() + f, m_a.data() + f, m_v.data() + f);
+      correctNodes(h, n, inverseMass + f, m_force.data() + f, m_a.data() + f, m_v.data() + f);
     });
     endFew(h);
     if (!allFinite(m_x, m_v)) return restart(), StepResult::NonFinite;
@@ -116,17 +90,12 @@ public:
   }
 
 private:
-  static constexpr double kMostCarry = 2.0 / 3.0; ///< see Verlet
   static constexpr int kBetweenLooks = 64, kMostPasses = 8;
   static constexpr double kTooLong = 1.1; ///< a step that was stable at the last look
 
   StepResult fail() noexcept { return restart(), StepResult::NotConverged; }
 
-  double carryFor(double h) const noexcept
-  {
-    const double left = 1.0 - 0.25 * m_few.stiffness() * h * h, needed = m_few.damping() * h / left - 1.0;
-    return left > 0.0 && needed < kMostCarry ? std::max(needed, 0.0) : kMostCarry;
-  }
+  double carryFor(double h) const noexcept { return leastCarry(m_few.stiffness(), m_few.damping(), h); }
 
   void start(System& system, MotionState& state) noexcept
   {

@@ -1,59 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/integrator.h"
-#include "core/forces/spring_pass.h"
+#include "core/dynamics/verlet_sweeps.h"
 
-#include <algorithm>
 #include <cmath>
 
 namespace esm {
 namespace {
-
-/// How a step predicts: its length [s], and what it carries over of the former prediction's error.
-struct Prediction {
-  double h, carry;
-};
-
-/// One node from v and a on: half = v + h/2 a, x' = x + h half, p' = v + h a + carry (p - v)
-ESM_INLINE void predictNode(const Prediction& how, const Lanes& v, const Lanes& a, Lanes& x, Lanes& half,
-                            Lanes& p) noexcept
-{
-  half = v + a * (0.5 * how.h);
-  x += half * how.h;
-  p = v + (p - v) * how.carry + a * how.h;
-}
-
-/// The first prediction of a run; `half` comes as v.
-ESM_CPU_CLONES void predict(const Prediction& given, std::size_t count, const Lanes* a, Lanes* x, Lanes* half,
-                            Lanes* p) noexcept
-{
-  const Prediction how = given; // as ESM_CPU_CLONES says
-  for (std::size_t i = 0; i < count; ++i) {
-    const Lanes v = half[i];
-    predictNode(how, v, a[i], x[i], half[i], p[i]);
-  }
-}
-
-/// The end of a step and the prediction of the next one in one sweep: a = F/m, v = half + h/2 a.
-ESM_CPU_CLONES void correctAndPredict(const Prediction& given, std::size_t count, const double* inverseMass,
-                                      const Lanes* force, Lanes* x, Lanes* half, Lanes* p) noexcept
-{
-  const Prediction how = given; // as ESM_CPU_CLONES says
-  for (std::size_t i = 0; i < count; ++i) {
-    const Lanes a = force[i] * inverseMass[i], v = half[i] + a * (0.5 * how.h);
-    predictNode(how, v, a, x[i], half[i], p[i]);
-  }
-}
-
-/// a = F/m, v = half + h/2 a
-ESM_CPU_CLONES void correct(double h, std::size_t count, const double* inverseMass, const Lanes* force,
-                            Lanes* a, Lanes* half) noexcept
-{
-  for (std::size_t i = 0; i < count; ++i) {
-    a[i] = force[i] * inverseMass[i];
-    half[i] += a[i] * (0.5 * h);
-  }
-}
 
 /// Velocity Verlet with one force pass per step:
 ///
@@ -101,10 +54,10 @@ public:
       const double t = i == steps ? end : begin + static_cast<double>(i) * h;
       const auto sweep = [&, isFirst = i == 1](std::size_t f, std::size_t n) noexcept {
         if (isFirst)
-          predict(how, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
+          predictNodes(how, n, m_a.data() + f, m_x.data() + f, m_v.data() + f, m_p.data() + f);
         else
-          correctAndPredict(how, n, inverseMass + f, m_force.data() + f, m_x.data() + f, m_v.data() + f,
-                            m_p.data() + f);
+          correctAndPredictNodes(how, n, inverseMass + f, m_force.data() + f, m_x.data() + f, m_v.data() + f,
+                                 m_p.data() + f);
       };
       const Rates rates = system.evaluate(t, m_x, m_p, m_force, nullptr, sweep);
       work += 0.5 * (m_rates.work + rates.work);
@@ -112,7 +65,7 @@ public:
       m_rates = rates;
     }
     system.sweepNodes([&](std::size_t f, std::size_t n) noexcept {
-      correct(h, n, inverseMass + f, m_force.data() + f, m_a.data() + f, m_v.data() + f);
+      correctNodes(h, n, inverseMass + f, m_force.data() + f, m_a.data() + f, m_v.data() + f);
     });
     report.steps += steps;
     m_started = allFinite(m_x, m_v);
@@ -122,15 +75,11 @@ public:
   }
 
 private:
-  static constexpr double kMostCarry = 2.0 / 3.0;
-
   /// The least that is stable at h, with room for what the net's motion does to the limits until the next
   /// look.
   double carryFor(double h) const noexcept
   {
-    const double longer = h / kRoomForMotion, left = 1.0 - 0.25 * m_mode.stiffness * longer * longer;
-    const double needed = m_mode.damping * longer / left - 1.0;
-    return left > 0.0 && needed < kMostCarry ? std::max(needed, 0.0) : kMostCarry;
+    return leastCarry(m_mode.stiffness, m_mode.damping, h / kRoomForMotion);
   }
 
   void start(System& system, MotionState& state) noexcept

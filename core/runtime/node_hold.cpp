@@ -9,13 +9,14 @@ namespace esm {
 
 namespace {
 
-constexpr double kMostRatio =
-  3.0; ///< of the hand's spring to the node's own: stiffer leads hardly better [1]
+constexpr double kRate = 1.25; ///< of the fastest node's, with the hand's spring [1]
+/// Of the hand's spring to the node's own: stiffer leads hardly better [1].
+constexpr double kMostRatio = 3.0;
 constexpr double kDampingRatio = 0.5; ///< of the node's mass on the hand's spring [1]
 
 } // namespace
 
-std::vector<NodeHold> holdOfNodes(const SpringNet& net, double rate)
+std::vector<NodeHold> holdOfNodes(const SpringNet& net)
 {
   std::vector<NodeHold> own(static_cast<std::size_t>(net.nodeCount()));
   const auto add = [&](Index node, double stiffness, double viscosity) {
@@ -32,14 +33,14 @@ std::vector<NodeHold> holdOfNodes(const SpringNet& net, double rate)
     fastest = std::max(fastest, own[i].stiffness / net.mass[static_cast<Index>(i)]);
     decay = std::max(decay, own[i].viscosity / net.mass[static_cast<Index>(i)]);
   }
-  decay = std::max(rate * decay, std::sqrt(fastest)); // dampers slower than the swing cost nothing
+  decay = std::max(kRate * decay, std::sqrt(fastest)); // dampers slower than the swing cost nothing
   std::vector<NodeHold> hold(own.size());
   for (std::size_t i = 0; i < own.size(); ++i) {
     const double stiffness = own[i].stiffness, mass = net.mass[static_cast<Index>(i)];
     if (!(stiffness > 0.0)) continue;
     // As damped as the node's own springs are: methods that know dampers slow the fast modes by them.
     const double relaxation = own[i].viscosity / stiffness, slack = decay * mass - own[i].viscosity;
-    double room = rate * rate * fastest * mass - stiffness;
+    double room = kRate * kRate * fastest * mass - stiffness;
     if (relaxation > 0.0) room = std::min(room, slack / relaxation);
     hold[i].stiffness = std::clamp(room, 0.0, kMostRatio * stiffness);
     const double least = 2.0 * kDampingRatio * std::sqrt(hold[i].stiffness * mass);

@@ -14,13 +14,10 @@ struct NodeHold {
   double viscosity = 0.0; ///< [N s/m]
 };
 
-inline constexpr double kPatchRate = 1.25; ///< for a hand that holds many nodes, see holdOfNodes()
-
-/// For each node as stiff that with the hand's spring it swings and decays no faster than `rate` times the fastest
+/// For each node as stiff that with the hand's spring it swings and decays no faster than 1.25 times the fastest
 /// one of the net: explicit steps get shorter by that at most. A hand holds many nodes on a fine mesh, so its
 /// springs need not be stiffer to lead them. The damping is that of the node's own springs, or half critical for
 /// its mass where that is more, within the same bound.
-/// @pre rate >= 1
-std::vector<NodeHold> holdOfNodes(const SpringNet& net, double rate = kPatchRate);
+std::vector<NodeHold> holdOfNodes(const SpringNet& net);
 
 } // namespace esm

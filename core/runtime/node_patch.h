@@ -32,9 +32,8 @@ public:
   void find(const Eigen::Matrix3Xd& position, std::span<const Index> first, const Eigen::Vector3d& centre,
             double radius, std::vector<PatchNode>& nodes);
 
-  std::span<const Index> neighbours(Index node) const { return m_neighbours[static_cast<std::size_t>(node)]; }
-
 private:
+  std::span<const Index> neighbours(Index node) const { return m_neighbours[static_cast<std::size_t>(node)]; }
   double halfCell(const Eigen::Matrix3Xd& position, Index node) const;
 
   Grouped<Index> m_neighbours; ///< those on the surface twice each
