@@ -101,6 +101,7 @@ void addRun(QJsonObject& json, SimulationController* run)
   json["stability"] = stabilityName(snapshot.stability);
   json["rung"] = static_cast<int>(snapshot.quality.rung);
   json["tolerance"] = snapshot.quality.tolerance;
+  json["toldError"] = snapshot.toldError;
   json["nodesAwake"] = static_cast<double>(snapshot.report.nodesAwake);
   json["solver"] = QString::fromStdString(snapshot.solver);
   json["message"] = QString::fromStdString(snapshot.message);

@@ -24,6 +24,12 @@ QString percent(double tolerance)
   return QLocale().toString(100.0 * tolerance, 'g', 3);
 }
 
+/// An estimate, which has no more digits than it deserves.
+QString aboutPercent(double share)
+{
+  return QLocale().toString(100.0 * share, 'g', share < 0.1 ? 1 : 2);
+}
+
 /// Against a tolerance that is not kept.
 QString roughCure()
 {
@@ -66,12 +72,14 @@ void StabilityLight::show(const SimSnapshot& snapshot)
     snapshot.frameTime >= kLongFrame ? 0.1 * std::floor(10.0 * snapshot.frameTime) : 0.0;
   if (snapshot.stability == m_stability && snapshot.playing == m_playing && snapshot.message == m_message &&
       shown(snapshot.realTimeFactor) == shown(m_realTimeFactor) && frameTime == m_frameTime &&
-      snapshot.quality.rung == m_quality.rung)
+      snapshot.quality.rung == m_quality.rung &&
+      aboutPercent(snapshot.toldError) == aboutPercent(m_toldError))
     return;
   m_stability = snapshot.stability;
   m_playing = snapshot.playing;
   m_realTimeFactor = snapshot.realTimeFactor;
   m_frameTime = frameTime;
+  m_toldError = snapshot.toldError;
   m_quality = snapshot.quality;
   m_message = snapshot.message;
   refresh();
@@ -134,6 +142,8 @@ void StabilityLight::refresh()
   setAccessibleName(tr("Stability: %1").arg(words));
   QStringList tip{words};
   if (const QString cure = causeAndCure(); !cure.isEmpty()) tip << cure;
+  if (m_playing && m_toldError > 0.0)
+    tip << tr("Error of the motion, as its own steps tell: about %1 %").arg(aboutPercent(m_toldError));
   if (!m_message.empty()) tip << reasonText(m_message);
   setToolTip(tip.join(QStringLiteral("\n")));
 }
@@ -156,9 +166,11 @@ void ToleranceNote::show(const SimSnapshot& snapshot)
   const bool now = snapshot.report.rough;
   const auto shown = [](double until) { return std::lround(100.0 * until); }; // two digits
   if (now == m_now && shown(snapshot.roughUntil) == shown(m_until) &&
-      snapshot.quality.tolerance == m_tolerance)
+      snapshot.quality.tolerance == m_tolerance &&
+      aboutPercent(snapshot.toldError) == aboutPercent(m_toldError))
     return;
   m_now = now;
+  m_toldError = snapshot.toldError;
   m_until = snapshot.roughUntil;
   m_tolerance = snapshot.quality.tolerance;
   refresh();
@@ -168,7 +180,8 @@ void ToleranceNote::refresh()
 {
   setVisible(m_now || m_until >= 0.0);
   const QString until = QLocale().toString(m_until, 'f', 2);
-  const QString words = m_now ? tr("tolerance of %1 % given up").arg(percent(m_tolerance))
+  const QString words = m_now ? tr("tolerance of %1 % given up, error about %2 %")
+                                  .arg(percent(m_tolerance), aboutPercent(m_toldError))
                               : tr("tolerance given up until t = %1 s").arg(until);
   setTextFormat(Qt::RichText);
   setText(

@@ -36,6 +36,7 @@ private:
   Stability m_stability = Stability::Idle;
   bool m_playing = false;
   double m_realTimeFactor = 0.0;
+  double m_toldError = 0.0; ///< as SimSnapshot::toldError
   double m_frameTime = 0.0; ///< of a picture that takes long, to a tenth; else 0 [s]
   QualityState m_quality;
   std::string m_message; ///< the engine's, English
@@ -57,6 +58,7 @@ private:
   void refresh();
   bool m_now = false;
   double m_until = -1.0;     ///< [s], as SimSnapshot::roughUntil
+  double m_toldError = 0.0;  ///< as SimSnapshot::toldError
   double m_tolerance = 0.01; ///< that the last frame was to keep
 };
 

@@ -4165,6 +4165,10 @@
         <source>slowed, %1 × real time</source>
         <translation>verlangsamt, %1 × Echtzeit</translation>
     </message>
+    <message>
+        <source>Error of the motion, as its own steps tell: about %1 %</source>
+        <translation>Fehler der Bewegung nach Auskunft ihrer eigenen Schritte: etwa %1 %</translation>
+    </message>
 </context>
 <context>
     <name>esm::StatusStrip</name>
@@ -4579,8 +4583,8 @@
 <context>
     <name>esm::ToleranceNote</name>
     <message>
-        <source>tolerance of %1 % given up</source>
-        <translation>Toleranz von %1 % aufgegeben</translation>
+        <source>tolerance of %1 % given up, error about %2 %</source>
+        <translation>Toleranz von %1 % aufgegeben, Fehler etwa %2 %</translation>
     </message>
     <message>
         <source>tolerance given up until t = %1 s</source>

@@ -26,9 +26,11 @@ private:
     system.solverWork += StepGradients::kPerSet * static_cast<double>(system.forces().activeSprings());
     return m_gradients.set(system, y, w, h);
   }
-  void solve(System& system, NodeArray& vector, const NodeArray* first) override
+  double solve(System& system, NodeArray& vector, const NodeArray* first) override
   {
-    m_sweeps += 0.1 * (m_gradients.solve(system, vector, first, kSmallPart, kMostSweeps) - m_sweeps);
+    const StepGradients::Solved solved = m_gradients.solve(system, vector, first, kSmallPart, kMostSweeps);
+    m_sweeps += 0.1 * (solved.iterations - m_sweeps);
+    return solved.left;
   }
   double matrixCost(const System& system) const noexcept override
   {

@@ -20,9 +20,10 @@ private:
     ++report.factorizations;
     return m_matrix.factor(system, y, w, ImplicitMatrix::Shares::ofStep(h), true);
   }
-  void solve(System& /*system*/, NodeArray& vector, const NodeArray* /*first*/) override
+  double solve(System& /*system*/, NodeArray& vector, const NodeArray* /*first*/) override
   {
     m_matrix.solve(vector);
+    return 0.0;
   }
   double matrixCost(const System& /*system*/) const noexcept override
   {

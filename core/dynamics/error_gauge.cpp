@@ -145,8 +145,13 @@ double ErrorGauge::shareOfWhole(std::size_t nodes) const noexcept
   return std::sqrt(static_cast<double>(m_count) / std::max(static_cast<double>(nodes), 1.0));
 }
 
+double ErrorGauge::rmsOfWhole(double root) const noexcept
+{
+  return rms(root * root, m_count);
+}
+
 ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start, const MotionState& end,
-                                  double error) const noexcept
+                                  double error, double beyond) const noexcept
 {
   const double length = end.time - start.time, heat = std::max(end.heat - start.heat, 0.0);
   const double kinetic = system.kineticEnergy(end.v) * length;
@@ -154,8 +159,9 @@ ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start
   ErrorScale next = m_scale;
   next.calm += length;
   next.displacement = displacementOf(end.x);
-  next.spent = std::min(m_scale.spent * std::exp(-kFaster * length / lifetime()) + error,
-                        std::max(next.displacement, floor())); // no error is larger than that for long
+  const double most = std::max(next.displacement, floor()); // no error is larger than that for long
+  next.spent = std::min(m_scale.spent * std::exp(-kFaster * length / lifetime()) + error, most);
+  next.beyond = std::min(m_scale.beyond * std::exp(-length / kShortestLife) + beyond, most);
   next.spentSquare += next.spent * next.spent * length;
   next.squareOverTime += next.displacement * next.displacement * length;
   next.speed = speedOf(end.v);

@@ -17,8 +17,9 @@ struct ErrorScale {
   double calm = 0.0;                  ///< since the start or the last event [s]
   double spent = 0.0;                 ///< error that stretches have added and that still lives [m]
   double spentSquare = 0.0;           ///< integral of its square [m^2 s]
-  double latestHeat = 0.0;            ///< of the last two frames [J]
-  double latestKinetic = 0.0;         ///< the same, integral [J s]
+  double beyond = 0.0; ///< error that lives besides, of stretches whose tolerance was given up [m]
+  double latestHeat = 0.0;    ///< of the last two frames [J]
+  double latestKinetic = 0.0; ///< the same, integral [J s]
   // Of the last fifth of a second:
   double recentHeat = 0.0;    ///< [J]
   double recentKinetic = 0.0; ///< integral [J s]
@@ -61,9 +62,11 @@ public:
   const ErrorScale& scale() const noexcept { return m_scale; }
   void setScale(const ErrorScale& scale) noexcept { m_scale = scale; }
   /// The scale with one more stretch.
-  /// @param error  that it has added [m]
-  ErrorScale scaleAfter(const System& system, const MotionState& start, const MotionState& end,
-                        double error) const noexcept;
+  /// @param error  that it has added [m], of what the tolerance allows
+  /// @param beyond  that it has added besides, by strongly damped steps: it does not live long, and budgets know
+  ///        nothing of it [m]
+  ErrorScale scaleAfter(const System& system, const MotionState& start, const MotionState& end, double error,
+                        double beyond = 0.0) const noexcept;
   /// After the first stretch since begin() has been tried: until then nothing tells how long errors live.
   void guessLifetime(const System& system, const MotionState& start, const MotionState& end) noexcept;
   void markDriven() noexcept { m_isDriven = true; } ///< something acts from now on
@@ -105,6 +108,8 @@ public:
                      const MotionState& state) const noexcept;
   /// What the same steps typically err in a net of this size, over what they do in one of up to 2,500 nodes.
   double typicalShare() const noexcept;
+  /// Root of a sum of squares over nodes, outside of which it is 0, to the whole net's RMS.
+  double rmsOfWhole(double root) const noexcept;
   /// From the whole net's RMS to that over `nodes` nodes, outside of which nothing errs.
   double shareOfWhole(std::size_t nodes) const noexcept;
   /// The end of the motion as seen at `time` before it or at it [s]; infinity if nobody knows it.

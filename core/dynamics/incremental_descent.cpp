@@ -71,6 +71,8 @@ StepResult IncrementalDescent::step(System& system, MotionState& state, double h
     sums = look(system, goal, m_y);
   }
   report.rough = report.rough || !m_isDone || pull > 0;
+  // The trapezoidal rule, of next order, would have gone by the mean of both velocities.
+  m_localError += 0.5 * h * std::sqrt(sumOfSquares(m_w, goal.v)) + m_unsolved;
   const double kinetic = freeKinetic(system, m_w);
   if (kinetic > left) {
     const double share = std::sqrt(std::max(left, 0.0) / kinetic);
@@ -165,7 +167,8 @@ IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal&
     ++report.newtonIterations;
     if (!setMatrix(system, m_y, m_w, goal.h, report)) break;
     m_change = m_force; // same size: no allocation
-    solve(system, m_change, iteration == 0 ? &goal.v : nullptr);
+    const double part = solve(system, m_change, iteration == 0 ? &goal.v : nullptr);
+    m_unsolved = std::sqrt(part) * goal.h * std::sqrt(sumOfSquares(m_change));
     const double promised = sumOfProducts(m_force, m_change); // of which a model of second order keeps half
     bool found = false, beyond = false;
     double gain = 0.0;

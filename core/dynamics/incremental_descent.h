@@ -4,6 +4,8 @@
 
 #include "core/dynamics/integrator.h"
 
+#include <utility>
+
 namespace esm {
 
 /// Implicit Euler as a descent: a step that cannot fail. The step y of implicit Euler is where the
@@ -30,6 +32,7 @@ public:
   bool findsLoss() const noexcept final { return true; }
   bool keepsLoan() const noexcept final { return true; }
   bool brakesBodies() const noexcept final { return true; }
+  double takeLocalError() noexcept final { return std::exchange(m_localError, 0.0); }
   double stableStep(const FastestMode& mode) const noexcept final;
   double stepCost(const System& system, double h) final;
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) final;
@@ -52,7 +55,8 @@ private:
                          StepReport& report) = 0;
   /// vector = its inverse times vector, or what points the same way; 0 at held nodes.
   /// @param first  a direction that is likely, or null
-  virtual void solve(System& system, NodeArray& vector, const NodeArray* first) = 0;
+  /// @return the share that may be left of what the inverse itself would lower the potential by [1]
+  virtual double solve(System& system, NodeArray& vector, const NodeArray* first) = 0;
   virtual double matrixCost(const System& system) const noexcept = 0; ///< both [spring evaluations]
 
   struct Goal {
@@ -74,8 +78,10 @@ private:
   Effort m_effort;
   NodeArray m_x; ///< at the start, supports moved [m]
   NodeArray m_y, m_trial, m_w, m_force, m_change;
-  NodeArray m_damper;   ///< of the last look
-  bool m_isDone = true; ///< the last descent got where it no longer gains much
+  NodeArray m_damper;        ///< of the last look
+  double m_unsolved = 0.0;   ///< of the last descent, see solve() [m]
+  double m_localError = 0.0; ///< since takeLocalError() [m]
+  bool m_isDone = true;      ///< the last descent got where it no longer gains much
 };
 
 } // namespace esm

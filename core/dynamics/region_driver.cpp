@@ -109,6 +109,13 @@ bool RegionDriver::stretch(double target, const Budget& budget, StepReport& repo
   return good;
 }
 
+/// What checks have let pass is within the tolerance, however much they suspect.
+double RegionDriver::livingError() const noexcept
+{
+  const ErrorScale& scale = m_driver.errorScale();
+  return std::min(scale.spent, m_settings.tolerance * scale.displacement) + scale.beyond;
+}
+
 /// Everything sleeps.
 void RegionDriver::pass(double target)
 {

@@ -73,6 +73,7 @@ public:
   /// Where the whole net is stiffest now, and the largest explicit step there. Not cheap while nodes sleep.
   FastestMode fastestMode();
   double explicitStep(const FastestMode& mode) const noexcept { return m_driver.explicitStep(mode); }
+  double livingError() const noexcept; ///< see Simulation [m]
   const std::string& solverName() const noexcept { return m_driver.solverName(); }
   const std::string& why() const noexcept { return m_limitText.empty() ? m_driver.why() : m_limitText; }
 

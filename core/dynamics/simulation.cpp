@@ -283,6 +283,11 @@ void Simulation::watchGrowth()
   m_impl->growth->begin(m_impl->body.net, m_impl->body.loads);
 }
 
+double Simulation::livingError() const noexcept
+{
+  return m_impl->driver.livingError();
+}
+
 double Simulation::errorGrowth() const noexcept
 {
   return m_impl->growth ? m_impl->growth->largest() : 1.0;

@@ -105,6 +105,9 @@ public:
   double errorGrowth() const noexcept;
   double errorGrowthTime() const noexcept;   ///< by when [s]
   double errorGrowthPasses() const noexcept; ///< what it took to see that [force passes]
+  /// Estimate of the error that the motion carries now, RMS over the nodes [m]: what its stretches have erred as
+  /// their checks tell, up to the tolerance where it was kept, less what has faded since.
+  double livingError() const noexcept;
   /// The force that a fixed or prescribed node's support exerts on the net [N]; zero for free nodes.
   Eigen::Vector3d reaction(Index node) const;
   Eigen::Vector3d toolForce(std::size_t tool) const;             ///< force of the tool on its node [N]

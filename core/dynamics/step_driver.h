@@ -99,7 +99,10 @@ private:
   static constexpr double kLatestOnset = 0.9 * kFrame;
   static constexpr double kLooseTolerance = 1e-2; ///< see caution() and isPayable()
   static constexpr int kLongestDescent = 64;      ///< stretches before something else is tried again
-  static constexpr int kSettling = 2;   ///< checks before a method that has just been chosen may be left
+  static constexpr int kSettling = 2; ///< checks before a method that has just been chosen may be left
+  static constexpr double kGuessedRough = 0.1; ///< see m_roughOverLocal, before the first check
+  static constexpr int kSecondBlock = 2;       ///< the first one has a hand that has just come
+  static constexpr int kRoughCheckGap = 16;
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
   /// saves 3 % of all passes; a quarter is too short to tell: errors of uteri and organs came out up to five
@@ -206,6 +209,7 @@ private:
   bool stretchRoughly(System& system, MotionState& state, double end, StepReport& report);
   Run stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
   Run stretchByBlocks(System& system, MotionState& state, double end, StepReport& report);
+  void learnRough(double error, double local) noexcept;
   Run runRoughly(Method method, System& system, MotionState& state, double end, std::int64_t steps,
                  StepReport& report);
   /// Since the start of the stretch [J].
@@ -245,7 +249,7 @@ private:
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
   void sayToleranceGivenUp(const System& system);
   void sayRough(const System& system, Method method, const char* why);
-  void keep(const System& system, const MotionState& state, double error) noexcept;
+  void keep(const System& system, const MotionState& state, double error, double beyond = 0.0) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(const System& system, Run failure, StepReport& report);
   void comeDown() noexcept;
@@ -283,6 +287,9 @@ private:
   double m_checkedError = 0.0;                  ///< that the present steps add, by the last check [m/s]
   double m_checkedPower = 0.0;                  ///< of the dampers then [W]
   double m_localError = 0.0;                    ///< of the present stretch's first run, see Integrator [m]
+  double m_roughLocal = 0.0;                    ///< the same of the last rough stretch
+  double m_roughOverLocal = kGuessedRough;      ///< its error over that [1]
+  int m_untilRoughCheck = kSecondBlock;         ///< stretches by blocks
   double m_errorOverLocal = 0.0;                ///< error of a stretch over that [1]; 0: not known
   double m_growing = 1.0;                       ///< part of it that goes on to grow
   double m_coarseWork = 0.0, m_finerWork = 0.0; ///< of the two runs of a check [spring evaluations]

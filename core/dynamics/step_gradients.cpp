@@ -108,8 +108,8 @@ double StepGradients::multiply(System& system) noexcept
   });
 }
 
-int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* first, double smallPart,
-                         int most) noexcept
+StepGradients::Solved StepGradients::solve(System& system, NodeArray& vector, const NodeArray* first,
+                                           double smallPart, int most) noexcept
 {
   const std::size_t nodes = m_inverse.size();
   m_residual.swap(vector);
@@ -138,8 +138,8 @@ int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* fir
   m_direction = m_scaled; // same size: no allocation
   std::array<double, kLatest> latest;
   latest.fill(std::numeric_limits<double>::infinity());
-  int iterations = 0;
-  while (iterations < most && square > 0.0 && !system.isExhausted()) {
+  Solved solved;
+  while (solved.iterations < most && square > 0.0 && !system.isExhausted()) {
     const double curvature = multiply(system);
     if (!(curvature > 0.0)) break; // rounding
     const double term = square * square / curvature;
@@ -149,10 +149,12 @@ int StepGradients::solve(System& system, NodeArray& vector, const NodeArray* fir
     });
     square = next;
     all += term;
-    latest[static_cast<std::size_t>(iterations++) % kLatest] = term;
-    if (std::accumulate(latest.begin(), latest.end(), 0.0) <= smallPart * all) break;
+    latest[static_cast<std::size_t>(solved.iterations++) % kLatest] = term;
+    solved.left = std::min(std::accumulate(latest.begin(), latest.end(), 0.0) / all, 1.0);
+    if (solved.left <= smallPart) break;
   }
-  return iterations;
+  if (!(square > 0.0)) solved.left = 0.0;
+  return solved;
 }
 
 } // namespace esm

@@ -20,6 +20,10 @@ namespace esm {
 /// @note One thread. Allocates in prepare(), and in set() when it is called for the first time.
 class StepGradients {
 public:
+  struct Solved {
+    int iterations = 0;
+    double left = 1.0; ///< of what A^-1 would lower the potential by, as the latest terms tell [1]
+  };
   void prepare(const System& system);
   /// The numbers at x and v. @return whether they are finite.
   bool set(const System& system, const NodeArray& x, const NodeArray& v, double h);
@@ -27,8 +31,8 @@ public:
   /// a term that falls in the long run; ends when the last four are together less than `smallPart` of all, after
   /// `most` iterations, or at the system's work limit.
   /// @param first  the direction that is tried first, or null
-  /// @return the iterations
-  int solve(System& system, NodeArray& vector, const NodeArray* first, double smallPart, int most) noexcept;
+  Solved solve(System& system, NodeArray& vector, const NodeArray* first, double smallPart,
+               int most) noexcept;
 
   // Costs in spring evaluations of the force pass.
   static constexpr double kPerSet = 4.0, kPerIteration = 1.0; ///< and spring

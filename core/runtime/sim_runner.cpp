@@ -59,6 +59,7 @@ void SimRunner::carryOut(command::Load&& load)
   m_grip.reset();
   m_simulation.emplace(std::move(*fresh));
   m_compliance.forget();
+  m_told.begin(m_simulation->state().position);
   m_tip.reset();
   if (m_touch) m_tip.emplace(m_simulation->net(), m_touch->radius, m_touch->maxForce);
   m_ladder = std::move(ladder);
@@ -117,6 +118,7 @@ void SimRunner::carryOut(command::Reset)
   if (m_tip) m_tip->letGo();
   m_simulation->setTools({});
   m_simulation->reset();
+  m_told.begin(m_simulation->state().position);
   m_failed = m_stepPending = false;
   m_report = {};
   m_roughUntil = -1.0;
@@ -142,6 +144,7 @@ void SimRunner::carryOut(const command::Grab& grab)
   if (m_contactActive) closeScene();
   m_grip.emplace(m_simulation->net(), m_simulation->state().position, grab.node, grab.radius, grab.target,
                  grab.maxForce);
+  m_told.begin(m_simulation->state().position);
 }
 
 void SimRunner::carryOut(const command::MoveGrab& move)
@@ -191,10 +194,12 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
   if (m_grip && !deviceLeads()) pull();
   const StepReport report = deviceLeads() ? advanceLed(enough) : advance(m_period, enough);
   judge(report);
-  if (report.nothingMoved())
+  if (report.nothingMoved()) {
     keepMoment();
-  else
+  } else {
     keepPicture();
+    m_told.add(m_picture.position, m_simulation->livingError(), report.simulatedTime);
+  }
   if (m_playing) publishContact();
   return report.simulatedTime;
 }
@@ -372,6 +377,7 @@ void SimRunner::draw(SimSnapshot& picture)
   picture.stability = stability();
   picture.quality = m_ladder.state();
   picture.report = m_report;
+  picture.toldError = m_told.share();
   picture.roughUntil = m_roughUntil;
   picture.energies = m_energies;
   picture.solver = m_simulation ? m_simulation->solverName() : std::string();

@@ -7,6 +7,7 @@
 #include "core/runtime/sim_command.h"
 #include "core/runtime/sim_thread.h"
 #include "core/runtime/static_compliance.h"
+#include "core/runtime/told_error.h"
 #include "core/runtime/tool_grip.h"
 #include "core/runtime/tool_tip.h"
 
@@ -99,6 +100,7 @@ private:
   bool m_handIsThere = false; ///< the last led frame came to its end, and the tool to where the hand was
   bool m_failed = false;      ///< numerics; stays until a command gives hope
   StepReport m_report;
+  ToldError m_told;
   double m_roughUntil = -1.0; ///< see SimSnapshot
   std::string m_why;          ///< the simulation's own, but for what it says of a frame broken off
   bool m_brokenOff = false;   ///< the last frame was

@@ -56,6 +56,7 @@ struct SimSnapshot : NetPicture {
   /// Until when the motion was rough (StepReport::rough), as it goes on from there; -1: it never was since
   /// the start or since all came to rest [s].
   double roughUntil = -1.0;
+  double toldError = 0.0; ///< of the motion by its own estimate, see ToldError [1]
   Energies energies;
   QualityState quality;
   std::string solver;

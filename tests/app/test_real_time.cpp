@@ -204,9 +204,10 @@ TEST_F(RealTimeTest, AToleranceThatWasGivenUpIsSaidForAsLongAsItIsSo)
   EXPECT_TRUE(note->isHidden());
   snapshot.report.rough = true;
   snapshot.roughUntil = snapshot.time = 0.35;
+  snapshot.toldError = 0.0432;
   strip.setRun(snapshot);
   EXPECT_FALSE(note->isHidden());
-  EXPECT_TRUE(note->text().contains("tolerance of 1 % given up")) << qPrintable(note->text());
+  EXPECT_TRUE(note->text().contains("tolerance of 1 % given up, error about 4 %")) << qPrintable(note->text());
   EXPECT_TRUE(note->toolTip().contains("softer tissue or heavier nodes")) << qPrintable(note->toolTip());
   snapshot.playing = false; // the shape that is seen is as rough as before
   strip.setRun(snapshot);
