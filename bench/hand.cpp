@@ -22,7 +22,8 @@ namespace {
 constexpr double kPeriod = 1.0 / kFrameRate;
 constexpr double kLongestFrame = 0.05; ///< after which SimThread breaks a frame off [s]
 constexpr double kMoved = 1e-5;        ///< what is seen of a node [m]
-constexpr double kPull = 0.01, kPullTime = 0.3, kEnd = 1.5;
+constexpr int kPullFrames = 18;
+constexpr double kPull = 0.01, kPullTime = kPullFrames * kPeriod, kEnd = 1.5;
 
 /// Processor time of this thread, which waits for those that help it by looking out for them [s].
 double threadSeconds()
@@ -109,6 +110,7 @@ struct PullError {
   double told = 0.0; ///< the same as the window tells it
   double near =
     0.0; ///< RMS of the nodes within two radii of the grip over the hand's way, in the worst frame
+  double passes = 0.0; ///< force passes a frame while the hand moves
 };
 
 PullError errorOfPull(const Project& project)
@@ -125,6 +127,7 @@ PullError errorOfPull(const Project& project)
   for (Eigen::Index i = 0; i < start.cols(); ++i)
     if ((start.col(i) - grip).norm() < 2.0 * kGripRadius) around.push_back(i);
   double wrong = 0.0, moved = 0.0;
+  std::int64_t evaluated = 0;
   PullError error;
   for (int frame = 1; frame <= 60; ++frame) {
     for (HandScene* one : {&scene, &exact}) one->apply(command::MoveGrab{grip + wayAt(frame * kPeriod)});
@@ -132,14 +135,26 @@ PullError errorOfPull(const Project& project)
     const Eigen::Matrix3Xd apart = scene.wholeFrame() - right;
     wrong += apart.squaredNorm();
     moved += (right - start).squaredNorm();
+    if (frame <= kPullFrames) evaluated += scene.picture().report.springsEvaluated;
     double squares = 0.0;
     for (const Eigen::Index i : around) squares += apart.col(i).squaredNorm();
     error.near = std::max(error.near, std::sqrt(squares / static_cast<double>(around.size())) /
                                         wayAt(frame * kPeriod).norm());
   }
+  error.passes =
+    static_cast<double>(evaluated) / static_cast<double>(project.net.springCount()) / kPullFrames;
   error.all = std::sqrt(wrong / moved);
   error.told = scene.picture().toldError;
   return error;
+}
+
+/// Force passes a frame that plain steps at their limit take where no hand holds the net.
+double passesOfFreeNet(const Project& project)
+{
+  SolverSettings settings;
+  settings.solver = "leapfrog";
+  Result<Simulation> simulation = Simulation::create(project.net, {}, settings);
+  return simulation ? kPeriod / simulation->stableStep() : std::nan("");
 }
 
 /// Pulled with the patch around it 10 mm in 0.3 s, held, and let go.
@@ -228,8 +243,8 @@ std::string medianOf(const std::vector<Pull>& pulls, double Pull::*figure, doubl
 int runHand(const std::vector<std::string>& words)
 {
   const bool byThread = !words.empty() && words.front() == "--thread";
-  std::printf(
-    "project,nodes,springs,first_ms,longest_ms,factor,release_ms,closing_ms,solver,error,told,near\n");
+  std::printf("project,nodes,springs,first_ms,longest_ms,factor,release_ms,closing_ms,solver,error,told,near,"
+              "passes,free_passes\n");
   for (std::size_t i = byThread ? 1 : 0; i < words.size(); ++i) {
     const Result<Project> project = loadProject(words[i]);
     if (!project) {
@@ -240,13 +255,14 @@ int runHand(const std::vector<std::string>& words)
     for (int repeat = 0; repeat < 5; ++repeat)
       pulls.push_back(byThread ? pullThroughThread(*project) : pull(*project));
     const PullError error = errorOfPull(*project);
-    std::printf("%s,%d,%d,%s,%s,%s,%s,%s,%s,%s,%s,%s\n", project->name.c_str(),
+    std::printf("%s,%d,%d,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s,%s\n", project->name.c_str(),
                 static_cast<int>(project->net.nodeCount()), static_cast<int>(project->net.springCount()),
                 medianOf(pulls, &Pull::first, 1e3).c_str(), medianOf(pulls, &Pull::longest, 1e3).c_str(),
                 medianOf(pulls, &Pull::factor, 1.0).c_str(), medianOf(pulls, &Pull::release, 1e3).c_str(),
                 medianOf(pulls, &Pull::closing, 1e3).c_str(), pulls.front().solver.c_str(),
                 formatDouble(error.all, 2).c_str(), formatDouble(error.told, 2).c_str(),
-                formatDouble(error.near, 2).c_str());
+                formatDouble(error.near, 2).c_str(), formatDouble(error.passes, 3).c_str(),
+                formatDouble(passesOfFreeNet(*project), 3).c_str());
     std::fflush(stdout);
   }
   return 0;

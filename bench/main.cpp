@@ -19,7 +19,9 @@ int usage()
     stderr,
     "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
     "       esm_bench verify [SCENE...] [TOLERANCE...]   what finer runs find of missed tolerances\n"
-    "       esm_bench hand PROJECT...   how soon a pulled organ answers, and whether it keeps time\n"
+    "       esm_bench hand [--thread] PROJECT...   how soon a pulled organ answers, and whether it keeps "
+    "time\n"
+    "       esm_bench hand_beside PROJECT...   the same pull beside what keeps time elsewhere\n"
     "       esm_bench watch [SCENE...]   whether the watch over growing errors is right; with scenes: its "
     "cost\n"
     "       esm_bench kernel|stability|growth|skip|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
@@ -44,6 +46,7 @@ int run(const std::vector<std::string>& words)
   if (words[0] == "growth") return runGrowth(rest);
   if (words[0] == "realtime") return runRealTime(rest);
   if (words[0] == "hand") return runHand(rest);
+  if (words[0] == "hand_beside") return runHandBeside(rest);
   if (words[0] == "verify") return runVerify(rest);
   if (words[0] == "watch") return runWatch(rest);
   if (words[0] == "fuzzy") return runFuzzy(rest);

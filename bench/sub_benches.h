@@ -18,8 +18,10 @@ int runGrowth(const std::vector<std::string>& words);
 /// The uterus pulled and let go: the share of the frame time used, and the largest net that keeps up.
 int runRealTime(const std::vector<std::string>& words);
 /// Projects as the window's simulation runs them, a node pulled and held: the time until a picture has moved,
-/// between two pictures, and the share of real time. Words: project files.
+/// between two pictures, and the share of real time. Words: "--thread" for the window's thread and the wall clock; project files.
 int runHand(const std::vector<std::string>& words);
+/// The same pull, led as a prescribed motion, beside XPBD and fast mass springs at the same error.
+int runHandBeside(const std::vector<std::string>& words);
 /// Tolerances that are missed: how many of them finer runs see and mend. Words: scenes and tolerances.
 int runVerify(const std::vector<std::string>& words);
 /// Whether a motion multiplies errors: what the watch says of scenes that it was not made with, against two
