@@ -21,6 +21,7 @@ constexpr double kOverdrawn = 1.5;
 
 struct Outcome {
   bool isFinite = true, isGood = true, isRough = false, isLimited = false;
+  EnergyReport report;
   double centres = 0.0; ///< see FreeCentres
   double energy = 0.0;  ///< what has appeared without work, over the largest entry in the books
   double passes = 0.0;  ///< over what the limit allows
@@ -61,6 +62,7 @@ Outcome play(const ExtremeCase& story, SolverSettings settings)
   }
   const double appeared = simulation.energies().total() - start - simulation.externalWork();
   outcome.energy = appeared / std::max(largest, 1e-300);
+  outcome.report = simulation.energyReport();
   outcome.isGood = sum.good();
   outcome.isRough = sum.rough;
   outcome.isLimited = sum.stepLimit;
@@ -92,6 +94,9 @@ TEST_P(ExtremeNets, KeepWhatNobodyMayGiveUp)
     EXPECT_LE(outcome.passes, kOverdrawn) << "seed " << seed << ": " << outcome.why;
     if (outcome.isGood && !outcome.isRough) {
       EXPECT_LE(outcome.energy, settings.tolerance) << "seed " << seed << ": " << outcome.why;
+      EXPECT_TRUE(outcome.report.isKept(settings.tolerance))
+        << "seed " << seed << ": " << outcome.report.residual() << " J of " << outcome.report.largestTerm()
+        << " are not accounted for, the method has lost " << outcome.report.loss << ": " << outcome.why;
     }
     kept += outcome.isGood && !outcome.isRough;
     given += outcome.isGood && outcome.isRough;
