@@ -354,10 +354,13 @@ void MainWindow::chooseRealTime()
 
 void MainWindow::emergencyStop()
 {
+  const bool wasOn = m_controller->forceMayFlow() || m_controller->isPulling();
   m_controller->stop();
   m_view->letGo();
-  statusBar()->showMessage(tr("Stopped: force zero, node released. “Force on” lets the device feel again."),
-                           6000);
+  statusBar()->showMessage(
+    wasOn ? tr("Stopped: force zero, tissue released. “Force on” lets the device feel again.")
+          : tr("Force is zero, nothing is held."), // Esc has many uses
+    6000);
 }
 
 /// Space plays and pauses everywhere but where it presses a button or ticks a row.

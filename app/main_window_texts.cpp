@@ -87,7 +87,7 @@ void MainWindow::refreshToolHint()
     m_status->setTool(tr("Camera: drag turns, wheel zooms"));
     break;
   case Tool::Pull:
-    m_status->setTool(tr("Pull: drag a node (Esc lets go)"));
+    m_status->setTool(tr("Pull: drag the tissue (Esc lets go)"));
     break;
   case Tool::Select:
     m_status->setTool(tr("Select: click a node to see why it is as it is"));

@@ -354,7 +354,7 @@ void WindowActions::retranslateRun()
   say(step, tr("S&tep"), tr("One frame ahead"));
   say(reset, tr("&Reset"), tr("Back to the shape at rest"));
   say(toolCamera, tr("&Camera"), tr("Camera: drag to turn, right button to move, wheel to zoom"));
-  say(toolPull, tr("P&ull"), tr("Pull: drag a node and feel its force"));
+  say(toolPull, tr("P&ull"), tr("Pull: drag the tissue and feel its force"));
   say(toolSelect, tr("&Select"),
       tr("Select: click a node to see why it is as it is, or drag a box around several"));
   say(toolRegion, tr("Re&gion"), tr("Region: move, turn and resize the chosen region by its handles"));

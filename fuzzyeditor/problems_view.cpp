@@ -72,7 +72,7 @@ QString ProblemsModel::sentence(const fuzzy::RuleFinding& f) const
     variable = &(f.onOutput ? rules.outputs : rules.inputs)[static_cast<std::size_t>(f.variable)];
   const QString name = variable ? RuleDisplay::name(*variable, language) : QString();
   const auto word = [&](int term) {
-    return toQt(variable->terms[static_cast<std::size_t>(term)].name.in(language));
+    return variable ? toQt(variable->terms[static_cast<std::size_t>(term)].name.in(language)) : QString();
   };
   switch (f.kind) {
   case FindingKind::Uncovered:

@@ -2512,8 +2512,12 @@
         <translation>Die Simulation hielt auf dem letzten guten Stand an. %1</translation>
     </message>
     <message>
-        <source>Stopped: force zero, node released. “Force on” lets the device feel again.</source>
-        <translation>Gestoppt: Kraft null, Knoten losgelassen. Mit „Kraft an“ spürt das Gerät wieder.</translation>
+        <source>Stopped: force zero, tissue released. “Force on” lets the device feel again.</source>
+        <translation>Gestoppt: Kraft null, Gewebe losgelassen. Mit „Kraft an“ spürt das Gerät wieder.</translation>
+    </message>
+    <message>
+        <source>Force is zero, nothing is held.</source>
+        <translation>Die Kraft ist null, nichts wird gehalten.</translation>
     </message>
     <message>
         <source>Regions</source>
@@ -2560,8 +2564,8 @@
         <translation>Kamera: Ziehen dreht, Rad zoomt</translation>
     </message>
     <message>
-        <source>Pull: drag a node (Esc lets go)</source>
-        <translation>Ziehen: einen Knoten fassen und ziehen (Esc lässt los)</translation>
+        <source>Pull: drag the tissue (Esc lets go)</source>
+        <translation>Ziehen: Gewebe fassen und ziehen (Esc lässt los)</translation>
     </message>
     <message>
         <source>Select: click a node to see why it is as it is</source>
@@ -4939,8 +4943,8 @@
         <translation>&amp;Ziehen</translation>
     </message>
     <message>
-        <source>Pull: drag a node and feel its force</source>
-        <translation>Ziehen: einen Knoten ziehen und seine Kraft spüren</translation>
+        <source>Pull: drag the tissue and feel its force</source>
+        <translation>Ziehen: Gewebe ziehen und seine Kraft spüren</translation>
     </message>
     <message>
         <source>&amp;Select</source>
@@ -5168,6 +5172,26 @@
     <message>
         <source>The file ends without “%1”; it may be cut short.</source>
         <translation>Die Datei endet ohne „%1“; vielleicht ist sie abgeschnitten.</translation>
+    </message>
+    <message>
+        <source>Read as strips of triangles from the element “%2”: %1.</source>
+        <translation>Aus dem Element „%2“ als Streifen von Dreiecken gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Read as fans of triangles from the element “%2”: %1.</source>
+        <translation>Aus dem Element „%2“ als Fächer von Dreiecken gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Read as lines from the element “%2”: %1.</source>
+        <translation>Aus dem Element „%2“ als Linien gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Read as tetrahedra from the element “%2”: %1.</source>
+        <translation>Aus dem Element „%2“ als Tetraeder gelesen: %1.</translation>
+    </message>
+    <message>
+        <source>Read as faces from the element “%2”: %1.</source>
+        <translation>Aus dem Element „%2“ als Flächen gelesen: %1.</translation>
     </message>
     <message>
         <source>Passed over of the element “%2”: %1.</source>

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kFirstLookCost = 12.0; ///< a guess [force passes]
 constexpr double kWatchShare = 0.015;   ///< of the work
+constexpr double kShareUndamped = 0.05; ///< where no damper lets errors fade
 constexpr double kDebtShare = 0.03;
 constexpr int kOften = 2; ///< looks: what gives way once, as a poked organ, seldom does for long
 constexpr int kBurst = 6; ///< frames
@@ -24,6 +25,12 @@ constexpr double kSmall = 1e-7;        ///< of the extent: the difference that i
 constexpr double kGrownEnough = 8.0;   ///< logarithm of a growth beyond which nobody needs to know more
 constexpr double kShareOfStable = 0.9; ///< of the stable step, as stiffness may rise in the frame
 
+bool isDamped(const SpringNet& net)
+{
+  const auto any = [](const Eigen::ArrayXd& values) { return values.size() > 0 && values.maxCoeff() > 0.0; };
+  return any(net.viscosity) || any(net.massDamping) || any(net.anchors.viscosity);
+}
+
 } // namespace
 
 void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
@@ -33,6 +40,7 @@ void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
   m_integrator->prepare(m_system);
   const Eigen::Vector3d box = net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
   m_extent = std::max(box.norm(), 1e-12);
+  m_share = isDamped(net) ? kWatchShare : kShareUndamped;
   m_work = m_debt = m_spent = 0.0;
   m_lookCost = kFirstLookCost;
   m_left = 0;
@@ -51,7 +59,7 @@ void GrowthWatch::pay(double passes) noexcept
 bool GrowthWatch::lookIsDue() const noexcept
 {
   if (std::log(m_largest) >= kGrownEnough) return false;
-  return m_looksAgain || (m_work * kWatchShare >= m_lookCost && m_debt <= 0.0);
+  return m_looksAgain || (m_work * m_share >= m_lookCost && m_debt <= 0.0);
 }
 
 void GrowthWatch::remember(const MotionState& motion)

@@ -45,6 +45,7 @@ private:
   StiffnessCg m_stiffness;
   double m_extent = 1.0;     ///< [m]
   double m_step = 0.0;       ///< [s]
+  double m_share = 0.0;      ///< of the motion's work that looks may take
   double m_work = 0.0;       ///< of the motion since the last look [force passes]
   double m_debt = 0.0;       ///< that following has cost and the motion has not paid yet [force passes]
   double m_size = 0.0;       ///< logarithm of the difference now, as it would be had it not been made small

@@ -114,8 +114,9 @@ public:
       const double t = instants.time(i);
       const auto closeLast = [&](std::size_t f, std::size_t n) noexcept { close(system, kick, f, n); };
       const ChebyshevDamping& used = i == 0 ? opener : damping;
-      const Rates rates = system.evaluate(t, m_x, m_v, m_force, used.stages() > 1 ? m_damper.data() : nullptr,
-                                          i > 0 ? NodeSweep(closeLast) : NodeSweep{});
+      const Rates rates =
+        system.evaluate(t, m_x, m_v, m_force, used.stages() > 1 ? m_damper.data() : nullptr,
+                        i > 0 ? NodeSweep(closeLast) : NodeSweep{}, latenessOf(i, instants));
       // Over a step the velocity is that of its middle: the forces before and after meet the same one.
       if (i > 0) {
         const double share = step / h;
@@ -149,6 +150,19 @@ public:
   }
 
 private:
+  /// The velocities of step i are those of its middle, its places those of its end: while dampers turn meanwhile,
+  /// their heat would be of first order. Once in eight steps the pass is asked what that makes, for all of them.
+  static Lateness latenessOf(std::int64_t i, const RunInstants& instants) noexcept
+  {
+    constexpr std::int64_t kTogether = 8;
+    if (i == 0) return {};
+    const std::int64_t first = (i - 1) / kTogether * kTogether,
+                       last = std::min(first + kTogether, instants.last());
+    if (i != (first + last + 1) / 2) return {};
+    const double step = instants.stepBefore(i);
+    return {0.5 * step, (instants.time(last) - instants.time(first)) / step};
+  }
+
   /// In plain steps.
   double costOf(std::size_t place) const noexcept
   {

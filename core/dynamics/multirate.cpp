@@ -188,7 +188,7 @@ private:
     Rates rates;
     for (const SpringBatch& batch : rate.batches)
       rates.heat +=
-        springLawKernel(batch.law).addForces(batch, m_x.data(), m_p.data(), m_force.data(), nullptr);
+        springLawKernel(batch.law).addForces(batch, m_x.data(), m_p.data(), m_force.data(), nullptr, {});
     system.springsEvaluated += rate.springs;
     Lanes heat = {0, 0, 0, 0};
     for (const Anchor& anchor : rate.anchors) {

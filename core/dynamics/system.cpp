@@ -64,14 +64,14 @@ bool System::enter(MotionState& state, bool silent)
 }
 
 Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper,
-                       const NodeSweep& before) noexcept
+                       const NodeSweep& before, const Lateness& late) noexcept
 {
   const bool placesFirst = m_schedule.movesAnyNow(); // then the springs wait for these places
   if (placesFirst && before) sweepNodes(before);
   place(t, x, v);
   Rates rates;
   rates.heat = m_forces.computeForces(x.data(), v.data(), force.data(), damper, m_workers,
-                                      placesFirst ? NodeSweep{} : before);
+                                      placesFirst ? NodeSweep{} : before, late);
   springsEvaluated += m_forces.activeSprings();
   if (m_frame != nullptr) advanceNodes(force.size(), 1.0, force.data(), m_frame, force.data());
   rates.work = m_schedule.addForces(t, v.data(), force.data());

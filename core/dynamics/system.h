@@ -98,8 +98,9 @@ public:
   /// Does not allocate.
   /// @param damper  forces().damperSize() entries that receive the springs' damping at x, or null.
   /// @param before  writes x and v of a range of nodes; may read what `force` held before.
+  /// @param late  of the velocities of springs; with `damper`.
   Rates evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, Lanes* damper = nullptr,
-                 const NodeSweep& before = {}) noexcept;
+                 const NodeSweep& before = {}, const Lateness& late = {}) noexcept;
   /// Forces to accelerations; 0 where a support holds.
   void toAccelerations(NodeArray& force) const noexcept;
   /// The power of nodal forces and tools at other velocities [W].

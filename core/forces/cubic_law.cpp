@@ -37,9 +37,9 @@ struct Cubic {
 };
 
 ESM_CPU_CLONES double cubicPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                Lanes* damper) noexcept
+                                Lanes* damper, const Lateness& late) noexcept
 {
-  return detail::springPass<Cubic>(batch, x, v, force, damper);
+  return detail::springPass<Cubic>(batch, x, v, force, {damper, late});
 }
 
 ESM_CPU_CLONES double cubicEnergy(const SpringBatch& batch, const Lanes* x) noexcept
@@ -61,10 +61,10 @@ ESM_CPU_CLONES void cubicTangents(const SpringBatch& batch, const Lanes* x, cons
 
 class CubicLaw final : public SpringLawKernel {
 public:
-  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                   Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                   const Lateness& late) const noexcept override
   {
-    return cubicPass(batch, x, v, force, damper);
+    return cubicPass(batch, x, v, force, damper, late);
   }
 
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override

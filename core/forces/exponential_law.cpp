@@ -163,9 +163,9 @@ struct Exponential {
 };
 
 ESM_CPU_CLONES double exponentialPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                      Lanes* damper) noexcept
+                                      Lanes* damper, const Lateness& late) noexcept
 {
-  return detail::springPass<Exponential>(batch, x, v, force, damper);
+  return detail::springPass<Exponential>(batch, x, v, force, {damper, late});
 }
 
 ESM_CPU_CLONES double exponentialEnergy(const SpringBatch& batch, const Lanes* x) noexcept
@@ -195,10 +195,10 @@ ESM_CPU_CLONES void exponentialTangents(const SpringBatch& batch, const Lanes* x
 
 class ExponentialLaw final : public SpringLawKernel {
 public:
-  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                   Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                   const Lateness& late) const noexcept override
   {
-    return exponentialPass(batch, x, v, force, damper);
+    return exponentialPass(batch, x, v, force, damper, late);
   }
 
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override

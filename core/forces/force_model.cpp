@@ -129,7 +129,8 @@ void ForceModel::sweepOwn(const NodeSweep& sweep, std::size_t part) const noexce
 }
 
 double ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
-                                 WorkerPool* workers, const NodeSweep& before) const noexcept
+                                 WorkerPool* workers, const NodeSweep& before,
+                                 const Lateness& late) const noexcept
 {
   double heat[NetDivision::kMostParts];
   forEachSpringPart(workers, [&](std::size_t p) noexcept {
@@ -139,7 +140,7 @@ double ForceModel::computeForces(const Lanes* x, const Lanes* v, Lanes* force, L
     heat[p] = p < nodeRanges().count() ? m_nodeForces.set(p, x, v, force) : 0.0;
     for (std::size_t b = part.firstBatch; b < part.endBatch; ++b) {
       const SpringBatch& batch = m_batches[b];
-      heat[p] += springLawKernel(batch.law).addForces(batch, x, v, force, kept);
+      heat[p] += springLawKernel(batch.law).addForces(batch, x, v, force, kept, late);
       if (kept != nullptr) kept += esm::damperSize(batch);
     }
   });

@@ -52,9 +52,11 @@ public:
   /// @param damper   damperSize() entries that receive the springs' damping at x, or null.
   /// @param workers  null: this thread alone.
   /// @param before   may still write x and v, and read what `force` held before.
+  /// @param late     of the springs' velocities; with `damper`.
   /// @return the power that the dampers turn into heat [W].
   double computeForces(const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper = nullptr,
-                       WorkerPool* workers = nullptr, const NodeSweep& before = {}) const noexcept;
+                       WorkerPool* workers = nullptr, const NodeSweep& before = {},
+                       const Lateness& late = {}) const noexcept;
   /// Adds viscous forces at velocities v to `force`: the springs' as computeForces() kept them, and those of
   /// single anchors. Where nodeViscosity() has entries, - c v of it is the caller's, who sweeps over the
   /// nodes anyway; together they are - D v.

@@ -31,9 +31,9 @@ struct Linear {
 };
 
 ESM_CPU_CLONES double linearPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                 Lanes* damper) noexcept
+                                 Lanes* damper, const Lateness& late) noexcept
 {
-  return detail::springPass<Linear>(batch, x, v, force, damper);
+  return detail::springPass<Linear>(batch, x, v, force, {damper, late});
 }
 
 ESM_CPU_CLONES double linearEnergy(const SpringBatch& batch, const Lanes* x) noexcept
@@ -55,10 +55,10 @@ ESM_CPU_CLONES void linearTangents(const SpringBatch& batch, const Lanes* x, con
 
 class LinearLaw final : public SpringLawKernel {
 public:
-  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                   Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                   const Lateness& late) const noexcept override
   {
-    return linearPass(batch, x, v, force, damper);
+    return linearPass(batch, x, v, force, damper, late);
   }
 
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override

@@ -102,6 +102,14 @@ inline std::size_t damperSize(const SpringBatch& batch) noexcept
 /// Adds the forces of the kept dampers at velocities v (N) to `force` (N): less than half of a full pass.
 void addDamping(const SpringBatch& batch, const Lanes* damper, const Lanes* v, Lanes* force) noexcept;
 
+/// For methods whose velocities are older than the places that they have led to: the power of dampers with these
+/// velocities where the places were then. A spring turns by little meanwhile, so what that makes may be asked for now
+/// and then, for some passes at once.
+struct Lateness {
+  double time = 0.0;   ///< [s], 0: none
+  double passes = 1.0; ///< for which one pass brings what it makes
+};
+
 /// A spring's answer to one extension.
 struct SpringResponse {
   double tension = 0.0; ///< f(e) [N]
@@ -126,11 +134,12 @@ public:
   ///
   /// @param x, v, force  N entries each; contributions are added, the caller clears `force`.
   /// @param damper  damperSize() entries that receive the damping, or null.
+  /// @param late  for the power alone, with `damper`; costs a seventh.
   /// @return the power that the dampers turn into heat [W].
   /// @note Any thread. Never throws or allocates. Springs are summed in array order and each lane computes
   ///       what a single spring would, so equal input gives equal bits with and without AVX2.
   virtual double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                           Lanes* damper) const noexcept = 0;
+                           Lanes* damper, const Lateness& late) const noexcept = 0;
 
   /// The energy of a whole batch, the integrals of f from 0 to e [J]; equal bits, as above.
   virtual double energy(const SpringBatch& batch, const Lanes* x) const noexcept = 0;

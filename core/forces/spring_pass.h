@@ -49,11 +49,19 @@ struct SpringGroup {
   }
 };
 
+/// See SpringLawKernel::addForces().
+struct KeptDamping {
+  Lanes* damper = nullptr;
+  Lateness late = {};
+};
+enum class Keep { Nothing, Damping, DampingOfLate };
+
 /// What the three parts of a pass over a group of springs hand on.
 struct GroupInFlight {
   Lanes dx, dy, dz; ///< x[b] - x[a]
   Lanes square;     ///< |d|^2 [m^2]
   Lanes slip;       ///< (v[b] - v[a]).d [m^2/s]
+  Lanes speed;      ///< |v[b] - v[a]|^2 [m^2/s^2]
   Lanes scale;      ///< tension over length [N/m]
 };
 
@@ -78,6 +86,7 @@ ESM_INLINE void readGroup(const SpringGroup<Law, damped, alike>& springs, const 
     ends.difference(v, w0, w1, w2, w3);
     transpose(w0, w1, w2, w3, wx, wy, wz);
     group.slip = wx * group.dx + wy * group.dy + wz * group.dz;
+    group.speed = wx * wx + wy * wy + wz * wz; // only where something is late
   }
 }
 
@@ -109,30 +118,49 @@ ESM_INLINE void measureGroup(const SpringGroup<Law, damped, alike>& springs, con
   stretch.extension = length - restLength;
 }
 
+/// The power of the damper when the ends were where their velocities have been [W].
+ESM_INLINE void earlierPower(const GroupInFlight& group, double late, const Lanes& viscosity,
+                             Lanes& power) noexcept
+{
+  const Lanes zero = {0, 0, 0, 0};
+  const Lanes slip = group.slip - late * group.speed,
+              square = group.square - late * (group.slip + slip); // |d - late w|^2
+  power = viscosity * (slip * slip / square);
+  power = square < zero + kMinSpringLength * kMinSpringLength ? zero : power;
+}
+
 /// And how hard it pulls.
-template <bool tensionOnly, bool keep, class Law, bool damped, bool alike>
+template <bool tensionOnly, Keep keep, class Law, bool damped, bool alike>
 ESM_INLINE void scaleGroup(const SpringGroup<Law, damped, alike>& springs, const Stretch& stretch,
-                           const Lanes& tension, GroupInFlight& group, Lanes* damper, Lanes& heat) noexcept
+                           const Lanes& tension, GroupInFlight& group, const KeptDamping& kept,
+                           Lanes& heat) noexcept
 {
   const Lanes zero = {0, 0, 0, 0};
   const Lanes& e = stretch.extension;
   group.scale = tension * stretch.inverse;
   if constexpr (damped) {
-    Lanes drag;
-    springs.viscosity(drag);
-    drag *= group.slip * stretch.inverseSquare;
+    Lanes viscosity;
+    springs.viscosity(viscosity);
+    Lanes drag = viscosity * (group.slip * stretch.inverseSquare);
     if constexpr (tensionOnly) drag = e <= zero ? zero : drag;
-    heat += drag * group.slip;
     group.scale += drag;
-    if constexpr (keep) {
+    const Lanes power = drag * group.slip;
+    heat += power;
+    if constexpr (keep == Keep::DampingOfLate) {
+      Lanes earlier;
+      earlierPower(group, kept.late.time, viscosity, earlier);
+      if constexpr (tensionOnly) earlier = e <= zero ? zero : earlier;
+      heat += kept.late.passes * (earlier - power);
+    }
+    if constexpr (keep != Keep::Nothing) {
       Lanes root;
       springs.rootViscosity(root);
       root *= stretch.inverse;
       if constexpr (tensionOnly) root = e <= zero ? zero : root;
-      Lanes* const kept = damper + springs.first / 4 * 3;
-      kept[0] = group.dx * root;
-      kept[1] = group.dy * root;
-      kept[2] = group.dz * root;
+      Lanes* const rows = kept.damper + springs.first / 4 * 3;
+      rows[0] = group.dx * root;
+      rows[1] = group.dy * root;
+      rows[2] = group.dz * root;
     }
   }
   if constexpr (tensionOnly) group.scale = e <= zero ? zero : group.scale;
@@ -147,8 +175,8 @@ concept TakesGroupsTogether = requires
 };
 
 /// The second part of a step. Between its two halves groups wait on the stack only where the law needs it.
-template <bool tensionOnly, bool keep, std::size_t groups, class Law, class Springs>
-ESM_INLINE void stretchGroups(const Springs& springs, GroupInFlight* group, Lanes* damper,
+template <bool tensionOnly, Keep keep, std::size_t groups, class Law, class Springs>
+ESM_INLINE void stretchGroups(const Springs& springs, GroupInFlight* group, const KeptDamping& kept,
                               Lanes& heat) noexcept
 {
   if constexpr (TakesGroupsTogether<Law>) {
@@ -157,28 +185,28 @@ ESM_INLINE void stretchGroups(const Springs& springs, GroupInFlight* group, Lane
     for (std::size_t g = 0; g < groups; ++g) measureGroup(springs(g), group[g], stretch[g]);
     Law::template tensions<groups>(springs, stretch, tension);
     for (std::size_t g = 0; g < groups; ++g)
-      scaleGroup<tensionOnly, keep>(springs(g), stretch[g], tension[g], group[g], damper, heat);
+      scaleGroup<tensionOnly, keep>(springs(g), stretch[g], tension[g], group[g], kept, heat);
   } else {
     for (std::size_t g = 0; g < groups; ++g) {
       Stretch stretch;
       Lanes tension;
       measureGroup(springs(g), group[g], stretch);
       Law::tension(springs(g), stretch.extension, tension);
-      scaleGroup<tensionOnly, keep>(springs(g), stretch, tension, group[g], damper, heat);
+      scaleGroup<tensionOnly, keep>(springs(g), stretch, tension, group[g], kept, heat);
     }
   }
 }
 
 /// The pass that all laws share, over springs begin .. end-1 in steps of `groups` groups of four; @return
 /// where it stopped, less than a step before the end. `Law::tension(group, e, f)` gives f(e) of a
-/// SpringGroup. With `keep` the damping is stored as well, see DamperArray.
+/// SpringGroup. The damping may be stored as well, see DamperArray.
 ///
 /// From reading the nodes to pulling at them a spring takes a hundred cycles, most of them waiting for the
 /// root and the quotient, and a processor looks only some 250 instructions ahead: not three groups. So the
 /// groups of a step go through each part together, and wait together: a quarter of the time.
-template <class Law, std::size_t groups, bool damped, bool alike, bool tensionOnly, bool keep>
+template <class Law, std::size_t groups, bool damped, bool alike, bool tensionOnly, Keep keep>
 ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, std::size_t end,
-                                  const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                                  const Lanes* x, const Lanes* v, Lanes* force, const KeptDamping& kept,
                                   Lanes& heat) noexcept
 {
   constexpr std::size_t kFour = FourEnds::kCount;
@@ -188,48 +216,56 @@ ESM_INLINE std::size_t passGroups(const SpringBatch& batch, std::size_t begin, s
     GroupInFlight group[groups];
     for (std::size_t g = 0; g < groups; ++g) foresee(springs(g).record, springs(g).kRows);
     for (std::size_t g = 0; g < groups; ++g) readGroup(springs(g), x, v, group[g]);
-    stretchGroups<tensionOnly, keep, groups, Law>(springs, group, damper, heat);
+    stretchGroups<tensionOnly, keep, groups, Law>(springs, group, kept, heat);
     for (std::size_t g = 0; g < groups; ++g) springs(g).endsAgain().pullAlong(force, group[g]);
   }
   return i;
 }
 
 /// As many groups at a time as is best, and what is left one by one.
-template <class Law, bool damped, bool alike, bool tensionOnly, bool keep>
+template <class Law, bool damped, bool alike, bool tensionOnly, Keep keep>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                             Lanes* damper) noexcept
+                             const KeptDamping& kept) noexcept
 {
   const std::size_t count = batch.paddedCount();
   Lanes heat = {0, 0, 0, 0};
   const std::size_t done = passGroups<Law, kGroupsAtOnce, damped, alike, tensionOnly, keep>(
-    batch, 0, count, x, v, force, damper, heat);
-  passGroups<Law, 1, damped, alike, tensionOnly, keep>(batch, done, count, x, v, force, damper, heat);
+    batch, 0, count, x, v, force, kept, heat);
+  passGroups<Law, 1, damped, alike, tensionOnly, keep>(batch, done, count, x, v, force, kept, heat);
   return sumLanes(heat);
 }
 
 /// Chooses among the kinds of batch, once per batch.
+template <class Law, bool damped, bool alike, Keep keep>
+ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
+                             const KeptDamping& kept) noexcept
+{
+  return batch.tensionOnly ? springPass<Law, damped, alike, true, keep>(batch, x, v, force, kept)
+                           : springPass<Law, damped, alike, false, keep>(batch, x, v, force, kept);
+}
+
 template <class Law, bool damped, bool alike>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                             Lanes* damper) noexcept
+                             const KeptDamping& kept) noexcept
 {
-  if constexpr (damped)
-    if (damper != nullptr)
-      return batch.tensionOnly ? springPass<Law, true, alike, true, true>(batch, x, v, force, damper)
-                               : springPass<Law, true, alike, false, true>(batch, x, v, force, damper);
-  return batch.tensionOnly ? springPass<Law, damped, alike, true, false>(batch, x, v, force, nullptr)
-                           : springPass<Law, damped, alike, false, false>(batch, x, v, force, nullptr);
+  if constexpr (damped) {
+    if (kept.damper != nullptr && kept.late.time != 0.0)
+      return springPass<Law, true, alike, Keep::DampingOfLate>(batch, x, v, force, kept);
+    if (kept.damper != nullptr) return springPass<Law, true, alike, Keep::Damping>(batch, x, v, force, kept);
+  }
+  return springPass<Law, damped, alike, Keep::Nothing>(batch, x, v, force, kept);
 }
 
 template <class Law>
 ESM_INLINE double springPass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                             Lanes* damper) noexcept
+                             const KeptDamping& kept) noexcept
 {
   if constexpr (canBeAlike(Law::kLaw))
     if (batch.alike)
-      return batch.damped ? springPass<Law, true, true>(batch, x, v, force, damper)
-                          : springPass<Law, false, true>(batch, x, v, force, damper);
-  return batch.damped ? springPass<Law, true, false>(batch, x, v, force, damper)
-                      : springPass<Law, false, false>(batch, x, v, force, damper);
+      return batch.damped ? springPass<Law, true, true>(batch, x, v, force, kept)
+                          : springPass<Law, false, true>(batch, x, v, force, kept);
+  return batch.damped ? springPass<Law, true, false>(batch, x, v, force, kept)
+                      : springPass<Law, false, false>(batch, x, v, force, kept);
 }
 
 /// The energy of a batch [J], four springs at a time on every CPU: sums in another order have other bits.

@@ -102,9 +102,9 @@ struct Table {
 };
 
 ESM_CPU_CLONES double tablePass(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                                Lanes* damper) noexcept
+                                Lanes* damper, const Lateness& late) noexcept
 {
-  return detail::springPass<Table>(batch, x, v, force, damper);
+  return detail::springPass<Table>(batch, x, v, force, {damper, late});
 }
 
 ESM_CPU_CLONES double tableEnergy(const SpringBatch& batch, const Lanes* x) noexcept
@@ -126,10 +126,10 @@ ESM_CPU_CLONES void tableTangents(const SpringBatch& batch, const Lanes* x, cons
 
 class TableLaw final : public SpringLawKernel {
 public:
-  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force,
-                   Lanes* damper) const noexcept override
+  double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
+                   const Lateness& late) const noexcept override
   {
-    return tablePass(batch, x, v, force, damper);
+    return tablePass(batch, x, v, force, damper, late);
   }
 
   double energy(const SpringBatch& batch, const Lanes* x) const noexcept override

@@ -157,16 +157,19 @@ std::string formatInput(const InputValue& value, const Variable& variable, Langu
   for (const Hedge hedge : word.hedges) hedges += std::string(hedgeText(hedge, language)) + ' ';
   const auto term = std::find_if(variable.terms.begin(), variable.terms.end(),
                                  [&](const Term& candidate) { return candidate.id == word.term; });
-  const std::string quotedId = hedges + '"' + word.term + '"';
-  if (term == variable.terms.end()) return quotedId;
+  const auto quoted = [&hedges](const std::string& text) {
+    std::string result = hedges;
+    return result.append(1, '"').append(text).append(1, '"');
+  };
+  if (term == variable.terms.end()) return quoted(word.term);
   const RuleBase noNames;
   const std::string& name = term->name.in(language);
-  for (const std::string& text : {hedges + name, hedges + '"' + name + '"'}) {
+  for (const std::string& text : {hedges + name, quoted(name)}) {
     RuleReader reader(text, noNames);
     const auto read = reader.readWord(variable);
     if (read && reader.atEnd() && *read == word && isOneLine(text)) return text;
   }
-  return quotedId;
+  return quoted(word.term);
 }
 
 } // namespace esm::fuzzy

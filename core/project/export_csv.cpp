@@ -56,7 +56,7 @@ std::string springTable(const Frame& frame)
 Status writeCsv(const Frame& frame, const std::filesystem::path& path)
 {
   const auto springs = path.parent_path() / (path.stem().string() + "_springs.csv");
-  if (const Status status = writeFileAtomically(springs, springTable(frame)); !status) return status;
+  if (Status status = writeFileAtomically(springs, springTable(frame)); !status) return status;
   return writeFileAtomically(path, nodeTable(frame));
 }
 

@@ -68,7 +68,8 @@ Eigen::ArrayXd perCell(const SpringNet& net, const Eigen::ArrayXd& ofSprings)
 
 void addCells(VtuFile& file, const SpringNet& net)
 {
-  const auto cells = static_cast<std::size_t>(net.springCount() + net.triangleCount());
+  const auto cells =
+    static_cast<std::size_t>(net.springCount()) + static_cast<std::size_t>(net.triangleCount());
   std::vector<std::int64_t> connectivity(net.ends.data(), net.ends.data() + net.ends.size());
   connectivity.insert(connectivity.end(), net.triangles.data(), net.triangles.data() + net.triangles.size());
   std::vector<std::int64_t> offsets(cells);

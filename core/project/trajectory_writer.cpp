@@ -70,12 +70,12 @@ struct ParaviewSeries : TrajectoryWriter::Impl {
   }
   Status finish() override
   {
-    const Status status = file.append(
+    Status status = file.append(
       "<?xml version=\"1.0\"?>\n"
       "<VTKFile type=\"Collection\" version=\"0.1\" byte_order=\"LittleEndian\">\n  <Collection>\n" +
       list + "  </Collection>\n</VTKFile>\n");
     if (!status) return status;
-    if (const Status moved = folder.commit(); !moved) return moved;
+    if (Status moved = folder.commit(); !moved) return moved;
     return file.commit();
   }
   static std::string xmlText(const std::string& text)
@@ -125,7 +125,7 @@ Result<TrajectoryWriter> TrajectoryWriter::create(const std::filesystem::path& p
 
 Status TrajectoryWriter::addFrame(const Frame& frame)
 {
-  if (const Status status = checkFrame(frame, m_impl->path); !status) return status;
+  if (Status status = checkFrame(frame, m_impl->path); !status) return status;
   return m_impl->add(frame);
 }
 

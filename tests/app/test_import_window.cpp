@@ -408,6 +408,10 @@ TEST_F(WindowTest, NotesOfTheImporterAreInTheWindowsLanguage)
   EXPECT_EQ(importNoteText(stated), "Die Datei gibt an: Millimeter und y oben. Das gilt.");
   EXPECT_EQ(importNoteText("3 vertices nearly meet others, within 0.5; --weld-tolerance 0.5 joins them."),
             "Eckpunkte, die andere beinahe treffen: 3. Eine Toleranz von 0,5 verbindet sie.");
+  for (const char* shape : {"strips of triangles", "fans of triangles", "lines", "tetrahedra", "faces"})
+    EXPECT_TRUE(importNoteText("1 of the element 'tristrips' were read as " + std::string(shape) + ".")
+                  .startsWith("Aus dem Element „tristrips“ als "))
+      << shape;
   EXPECT_EQ(importNoteText("Something new."), "Something new.");
 }
 

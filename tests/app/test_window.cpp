@@ -162,6 +162,20 @@ TEST_F(WindowTest, APullWhilePausedNamesTheWayOutThatWorks)
   window->controller()->disarm();
 }
 
+// Esc serves many ends; that something was stopped is said only where it was.
+TEST_F(WindowTest, StopSaysOnlyWhatItHasDone)
+{
+  const auto said = [&] {
+    window->actions()->stop->trigger();
+    return window->statusBar()->currentMessage();
+  };
+  EXPECT_FALSE(said().contains("Stopped")) << qPrintable(said());
+  window->controller()->startPull(27, window->document()->project().net.restPosition.col(27));
+  EXPECT_TRUE(said().contains("Stopped"));
+  EXPECT_FALSE(window->controller()->isPulling());
+  EXPECT_FALSE(said().contains("Stopped"));
+}
+
 // The way to stop is never folded away, however narrow the window is.
 TEST_F(WindowTest, StopStaysInTheToolBarOfANarrowWindow)
 {

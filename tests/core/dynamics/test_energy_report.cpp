@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -120,6 +121,84 @@ TEST(EnergyReport, LossFallsWithTheTolerance)
         last = lost;
       }
       EXPECT_GT(last, 0.0);
+    }
+}
+
+/// Of 20 nodes, hung up by an anchor at one end and let go where it lies level: dampers turn as it falls.
+Story hangingChain()
+{
+  Story story{chain(20, 0.05, 200.0), {}};
+  story.net.mass.setConstant(0.01);
+  story.net.viscosity.setConstant(0.05);
+  addAnchor(story.net, 0, story.net.restPosition.col(0), 400.0, 0.05);
+  story.loads.gravity = {0, 0, -9.81};
+  return story;
+}
+
+/// Held at one end, pushed aside at the other for a tenth of a second.
+Story pushedTube()
+{
+  constexpr Index kAround = 6, kRings = 6;
+  constexpr double kRadius = 0.02, kApart = 0.02;
+  SpringNet net;
+  for (Index ring = 0; ring < kRings; ++ring)
+    for (Index i = 0; i < kAround; ++i) {
+      const double angle = 2.0 * std::numbers::pi * static_cast<double>(i) / kAround;
+      addNode(net, {ring * kApart, kRadius * std::cos(angle), kRadius * std::sin(angle)});
+    }
+  for (Index ring = 0; ring < kRings; ++ring)
+    for (Index i = 0; i < kAround; ++i) {
+      const Index node = ring * kAround + i, next = ring * kAround + (i + 1) % kAround;
+      addSpring(net, node, next, 60.0, 0.02);
+      if (ring + 1 == kRings) continue;
+      addSpring(net, node, node + kAround, 60.0, 0.02);
+      addSpring(net, node, next + kAround, 60.0, 0.02);
+      addSpring(net, next, node + kAround, 60.0, 0.02);
+    }
+  net.mass.setConstant(2e-3);
+  for (Index i = 0; i < kAround; ++i) net.fixed[static_cast<std::size_t>(i)] = 1;
+  NodalForce push;
+  for (Index i = 0; i < kAround; ++i) push.nodes.push_back(net.nodeCount() - 1 - i);
+  push.force = {{0.0, 0.1, 0.1}, (Eigen::Matrix3Xd(3, 3) << 0, 0, 0, 0, 0, 0, 0.02, 0.02, 0).finished()};
+  return {net, {Eigen::Vector3d::Zero(), {push}, {}}};
+}
+
+/// That nothing holds: it flies, turns and shakes.
+Story flyingBody()
+{
+  Story story{relaxed(11, 16), {}};
+  SpringNet& net = story.net;
+  net.initialVelocity.resize(3, net.nodeCount());
+  for (Index i = 0; i < net.nodeCount(); ++i) {
+    const Eigen::Vector3d place = net.restPosition.col(i);
+    net.initialVelocity.col(i) =
+      Eigen::Vector3d(1.0, 0.0, 2.0) + Eigen::Vector3d(0.0, 3.0, 1.0).cross(place) +
+      0.3 * Eigen::Vector3d(std::sin(7.0 * place.z()), 0.0, std::sin(9.0 * place.x()));
+  }
+  story.loads.gravity = {0, 0, -9.81};
+  return story;
+}
+
+// Of every method that has a tolerance and order two or more, on nets that hang, are held and fly. A fifth of the
+// tolerance's share of the largest term is a tenth of what an amplitude may err by: signs cancel there, and steps at
+// their limit of stability are the same for two tolerances.
+TEST(EnergyReport, LossFallsWithTheToleranceOfEveryMethod)
+{
+  const std::pair<const char*, Story> stories[] = {
+    {"chain", hangingChain()}, {"tube", pushedTube()}, {"body", flyingBody()}};
+  for (const std::string solver :
+       {"leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4", "dopri5", "implicit", "multirate"})
+    for (const auto& [name, story] : stories) {
+      double last = 0.0;
+      for (const double tolerance : {1e-2, 1e-3, 1e-4, 1e-5}) {
+        const EnergyReport report = reportOf(story, solver, tolerance);
+        const double lost = std::abs(report.loss), small = 0.2 * tolerance * report.largestTerm();
+        if (last > 0.0) {
+          EXPECT_LE(lost, std::max(last / 3.0, small)) << solver << ' ' << name << ' ' << tolerance;
+        }
+        EXPECT_TRUE(report.isKept(tolerance)) << solver << ' ' << name << ' ' << tolerance;
+        last = lost;
+      }
     }
 }
 

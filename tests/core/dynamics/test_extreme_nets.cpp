@@ -11,6 +11,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <iostream>
+#include <vector>
 
 namespace esm::test {
 namespace {
@@ -21,6 +22,7 @@ constexpr double kOverdrawn = 1.5;
 
 struct Outcome {
   bool isFinite = true, isGood = true, isRough = false, isLimited = false;
+  EnergyReport report;
   double centres = 0.0; ///< see FreeCentres
   double energy = 0.0;  ///< what has appeared without work, over the largest entry in the books
   double passes = 0.0;  ///< over what the limit allows
@@ -61,6 +63,7 @@ Outcome play(const ExtremeCase& story, SolverSettings settings)
   }
   const double appeared = simulation.energies().total() - start - simulation.externalWork();
   outcome.energy = appeared / std::max(largest, 1e-300);
+  outcome.report = simulation.energyReport();
   outcome.isGood = sum.good();
   outcome.isRough = sum.rough;
   outcome.isLimited = sum.stepLimit;
@@ -83,6 +86,7 @@ TEST_P(ExtremeNets, KeepWhatNobodyMayGiveUp)
   const std::uint32_t first =
     GetParam() + (more != nullptr ? static_cast<std::uint32_t>(std::atoi(more)) : 0u);
   int kept = 0, given = 0, limited = 0;
+  std::vector<std::uint32_t> unkept;
   for (std::uint32_t seed = first; seed < first + 30; ++seed) {
     SolverSettings settings;
     settings.workLimit = 2e4; // that a pass costs as much as it does is none of the matter
@@ -92,11 +96,15 @@ TEST_P(ExtremeNets, KeepWhatNobodyMayGiveUp)
     EXPECT_LE(outcome.passes, kOverdrawn) << "seed " << seed << ": " << outcome.why;
     if (outcome.isGood && !outcome.isRough) {
       EXPECT_LE(outcome.energy, settings.tolerance) << "seed " << seed << ": " << outcome.why;
+      if (!outcome.report.isKept(settings.tolerance)) // `esm simulate` does not call it good
+        unkept.push_back(seed);
     }
     kept += outcome.isGood && !outcome.isRough;
     given += outcome.isGood && outcome.isRough;
     limited += outcome.isLimited;
   }
+  // Where nodes pass through each other in one step the quadrature of the loss may give up.
+  EXPECT_LE(unkept.size(), 1u) << ::testing::PrintToString(unkept);
   RecordProperty("kept", kept);
   std::cout << "kept " << kept << ", given up " << given << ", limited " << limited << '\n';
 }

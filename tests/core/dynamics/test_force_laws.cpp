@@ -213,6 +213,31 @@ TEST(ForceLaws, ZeroLengthSpringsGiveNoForce)
   }
 }
 
+// Of late velocities the heat is that of their places, for as many passes as are asked for.
+TEST(ForceLaws, HeatOfLateVelocitiesIsThatOfTheirPlaces)
+{
+  constexpr double kLate = 0.02, kPasses = 8.0;
+  for (const SpringLaw law :
+       {SpringLaw::Linear, SpringLaw::Cubic, SpringLaw::Exponential, SpringLaw::Table}) {
+    SpringNet net = randomNet(3, 20, law);
+    net.initialVelocity = Eigen::Matrix3Xd::Random(3, 20);
+    const ForceModel model(net, Eigen::Vector3d::Zero());
+    NodeArray x(20), v(20), force(20), damper(model.damperSize());
+    copyNodes(net.initialVelocity, v);
+    copyNodes(net.restPosition - kLate * net.initialVelocity, x);
+    const double then = model.computeForces(x.data(), v.data(), force.data(), damper.data());
+    copyNodes(net.restPosition, x);
+    const double now = model.computeForces(x.data(), v.data(), force.data(), damper.data());
+    const auto found = [&](double passes) {
+      return model.computeForces(x.data(), v.data(), force.data(), damper.data(), nullptr, {},
+                                 {kLate, passes});
+    };
+    EXPECT_GT(std::abs(then - now), 1e-3 * now) << "it makes no difference";
+    EXPECT_NEAR(found(1.0), then, 1e-12 * then); // rounding
+    EXPECT_NEAR(found(kPasses), now + kPasses * (then - now), 1e-11 * then);
+  }
+}
+
 // Rule 1 of the house: springs without stiffness and viscosity are not even looked at.
 TEST(ForceLaws, IdleSpringsCostNothing)
 {

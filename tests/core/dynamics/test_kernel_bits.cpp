@@ -111,7 +111,7 @@ struct Pulled {
          const NodeArray& x, const NodeArray& v)
     : force(x.size(), Lanes{0, 0, 0, 0}),
       kept(damperSize(batch)),
-      heat(law.addForces(batch, x.data(), v.data(), force.data(), kept.data())),
+      heat(law.addForces(batch, x.data(), v.data(), force.data(), kept.data(), {0.01, 8.0})), // late
       energy(law.energy(batch, x.data())),
       tension(batch.count, 0.0),
       largestTension(law.tensions(batch, x.data(), v.data(), tension.data()))

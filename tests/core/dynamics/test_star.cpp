@@ -9,6 +9,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 namespace esm::test {
@@ -43,6 +44,22 @@ SpringNet star(Index leaves, double hubMass, double stretch, double viscosity = 
   net.lawParameter = Eigen::ArrayXd::Zero(leaves);
   net.tensionOnly.assign(at(leaves), 0);
   net.kind.assign(at(leaves), SpringKind::Line);
+  return net;
+}
+
+/// Two stars whose hubs are joined by a spring as stiff as each of them.
+SpringNet twinStars(Index leaves)
+{
+  SpringNet net = star(leaves, 1e-3, 1.0, 0.01);
+  const SpringNet other = net;
+  const Index hub = net.nodeCount();
+  for (Index i = 0; i < other.nodeCount(); ++i) {
+    addNode(net, other.restPosition.col(i) + Eigen::Vector3d(0.25, 0.05, 0.0));
+    net.mass[hub + i] = other.mass[i];
+  }
+  for (Index s = 0; s < other.springCount(); ++s)
+    addSpring(net, hub + other.ends(0, s), hub + other.ends(1, s), other.stiffness[s], other.viscosity[s]);
+  addSpring(net, 0, hub, 10.0 * static_cast<double>(leaves), 0.01 * static_cast<double>(leaves));
   return net;
 }
 
@@ -132,6 +149,29 @@ TEST(Star, FewImplicitNodesAreOfSecondOrder)
     errors[halving] = (simulation.state().position - exact.state().position).norm();
   }
   EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.4);
+}
+
+// What joins two of the few stands in their matrix: of second order, and with as many passes as one alone takes.
+TEST(Star, JoinedHubsAreSolvedTogether)
+{
+  const SpringNet net = twinStars(400);
+  std::vector<Index> hubs = StiffNodes::find(System(net, {}));
+  std::sort(hubs.begin(), hubs.end());
+  EXPECT_EQ(hubs, (std::vector<Index>{0, 401}));
+  const Loads loads = wind(net);
+  Simulation exact = simulate(net, loads, fixedSteps("dopri5", 1e-5));
+  advanceWell(exact, 0.02);
+  double errors[2], passes = 0.0;
+  for (const int halving : {0, 1}) {
+    Simulation simulation = simulate(net, loads, fixedSteps("multirate", 2e-4 / (1 + halving)));
+    const StepReport report = simulation.advance(0.02);
+    ASSERT_TRUE(report.good()) << simulation.why();
+    errors[halving] = (simulation.state().position - exact.state().position).norm();
+    passes =
+      static_cast<double>(report.springsEvaluated) / static_cast<double>(net.springCount() * report.steps);
+  }
+  EXPECT_NEAR(errors[0] / errors[1], 4.0, 0.4);
+  EXPECT_LE(passes, 2.0) << "of a step";
 }
 
 TEST(StiffNodes, AreTheHubsAndNobodyElse)
