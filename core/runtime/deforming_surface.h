@@ -43,6 +43,7 @@ public:
   std::optional<SurfacePoint> firstHit(const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                                        bool onlyFront) const noexcept;
   const TriangleMatrix& triangles() const noexcept { return m_triangles; }
+  const Eigen::Matrix3Xd& position() const noexcept { return m_position; }
   Eigen::Vector3d corner(Index triangle, int corner) const noexcept
   {
     return m_position.col(m_triangles(corner, triangle));

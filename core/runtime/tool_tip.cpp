@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/tool_tip.h"
 
-#include "core/geometry/edge_table.h"
 #include "core/runtime/limited_pull.h"
 #include "core/runtime/tool_grip.h"
 
@@ -20,15 +19,22 @@ constexpr int kMostTriangles = 64;      ///< that a contact slides over in one f
 constexpr double kLeastAgreement = 0.3; ///< of the smooth normal with the face's, as a cosine
 constexpr double kSameStretch = 0.5;    ///< of two places at rest, as a cosine between their normals
 constexpr double kLeastForce = 1e-6;    ///< [N]
+/// What presses on a wall's surface spreads aside as far as its middle, which the net stands for. And so the
+/// window's ball of 3 mm presses on an area that meshes of 4 mm still know from a point.
+constexpr double kSpread = 0.003; ///< [m]
 
-bool isClosedSurface(const SpringNet& net)
+EdgeTable edgesOf(const SpringNet& net)
 {
   Mesh mesh;
   mesh.position = net.restPosition;
   mesh.triangles = net.triangles;
-  const EdgeTable edges = findEdges(mesh);
-  return net.triangleCount() > 0 && std::all_of(edges.triangleCount.begin(), edges.triangleCount.end(),
-                                                [](Index count) { return count == 2; });
+  return findEdges(mesh);
+}
+
+bool isClosedSurface(const EdgeTable& edges)
+{
+  return edges.surfaceEdges > 0 && std::all_of(edges.triangleCount.begin(), edges.triangleCount.end(),
+                                               [](Index count) { return count == 2; });
 }
 
 /// How stiff a tool's spring is on what a node opposes itself [N/m], and its damping with a mass behind it [N s/m].
@@ -45,24 +51,31 @@ double toolViscosity(double stiffness, double mass)
   return 2.0 * kRatio * std::sqrt(stiffness * mass);
 }
 
+const Eigen::Vector3d& agreeing(const Eigen::Vector3d& smooth, const Eigen::Vector3d& face)
+{
+  return smooth.dot(face) > kLeastAgreement ? smooth : face;
+}
+
 } // namespace
 
 ToolTip::ToolTip(const SpringNet& net, double radius, double maxForce)
+  : ToolTip(net, edgesOf(net), std::isfinite(radius) ? std::max(radius, 0.0) : 0.0, maxForce)
+{}
+
+ToolTip::ToolTip(const SpringNet& net, const EdgeTable& edges, double radius, double maxForce)
   : m_surface(net.triangles, net.restPosition),
     m_rest(net.restPosition),
-    m_isClosed(isClosedSurface(net)),
-    m_radius(std::isfinite(radius) ? std::max(radius, 0.0) : 0.0)
+    m_isClosed(isClosedSurface(edges)),
+    m_finder(net.triangles, net.restPosition, edges, radius + kSpread),
+    m_radius(radius)
 {
   setMaxForce(maxForce);
-  const auto nodes = static_cast<std::size_t>(net.nodeCount());
-  m_firstTriangle.assign(nodes + 1, 0);
-  for (Index t = 0; t < net.triangleCount(); ++t)
-    for (int k = 0; k < 3; ++k) ++m_firstTriangle[static_cast<std::size_t>(net.triangles(k, t)) + 1];
-  for (std::size_t i = 1; i <= nodes; ++i) m_firstTriangle[i] += m_firstTriangle[i - 1];
-  m_triangleAt.resize(m_firstTriangle.back());
-  std::vector<std::size_t> place(m_firstTriangle);
-  for (Index t = 0; t < net.triangleCount(); ++t)
-    for (int k = 0; k < 3; ++k) m_triangleAt[place[static_cast<std::size_t>(net.triangles(k, t))]++] = t;
+  m_trianglesOf.build(static_cast<std::size_t>(net.nodeCount()), [&](const auto& add) {
+    for (Index t = 0; t < net.triangleCount(); ++t)
+      for (int k = 0; k < 3; ++k) add(net.triangles(k, t), t);
+  });
+  m_restNormal.resize(3, net.nodeCount());
+  for (Index i = 0; i < net.nodeCount(); ++i) m_restNormal.col(i) = nodeNormal(i);
   adapt(net);
 }
 
@@ -104,21 +117,50 @@ Eigen::Vector3d ToolTip::faceNormal(Index triangle) const
   return (m_surface.corner(triangle, 1) - a).cross(m_surface.corner(triangle, 2) - a);
 }
 
+Eigen::Vector3d ToolTip::nodeNormal(Index node) const
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (const Index triangle : m_trianglesOf[static_cast<std::size_t>(node)]) sum += faceNormal(triangle);
+  return sum.normalized();
+}
+
 /// The nodes' normals between them, so that the force does not turn suddenly where triangles meet; the face's
 /// own where the surface is too sharp for that.
 Eigen::Vector3d ToolTip::normalAt(const SurfacePoint& point) const
 {
-  const Eigen::Vector3d face = faceNormal(point.triangle).normalized();
   Eigen::Vector3d smooth = Eigen::Vector3d::Zero();
-  for (int k = 0; k < 3; ++k) {
-    const auto node = static_cast<std::size_t>(m_surface.triangles()(k, point.triangle));
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t i = m_firstTriangle[node]; i < m_firstTriangle[node + 1]; ++i)
-      sum += faceNormal(m_triangleAt[i]);
-    smooth += point.weight[k] * sum.normalized();
+  for (int k = 0; k < 3; ++k)
+    smooth += point.weight[k] * nodeNormal(m_surface.triangles()(k, point.triangle));
+  return agreeing(smooth.normalized(), faceNormal(point.triangle).normalized());
+}
+
+Eigen::Vector3d ToolTip::restNormalAt(const SurfacePoint& point) const
+{
+  const Eigen::Vector3i nodes = m_surface.triangles().col(point.triangle);
+  Eigen::Vector3d smooth = Eigen::Vector3d::Zero();
+  for (int k = 0; k < 3; ++k) smooth += point.weight[k] * m_restNormal.col(nodes[k]);
+  const Eigen::Vector3d a = m_rest.col(nodes[0]);
+  const Eigen::Vector3d face = (m_rest.col(nodes[1]) - a).cross(m_rest.col(nodes[2]) - a);
+  return agreeing(smooth.normalized(), face.normalized());
+}
+
+/// At a point of the surface as it is now, and around it.
+void ToolTip::look(const SurfacePoint& point, double side)
+{
+  if (point.triangle != m_areaAt.triangle || point.weight != m_areaAt.weight) {
+    m_finder.find(point, restNormalAt(point), m_area);
+    m_areaAt = point;
   }
-  smooth.normalize();
-  return smooth.dot(face) > kLeastAgreement ? smooth : face;
+  const Eigen::Matrix3Xd& position = m_surface.position();
+  Eigen::Vector3d mean = Eigen::Vector3d::Zero(), smooth = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < m_area.nodes.node.size(); ++i) {
+    mean += m_area.nodes.weight[i] * position.col(m_area.nodes.node[i]);
+    smooth += m_area.nodes.weight[i] * nodeNormal(m_area.nodes.node[i]);
+  }
+  const Eigen::Vector3d normal = agreeing(smooth.normalized(), faceNormal(point.triangle).normalized());
+  m_normal = side * normal;
+  m_place = m_surface.pointAt(point);
+  m_led = mean + m_area.rise * normal;
 }
 
 /// Down the distance to `goal`, from triangle to triangle that share a corner: the nearest point of this part
@@ -137,8 +179,8 @@ SurfacePoint ToolTip::slideTo(const Eigen::Vector3d& goal, const SurfacePoint& f
       if (best.weight[k] == 0.0) continue; // only where it has come to: an edge or a corner
       if (best.weight.minCoeff() > 0.0) break;
       const auto node = static_cast<std::size_t>(m_surface.triangles()(k, best.triangle));
-      for (std::size_t n = m_firstTriangle[node]; n < m_firstTriangle[node + 1]; ++n) {
-        const SurfacePoint candidate = nearestOn(m_triangleAt[n]);
+      for (const Index triangle : m_trianglesOf[node]) {
+        const SurfacePoint candidate = nearestOn(triangle);
         const double squared = (m_surface.pointAt(candidate) - goal).squaredNorm();
         if (squared >= distance) continue;
         distance = squared;
@@ -184,9 +226,8 @@ void ToolTip::hold(double time)
 /// As the surface is now, at the point that was touched.
 bool ToolTip::isOut()
 {
-  m_normal = m_side * normalAt(m_contact);
-  m_place = m_surface.pointAt(m_contact);
-  return m_normal.dot(m_hand - m_place) > m_radius;
+  look(m_contact, m_side);
+  return m_normal.dot(m_hand - m_led) > m_radius;
 }
 
 void ToolTip::begin(const SurfacePoint& point, double side)
@@ -210,8 +251,8 @@ void ToolTip::search()
     m_lastSide = 0.0;
     return;
   }
-  m_place = m_surface.pointAt(*near);
-  const Eigen::Vector3d normal = normalAt(*near);
+  look(*near, 1.0);
+  const Eigen::Vector3d normal = m_normal;
   const double height = normal.dot(m_hand - m_place);
   const double side = height < 0.0 ? -1.0 : 1.0;
   const bool cameOver = m_lastSide != 0.0 && side != m_lastSide; // the surface came over a hand at rest
@@ -230,16 +271,14 @@ void ToolTip::search()
 /// a surface that tilts in the contact would hold on to the tip otherwise.
 void ToolTip::follow()
 {
-  m_normal = m_side * normalAt(m_contact);
-  m_place = m_surface.pointAt(m_contact);
-  const Eigen::Vector3d goal = m_hand - m_radius * m_normal;
+  look(m_contact, m_side);
+  const Eigen::Vector3d goal = m_hand - aside() - m_radius * m_normal;
   const SurfacePoint free = slideTo(goal, m_contact);
   const Eigen::Vector3d freePlace = m_surface.pointAt(free), back = m_place - freePlace;
   const double most = kFriction * (freePlace - goal).norm(), way = back.norm();
   if (way > most) {
     m_contact = slideTo(freePlace + (most / way) * back, free);
-    m_normal = m_side * normalAt(m_contact);
-    m_place = m_surface.pointAt(m_contact);
+    look(m_contact, m_side);
   }
   place();
 }
@@ -249,10 +288,11 @@ void ToolTip::follow()
 /// that was pressed flat sets nobody free.
 bool ToolTip::isUnhooked() const
 {
-  const double depth = (m_hand - m_place).norm();
-  const auto near = m_surface.nearest(m_hand, depth);
+  const Eigen::Vector3d hand = m_hand - aside();
+  const double depth = (hand - m_place).norm();
+  const auto near = m_surface.nearest(hand, depth);
   if (!near || near->triangle == m_contact.triangle) return false;
-  const Eigen::Vector3d away = m_hand - m_surface.pointAt(*near);
+  const Eigen::Vector3d away = hand - m_surface.pointAt(*near);
   if (m_side * normalAt(*near).dot(away) <= std::max(m_radius, 0.5 * away.norm())) return false;
   const auto atRest = [&](const SurfacePoint& point) {
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -272,8 +312,8 @@ bool ToolTip::isUnhooked() const
 /// In a fold that is narrower than the ball the proxy stays half-way to the other wall.
 void ToolTip::place()
 {
-  m_lift = m_radius;
-  const Eigen::Vector3d begin = m_place + 1e-3 * m_radius * m_normal, end = m_place + m_radius * m_normal;
+  m_lift = m_radius + std::max(0.0, m_normal.dot(aside()));
+  const Eigen::Vector3d begin = m_place + 1e-3 * m_radius * m_normal, end = m_place + m_lift * m_normal;
   if (const auto wall = m_surface.firstHit(begin, end, false))
     m_lift = 0.5 * (m_surface.pointAt(*wall) - m_place).norm();
 }
@@ -282,17 +322,6 @@ double ToolTip::gap() const noexcept
 {
   if (m_touches) return 0.0;
   return isNear() ? std::max(0.0, (m_hand - m_place).norm() - m_radius) : kReach;
-}
-
-NodeCombination ToolTip::point() const
-{
-  const SurfacePoint& point = m_touches ? m_contact : m_near;
-  NodeCombination nodes;
-  for (int k = 0; k < 3; ++k) {
-    nodes.node.push_back(m_surface.triangles()(k, point.triangle));
-    nodes.weight.push_back(point.weight[k]);
-  }
-  return nodes;
 }
 
 Eigen::Vector3d ToolTip::proxy() const noexcept
@@ -304,48 +333,62 @@ Eigen::Vector3d ToolTip::proxy() const noexcept
 
 Eigen::Vector3d ToolTip::pull() const
 {
-  return m_hand - m_radius * m_normal - m_place;
+  return m_hand - m_radius * m_normal - m_led;
 }
 
 double ToolTip::stiffness() const noexcept
 {
-  const NodeCombination nodes = point();
   double own = 0.0;
-  for (std::size_t k = 0; k < 3; ++k) own += nodes.weight[k] * m_own[static_cast<std::size_t>(nodes.node[k])];
+  for (std::size_t i = 0; i < m_area.nodes.node.size(); ++i)
+    own += m_area.nodes.weight[i] * m_own[static_cast<std::size_t>(m_area.nodes.node[i])];
   return toolStiffness(own);
 }
 
-/// A spring on each corner by its weight: together they pull the contact point like one, and none turns the
-/// triangle.
-std::array<ToolSpring, 3> ToolTip::springs(const NetState& state) const
+/// By the mass that the area moves with as one point: of all its nodes, where it has many.
+double ToolTip::viscosity(double stiffness) const noexcept
 {
-  const NodeCombination nodes = point();
+  double ease = 0.0; // [1/kg]
+  for (std::size_t i = 0; i < m_area.nodes.node.size(); ++i) {
+    const double weight = m_area.nodes.weight[i];
+    ease += weight * weight / m_mass[static_cast<std::size_t>(m_area.nodes.node[i])];
+  }
+  return toolViscosity(stiffness, 1.0 / ease);
+}
+
+Eigen::Vector3d ToolTip::surfaceVelocity(const NetState& state) const
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < m_area.nodes.node.size(); ++i)
+    sum += m_area.nodes.weight[i] * state.velocity.col(m_area.nodes.node[i]);
+  return sum;
+}
+
+/// One on each node by its weight, all alike: together they pull the area's mean like one, and none turns it.
+std::span<const ToolSpring> ToolTip::springs(const NetState& state)
+{
   const double k = stiffness();
   const LimitedPull limited = limitedPull(pull(), k, m_maxForce);
-  Eigen::Vector3d surfaceVelocity = Eigen::Vector3d::Zero();
-  double mass = 0.0;
-  for (std::size_t i = 0; i < 3; ++i) {
-    surfaceVelocity += nodes.weight[i] * state.velocity.col(nodes.node[i]);
-    mass += nodes.weight[i] * m_mass[static_cast<std::size_t>(nodes.node[i])];
-  }
+  const double stiff = limited.softness * k, viscous = limited.softness * viscosity(k);
+  const Eigen::Vector3d surface = surfaceVelocity(state);
   // Along the surface the damper moves with it: drag is friction's.
-  const Eigen::Vector3d velocity = surfaceVelocity + m_normal.dot(m_velocity - surfaceVelocity) * m_normal;
-  std::array<ToolSpring, 3> springs;
-  for (std::size_t i = 0; i < 3; ++i) {
-    const double share = limited.softness * nodes.weight[i];
-    springs[i] = {nodes.node[i], state.position.col(nodes.node[i]) + limited.offset, velocity, share * k,
-                  share * toolViscosity(k, mass)};
+  const Eigen::Vector3d velocity = surface + m_normal.dot(m_velocity - surface) * m_normal;
+  m_springs.clear();
+  for (std::size_t i = 0; i < m_area.nodes.node.size(); ++i) {
+    const Index node = m_area.nodes.node[i];
+    const double weight = m_area.nodes.weight[i];
+    m_springs.push_back(
+      {node, state.position.col(node) + limited.offset, velocity, weight * stiff, weight * viscous});
   }
-  return springs;
+  return m_springs;
 }
 
 Eigen::Vector3d ToolTip::forceOnHand(const NetState& state) const
 {
   if (!touches()) return Eigen::Vector3d::Zero();
-  Eigen::Vector3d force = Eigen::Vector3d::Zero();
-  for (const ToolSpring& spring : springs(state))
-    force += spring.stiffness * (state.position.col(spring.node) - spring.target) +
-             spring.viscosity * (state.velocity.col(spring.node) - spring.targetVelocity);
+  const double k = stiffness();
+  const LimitedPull limited = limitedPull(pull(), k, m_maxForce);
+  const double closing = m_normal.dot(surfaceVelocity(state) - m_velocity); // [m/s]
+  const Eigen::Vector3d force = limited.softness * (viscosity(k) * closing * m_normal - k * limited.offset);
   if (force.dot(m_normal) <= 0.0) return Eigen::Vector3d::Zero(); // leaving faster than the surface follows
   return limitedForce(force, m_maxForce);
 }
@@ -361,18 +404,14 @@ ContactModel ToolTip::contactModel(const NetState& state, const Eigen::Matrix3d&
   model.friction = 2.0 * kFriction; // the contact point's own cone is the narrower one
   if (!touches()) {                 // where the surface will be met, and how stiff it will be there
     const double across = m_normal.dot(inSeries(k * Eigen::Matrix3d::Identity(), compliance) * m_normal);
-    model.position = m_place + m_radius * m_normal;
+    model.position = m_led + m_radius * m_normal;
     model.stiffness = across * m_normal * m_normal.transpose();
     return model;
   }
-  double mass = 0.0;
-  const NodeCombination nodes = point();
-  for (std::size_t i = 0; i < 3; ++i)
-    mass += nodes.weight[i] * m_mass[static_cast<std::size_t>(nodes.node[i])];
   model.position = m_hand;
   model.stiffness = inSeries(pullStiffness(pull(), k, m_maxForce), compliance);
   model.viscosity =
-    toolViscosity(k, mass) / k * m_normal.dot(model.stiffness * m_normal) * m_normal * m_normal.transpose();
+    viscosity(k) / k * m_normal.dot(model.stiffness * m_normal) * m_normal * m_normal.transpose();
   model.force = forceOnHand(state) + model.viscosity * m_velocity;
   return model;
 }

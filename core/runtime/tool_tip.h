@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/dynamics/simulation.h"
 #include "core/runtime/deforming_surface.h"
 #include "core/runtime/hand_over.h"
+#include "core/runtime/press_area.h"
 #include "core/runtime/static_compliance.h"
 
-#include <array>
+#include <span>
 #include <vector>
 
 namespace esm {
@@ -20,8 +22,14 @@ namespace esm {
 ///             ( h )          hand: where the device is, may be deep inside
 ///
 /// A god-object (Zilles and Salisbury 1995): the proxy stays outside whatever the hand does, a spring pulls
-/// the contact point towards where the hand would have it, h - r n, and the hand back by the same force. The
-/// contact point sticks while the drag is within the friction cone and slides along the surface beyond it
+/// the tissue towards where the hand would have it, h - r n, and the hand back by the same force.
+///
+/// It pulls not one point but the area around it (see PressAreaFinder), by its mean: a force on one point is a
+/// needle, deeper the finer the mesh. The mean lies under the contact point on a curved organ at rest, by as much
+/// as it did then it counts as higher along the normal. So the force begins where the ball meets the surface, and
+/// presses alike on every mesh; in the middle of the area the tissue may give way by a third more than the mean.
+///
+/// The normal is the area's, too. The contact point sticks while the drag is within the friction cone and slides along the surface beyond it
 /// (Harwin and Melder 2002). Contact begins where the hand's way first meets the surface, so thin walls are
 /// not jumped through, and ends when the hand comes out again.
 /// @note One thread.
@@ -49,22 +57,27 @@ public:
   bool isNear() const noexcept { return m_touches || m_near.triangle != kNoIndex; }
   /// From the ball to the surface, kReach at most; 0 while it pulls [m].
   double gap() const noexcept;
-  /// The contact, or the point next to it. @pre isNear()
-  NodeCombination point() const;
+  /// The area that is pressed, as one point: around the contact or the point next to the ball. @pre isNear()
+  const NodeCombination& point() const noexcept { return m_area.nodes; }
 
   const Eigen::Vector3d& hand() const noexcept { return m_hand; }
   double radius() const noexcept { return m_radius; }
   Eigen::Vector3d proxy() const noexcept; ///< centre of the ball as shown [m]
 
-  /// What pulls the surface in the coming frame. @pre pulls()
-  std::array<ToolSpring, 3> springs(const NetState& state) const;
+  /// What pulls the surface in the coming frame: a spring on each node of the area, all by the same way, each
+  /// with its share. Valid until the next call. @pre pulls()
+  std::span<const ToolSpring> springs(const NetState& state);
   Eigen::Vector3d forceOnHand(const NetState& state) const; ///< [N]; zero without contact
   /// @param compliance  of the net at point() [m/N]. `sequence` is the caller's.
   ContactModel contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const;
 
 private:
-  Eigen::Vector3d normalAt(const SurfacePoint& point) const;
+  ToolTip(const SpringNet& net, const EdgeTable& edges, double radius, double maxForce);
   Eigen::Vector3d faceNormal(Index triangle) const;
+  Eigen::Vector3d nodeNormal(Index node) const;
+  Eigen::Vector3d normalAt(const SurfacePoint& point) const;
+  Eigen::Vector3d restNormalAt(const SurfacePoint& point) const;
+  void look(const SurfacePoint& point, double side);
   SurfacePoint slideTo(const Eigen::Vector3d& goal, const SurfacePoint& from) const;
   void search();
   void begin(const SurfacePoint& point, double side);
@@ -73,15 +86,20 @@ private:
   bool isOut();
   void place();
   bool isUnhooked() const;
-  Eigen::Vector3d pull() const; ///< from the contact point to where the hand would have it [m]
+  /// Of what the hand leads from the contact point: how much less or more the tissue has given way there [m].
+  Eigen::Vector3d aside() const { return m_led - m_place; }
+  Eigen::Vector3d pull() const; ///< from what is pressed to where the hand would have it [m]
   double stiffness() const noexcept;
+  double viscosity(double stiffness) const noexcept;
+  Eigen::Vector3d surfaceVelocity(const NetState& state) const;
 
   DeformingSurface m_surface;
-  Eigen::Matrix3Xd m_rest; ///< positions at t = 0 [m]
+  Eigen::Matrix3Xd m_rest;       ///< positions at t = 0 [m]
+  Eigen::Matrix3Xd m_restNormal; ///< of the nodes, then
   bool m_isClosed = false;
-  std::vector<std::size_t> m_firstTriangle; ///< triangles at node i: m_triangleAt[m_firstTriangle[i] ... + 1)
-  std::vector<Index> m_triangleAt;
+  Grouped<Index> m_trianglesOf;      ///< by nodes
   std::vector<double> m_own, m_mass; ///< by nodes: stiffness around [N/m], [kg]
+  PressAreaFinder m_finder;
 
   double m_radius, m_maxForce;
   Eigen::Vector3d m_hand = Eigen::Vector3d::Zero(), m_velocity = Eigen::Vector3d::Zero();
@@ -93,7 +111,11 @@ private:
   SurfacePoint m_contact, m_near;
   Eigen::Vector3d m_normal = Eigen::Vector3d::Zero(); ///< at m_contact or m_near, towards the tip
   Eigen::Vector3d m_place = Eigen::Vector3d::Zero();  ///< of it [m]
-  double m_lift = 0.0; ///< of the proxy over m_place: the radius, less in a fold that is narrower [m]
+  SurfacePoint m_areaAt;                              ///< where m_area lies
+  PressedArea m_area;
+  Eigen::Vector3d m_led = Eigen::Vector3d::Zero(); ///< of the area, what the hand leads [m]
+  double m_lift = 0.0; ///< of the proxy over m_place; less than the radius in a fold that is narrower [m]
+  std::vector<ToolSpring> m_springs;
 };
 
 } // namespace esm

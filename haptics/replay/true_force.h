@@ -10,7 +10,7 @@ namespace esm {
 
 /// The force that the hand should have felt: the net at its project's own accuracy, led at 5 kHz by where the
 /// grip truly was, without frames, servo, limits or device in between.
-/// At 5 kHz it is within 1.1 % of what it is at 40 kHz, 0.3 % root mean square (the sample uterus, pressed).
+/// At 5 kHz it is within 1.0 % of what it is at 20 kHz (the sample uterus, pressed).
 /// @param stepsPerTick  of the tool; 5 are 5 kHz with ticks of 1 ms. @pre positive.
 /// @return on the hand at each tick's time, 3 x ticks.size() [N]. Errors: as Simulation; Numerics where the
 /// net did not bear the way of the grip.

@@ -103,6 +103,9 @@ Played play(double frameRate, const HandPath& path = press(), std::optional<Qual
   played.truth = valueOf(trueForce(scene, played.ticks));
   played.error = forceError(played.ticks, played.truth);
   EXPECT_GT(played.error.peak, 0.3); // it was pressed
+  testing::Test::RecordProperty("peak_newton", std::to_string(played.error.peak));
+  testing::Test::RecordProperty("most", std::to_string(played.error.most));
+  testing::Test::RecordProperty("rms", std::to_string(played.error.rms));
   EXPECT_EQ(played.ticks.back().state, DeviceState::Active);
   return played;
 }
@@ -143,7 +146,9 @@ TEST(Replay, AtSixtyFramesTheFalconFeelsTheUterusAsItIs)
   EXPECT_LE(played.error.most, 0.08);
   EXPECT_LE(played.error.rms, 0.02);
   const Eigen::Matrix3Xd finer = valueOf(trueForce(uterus(), played.ticks, 20));
-  EXPECT_LE((finer - played.truth).colwise().norm().maxCoeff(), 0.016 * played.error.peak);
+  const double off = (finer - played.truth).colwise().norm().maxCoeff() / played.error.peak;
+  EXPECT_LE(off, 0.016);
+  RecordProperty("truth_at_5_kHz_from_20_kHz", std::to_string(off));
 }
 
 TEST(Replay, AtSixtyFramesAHandAtTwoHertzFeelsTheUterusAsItIs)
@@ -181,8 +186,8 @@ TEST(Replay, TissueDoesNotKickAHandThatLeavesIt)
 }
 
 // Nor does it give energy, pressed in and left or pulled about, seven times: what the hand has put into the
-// grip is never below minus a millijoule (A6), and the motors' work on the grip stays below two pressed (it came to
-// 1.2) and, with a patch in the hand that is three times as stiff, below the milliwatt that the guard forgives (3.0 in
+// grip is never below minus a millijoule (A6), and the motors' work on the grip stays below half a one pressed (it came
+// to nothing) and, with a patch in the hand that is three times as stiff, below the milliwatt that the guard forgives (3.0 in
 // 3.5 s).
 TEST(Replay, AHandAtTwoHertzGetsNoEnergyFromTheTissue)
 {
@@ -219,7 +224,7 @@ TEST(Replay, AHandAtTwoHertzGetsNoEnergyFromTheTissue)
     }
     EXPECT_GT(largest, 0.3) << held; // it was felt
     EXPECT_GE(least, -1e-3) << held;
-    EXPECT_LE(most, held ? 1e-3 * (kEnd - kArmed) : 2e-3) << held;
+    EXPECT_LE(most, held ? 1e-3 * (kEnd - kArmed) : 5e-4) << held;
     EXPECT_EQ(replay->last().state, DeviceState::Active) << held;
     RecordProperty(held ? "most_work_held_millijoule" : "most_work_pressed_millijoule",
                    std::to_string(1e3 * most));
@@ -277,6 +282,7 @@ TEST(Replay, AnEditUnderAnArmedHandHardensTheTissue)
   Pressed scene;
   SpringNet stiffer = uterus().net;
   stiffer.stiffness *= 2.0;
+  stiffer.anchors.stiffness *= 2.0;
   const double before = scene.force();
   scene->simulation().apply(command::SetParameters{stiffer});
   for (int i = 0; i < 60; ++i) {

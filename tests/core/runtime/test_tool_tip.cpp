@@ -126,7 +126,7 @@ TEST(ToolTip, APressedTipIsPushedBackAlongTheNormal)
 {
   const SpringNet net = sheet();
   const NetState state = atRest(net);
-  const ToolTip tip = tipAt(net, state, {0.052, 0.053, kRadius - 0.002});
+  ToolTip tip = tipAt(net, state, {0.052, 0.053, kRadius - 0.002});
   ASSERT_TRUE(tip.touches());
   EXPECT_TRUE(tip.proxy().isApprox(Eigen::Vector3d(0.052, 0.053, kRadius), 1e-9));
   const Eigen::Vector3d force = tip.forceOnHand(state);
@@ -138,6 +138,39 @@ TEST(ToolTip, APressedTipIsPushedBackAlongTheNormal)
   EXPECT_TRUE(onNet.isApprox(-force, 1e-9));
   const ContactModel model = tip.contactModel(state, Eigen::Matrix3d::Zero());
   EXPECT_TRUE(model.force.isApprox(force, 1e-9));
+}
+
+// On a mesh finer than the ball the push is shared by all that the ball covers, and acts as if at the contact
+// point: it is the hand's, and turns nothing about that point. Also on a curved sheet.
+TEST(ToolTip, APressOnManyNodesActsAsIfAtTheContactPoint)
+{
+  for (const double curved : {0.0, 1.0 / 0.03}) {
+    SpringNet net = sheet();
+    net.restPosition *= 0.15; // edges of 1.5 mm
+    const Eigen::Vector3d middle(0.0075, 0.0075, 0.0);
+    for (Index i = 0; i < net.nodeCount(); ++i)
+      net.restPosition(2, i) = -0.5 * curved * (net.restPosition.col(i) - middle).squaredNorm();
+    const NetState state = atRest(net);
+    ToolTip tip = tipAt(net, state, {0.0078, 0.0069, kRadius - 0.001});
+    ASSERT_TRUE(tip.touches());
+    const DeformingSurface surface(net.triangles, net.restPosition);
+    const Eigen::Vector3d place = surface.pointAt(*surface.nearest(tip.proxy()));
+    const Eigen::Vector3d force = tip.forceOnHand(state);
+    Eigen::Vector3d onNet = Eigen::Vector3d::Zero(), torque = Eigen::Vector3d::Zero();
+    double most = 0.0;
+    const std::span<const ToolSpring> springs = tip.springs(state);
+    for (const ToolSpring& spring : springs) {
+      const Eigen::Vector3d pull = spring.stiffness * (spring.target - state.position.col(spring.node));
+      onNet += pull;
+      torque += (state.position.col(spring.node) - place).cross(pull);
+      most = std::max(most, pull.norm());
+    }
+    EXPECT_GT(springs.size(), 30u);
+    EXPECT_LT(most, 0.12 * force.norm());
+    EXPECT_TRUE(onNet.isApprox(-force, 1e-9));
+    // Under the curve the nodes' mean is 0.24 mm below the point; a tenth of the force is drag.
+    EXPECT_LT(torque.norm(), (curved > 0.0 ? 6e-5 : 1e-9) * force.norm()) << curved;
+  }
 }
 
 // 0.1 m in one frame, a hundred times the thickness of a sheet that has none: the proxy stays above.
