@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/load_watch.h"
+#include "core/dynamics/parameter_change.h"
 #include "core/dynamics/rest_watch.h"
 #include "core/dynamics/settling.h"
 #include "core/dynamics/sleeping_tensions.h"
@@ -53,8 +54,8 @@ public:
   RegionDriver(SolverSettings settings, Body& body);
 
   void begin(); ///< after creation and reset of the body
-  /// The body has other parameters than in `before`.
-  void parametersChanged(const SpringNet& before);
+  /// The body has other parameters now. Costs what the change touches, and a look at the bounds of what is awake.
+  void parametersChanged(const ParameterChange& change);
   /// The body has other tools than in `before`.
   void toolsChanged(const std::vector<ToolSpring>& before);
   /// Another accuracy from the next stretch on; see Simulation.

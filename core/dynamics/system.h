@@ -46,6 +46,10 @@ public:
   System(const SpringNet& net, const Loads& loads);
   /// New parameters for the same nodes; loads, tools and constraints stay.
   void setParameters(const SpringNet& net, const Eigen::Vector3d& gravity);
+  /// The same where only what `patch` names has changed, to the bit. @param net  with the patch.
+  /// @return springs looked at, see ForceModel::setParameters().
+  std::int64_t setParameters(const ParameterPatch& patch, const SpringNet& net,
+                             const Eigen::Vector3d& gravity);
   /// Threads that share the passes over a large net, with the same bits as one; null: none. Not owned.
   void setWorkers(WorkerPool* workers) noexcept { m_workers = workers; }
   WorkerPool* workers() const noexcept { return m_workers; }
