@@ -28,9 +28,8 @@ constexpr double kShareOfStable = 0.9; ///< of the stable step, as stiffness may
 
 void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
 {
-  m_system = System(net, loads);
-  m_integrator = makeLeapfrog();
-  m_integrator->prepare(m_system);
+  m_net = &net;
+  m_loads = &loads;
   const Eigen::Vector3d box = net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
   m_extent = std::max(box.norm(), 1e-12);
   m_work = m_debt = m_spent = 0.0;
@@ -88,6 +87,9 @@ void GrowthWatch::setMode(const FastestMode& mode) noexcept
 /// A difference in the velocities, in the pattern in which the net gives way.
 void GrowthWatch::start()
 {
+  m_system = System(*m_net, *m_loads);
+  m_integrator = makeLeapfrog();
+  m_integrator->prepare(m_system);
   m_v = m_pattern;
   m_x.assign(m_v.size(), Lanes{0, 0, 0, 0});
   const double scale = kSmall * m_extent / size();

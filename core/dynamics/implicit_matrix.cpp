@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -67,10 +68,14 @@ void ImplicitMatrix::layOut(const System& system)
   m_spent = 0.0;
   m_isTooLarge = false;
   m_isIterative = m_mayIterate && m_nodeOf.size() > kManyNodes;
-  if (m_isIterative)
-    m_gradients.prepare(static_cast<Index>(m_nodeOf.size()), m_pairs);
-  else
-    m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs);
+  if (!m_isIterative) m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs);
+  m_hasRoom = false;
+}
+
+void ImplicitMatrix::makeRoom()
+{
+  if (std::exchange(m_hasRoom, true)) return;
+  if (m_isIterative) m_gradients.prepare(static_cast<Index>(m_nodeOf.size()), m_pairs);
   m_diagonal.assign(m_nodeOf.size(), {});
   m_coupling.assign(m_pairs.size(), {});
   m_vector.assign(m_nodeOf.size(), Lanes{0, 0, 0, 0});
@@ -148,6 +153,7 @@ double ImplicitMatrix::stiffestRate(const System& system, const NodeArray& x, co
 void ImplicitMatrix::fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares,
                           bool convex)
 {
+  makeRoom();
   std::fill(m_diagonal.begin(), m_diagonal.end(), NodeBlock{});
   const auto scalar = [&](Index node, double amount) {
     if (const Index block = m_blockOf[static_cast<std::size_t>(node)]; block != kNoIndex)

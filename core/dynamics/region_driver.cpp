@@ -56,7 +56,7 @@ StepReport RegionDriver::advance(double interval, const Budget& budget)
   return report;
 }
 
-void RegionDriver::closeLoss() noexcept
+void RegionDriver::closeLoss()
 {
   if (m_mode == Mode::Rest) return;
   const bool isPart = m_mode == Mode::Part;

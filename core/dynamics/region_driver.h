@@ -63,7 +63,7 @@ public:
   StepReport advance(double interval, const Budget& budget);
 
   /// Books all that the method has lost up to now.
-  void closeLoss() noexcept;
+  void closeLoss();
 
   /// Nodes that advance() and the changes above have moved since the last clearMoved(); empty and all = true
   /// for everybody.

@@ -185,7 +185,7 @@ void StepDriver::bookLoss(const System& system, MotionState& state, Method metho
   if (m_unseen.passes >= kLook) state.loss += closeLoss(system, state);
 }
 
-double StepDriver::closeLoss(const System& system, const MotionState& state) noexcept
+double StepDriver::closeLoss(const System& system, const MotionState& state)
 {
   constexpr double kPrecision = 0.01; // of the tolerance
   const MotionState& start = m_unseen.start;

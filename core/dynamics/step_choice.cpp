@@ -95,7 +95,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_floorStep = 0.0;
   findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
-  m_loss.prepare(system);
+  m_loss.prepare();
   m_unseen.isOpen = false;
   setBound(system, state);
   guessSteps();
@@ -176,7 +176,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
-  m_loss.prepare(system);
+  m_loss.prepare();
   m_unseen.isOpen = false;
   // Who keeps time goes on by blocks, until the usual look at the bound tells more.
   if (m_byBlocks)
@@ -229,7 +229,6 @@ void StepDriver::use(Method method, const System& system)
 {
   m_method = method;
   m_candidates[method].isMeasured = false; // a guess that fails says nothing about the others
-  layOut(method, system);
   current().restart();
   m_untilCheck = 0;
   m_checkGap = 1;

@@ -6,10 +6,9 @@
 
 namespace esm {
 
-void StepLoss::prepare(const System& system)
+void StepLoss::prepare() noexcept
 {
-  for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between})
-    array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+  for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between}) *array = NodeArray();
   m_isKnown = false;
 }
 
@@ -35,9 +34,12 @@ double StepLoss::powerAt(const System& system, const NodeArray& from, const Node
 }
 
 double StepLoss::find(const System& system, const MotionState& start, const NodeArray& x, const NodeArray& v,
-                      double work, double heat, double precision) noexcept
+                      double work, double heat, double precision)
 {
   constexpr int kMostParts = 256;
+  if (m_still.empty())
+    for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between})
+      array->assign(x.size(), Lanes{0, 0, 0, 0});
   if (!m_isKnown) findForces(system, start.x, m_first);
   findForces(system, x, m_last);
   double ends = 0.0, gained = 0.0;

@@ -13,13 +13,13 @@ namespace esm {
 /// enters: what the balance of energies leaves over judges this, too.
 class StepLoss {
 public:
-  void prepare(const System& system);
+  void prepare() noexcept; ///< another net: the next find() makes room
   void restart() noexcept { m_isKnown = false; } ///< the next start is not the last end
   /// Of what led from `start` to x and v [J].
   /// @param precision  of the forces' work, relative to itself and to the changes of the others; a very
   /// curved way is given up at some point.
   double find(const System& system, const MotionState& start, const NodeArray& x, const NodeArray& v,
-              double work, double heat, double precision = 1.0) noexcept;
+              double work, double heat, double precision = 1.0);
 
 private:
   void findForces(const System& system, const NodeArray& x, NodeArray& force) noexcept;

@@ -78,11 +78,12 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
 void ForceModel::compileNodes(const SpringNet& net, const Eigen::Vector3d& gravity, const NodeRanges& ranges)
 {
   m_anchors.clear();
+  m_anchors.reserve(net.anchors.node.size());
   for (Index i = 0; i < net.anchors.count(); ++i) {
     const double k = net.anchors.stiffness[i], c = net.anchors.viscosity[i];
     if (k > 0.0 || c > 0.0)
       m_anchors.push_back(
-        {net.anchors.node[static_cast<std::size_t>(i)], toLanes(net.anchors.point.col(i)), k, c, i});
+        {toLanes(net.anchors.point.col(i)), k, c, net.anchors.node[static_cast<std::size_t>(i)], i});
   }
   if (ranges.count() > 1)
     std::stable_sort(m_anchors.begin(), m_anchors.end(),

@@ -13,10 +13,10 @@ namespace esm {
 
 /// An elastic bedding of one node: - k (p - p0) - c v.
 struct Anchor {
-  Index node;
   Lanes point;                 ///< p0 [m]
   double stiffness, viscosity; ///< k [N/m], c [N s/m]
-  Index place = kNoIndex;      ///< among the net's
+  Index node;
+  Index place = kNoIndex; ///< among the net's
 };
 
 /// The forces that act on single nodes: weight, anchors, mass damping. They open each force pass, so that one
