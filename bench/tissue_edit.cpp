@@ -4,6 +4,7 @@
 #include "bench/scenes.h"
 #include "bench/sub_benches.h"
 #include "core/base/text_number.h"
+#include "core/dynamics/simulation.h"
 #include "core/tissue/tissue_derivation.h"
 
 #include <algorithm>
@@ -63,19 +64,56 @@ bool sameBits(const SpringNet& a, const SpringNet& b)
          same(a.anchors.stiffness, b.anchors.stiffness) && same(a.anchors.viscosity, b.anchors.viscosity);
 }
 
+/// An edit on its way to the engine, by what it changes or by the net as a whole, as it went before there were
+/// patches: a copy for those who look on, one for the command. Both engines are asleep at first.
+class EngineWays {
+public:
+  explicit EngineWays(const SpringNet& net)
+    : m_patched(Simulation::create(net, {}, {}).value()), m_whole(Simulation::create(net, {}, {}).value())
+  {}
+
+  bool take(const SpringNet& net, const ParameterPatch& patch)
+  {
+    double start = cpuSeconds();
+    const auto change = m_patched.setParameters(patch);
+    m_patchTimes.push_back(cpuSeconds() - start);
+    start = cpuSeconds();
+    SpringNet shared = net;
+    SpringNet sent = shared;
+    const Status taken = m_whole.setParameters(std::move(sent));
+    m_wholeTimes.push_back(cpuSeconds() - start);
+    if (!change || !taken) return false;
+    m_seen = change->springsSeen;
+    m_patched.advance(1.0 / 60.0);
+    m_whole.advance(1.0 / 60.0);
+    return m_patched.state().position == m_whole.state().position;
+  }
+  double patchMilliseconds() const { return 1e3 * medianTime(m_patchTimes); }
+  double wholeMilliseconds() const { return 1e3 * medianTime(m_wholeTimes); }
+  std::int64_t springsSeen() const noexcept { return m_seen; } ///< by the last patch
+
+private:
+  Simulation m_patched, m_whole;
+  std::vector<double> m_patchTimes, m_wholeTimes;
+  std::int64_t m_seen = 0;
+};
+
 /// @return false if the two ways do not agree to the bit.
 bool measure(const SpringNet& bare, const char* field, TissueModel model, const HandEdit& edit, int repeats)
 {
   SpringNet net = bare, fullNet = bare;
   auto derivation = TissueDerivation::create(model, net);
   if (!derivation) return false;
+  EngineWays engine(net);
   std::vector<double> ours, full;
-  ApplyReport report;
+  DerivationReport report;
   for (int i = 0; i < repeats; ++i) {
     edit.move(model, 0.3 + 0.4 * (i % 7) / 6.0);
     double start = cpuSeconds();
-    report = derivation->update(model, net).value();
+    ParameterPatch patch;
+    report = derivation->update(model, net, &patch).value();
     ours.push_back(cpuSeconds() - start);
+    if (!engine.take(net, patch)) return false;
     if (i % 4 != 3) continue; // the full derivation is dearer: every fourth time, at the same places
     start = cpuSeconds();
     (void)applyTissue(model, fullNet).value();
@@ -83,12 +121,15 @@ bool measure(const SpringNet& bare, const char* field, TissueModel model, const 
     if (!sameBits(net, fullNet)) return false;
   }
   const double milliseconds = 1e3 * medianTime(ours), fullMilliseconds = 1e3 * medianTime(full);
-  std::printf("%s,%s,%d,%d,%d,%s,%s,%s,%s\n", edit.name, field, static_cast<int>(net.springCount()),
+  std::printf("%s,%s,%d,%d,%d,%s,%s,%s,%s,%lld,%s,%s,%s\n", edit.name, field, static_cast<int>(net.springCount()),
               static_cast<int>(report.springsChanged), static_cast<int>(report.nodesChanged),
               formatDouble(milliseconds, 3).c_str(),
               formatDouble(1e3 * *std::max_element(ours.begin(), ours.end()), 3).c_str(),
               formatDouble(fullMilliseconds, 3).c_str(),
-              formatDouble(fullMilliseconds / milliseconds, 3).c_str());
+              formatDouble(fullMilliseconds / milliseconds, 3).c_str(),
+              static_cast<long long>(engine.springsSeen()), formatDouble(engine.patchMilliseconds(), 3).c_str(),
+              formatDouble(engine.wholeMilliseconds(), 3).c_str(),
+              formatDouble(engine.wholeMilliseconds() / engine.patchMilliseconds(), 3).c_str());
   std::fflush(stdout);
   return true;
 }
@@ -111,7 +152,8 @@ int runTissueEdit(const std::vector<std::string>& words)
      }},
     {"region put in order", [](TissueModel& m, double) { std::swap(m.regions[1], m.regions[2]); }},
     {"wall thickness", [](TissueModel& m, double t) { m.thickness = 0.004 * t; }}};
-  std::printf("edit,field,springs,springs_derived,nodes_derived,median_ms,worst_ms,full_ms,times_full\n");
+  std::printf("edit,field,springs,springs_derived,nodes_derived,median_ms,worst_ms,full_ms,times_full,"
+              "engine_springs_seen,engine_patch_ms,engine_whole_ms,times_whole\n");
   bool isSame = true;
   for (const bool isBlendedEverywhere : {false, true})
     for (const HandEdit& edit : edits)

@@ -131,7 +131,6 @@ private:
   SleepingTensions m_tensions;
   Settling m_settling;
   SubNetCutter m_cutter;
-  StepBound m_wholeBound;
   FreeBodies m_bodies; ///< of the whole net, see bodies()
   bool m_bodiesAreKnown = false;
 

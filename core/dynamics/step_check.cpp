@@ -393,7 +393,7 @@ void StepDriver::continueOnset(System& system)
     static_cast<Knowledge&>(m_candidates[method]) = m_onset.known[method];
   m_checkGap = 1;
   if (m_method == m_onset.method) return;
-  use(m_onset.method, system);
+  use(m_onset.method);
   m_candidates[m_method].isMeasured = true; // see above
   explain(system);
 }

@@ -207,7 +207,7 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
   m_settled = 0;
   m_roughAtCheck = false;
   if (m_auto && competes(m_candidates[m_method]) && !isPayable(m_method, system)) {
-    use(cheapestExplicit(system, 1.0), system);
+    use(cheapestExplicit(system, 1.0));
     explain(system);
   }
   if (!m_toleranceGivenUp) return;
@@ -225,7 +225,7 @@ void StepDriver::layOut(Method method, const System& system)
   candidate.prepared = true;
 }
 
-void StepDriver::use(Method method, const System& system)
+void StepDriver::use(Method method)
 {
   m_method = method;
   m_candidates[method].isMeasured = false; // a guess that fails says nothing about the others
@@ -332,7 +332,7 @@ void StepDriver::choose(System& system, const MotionState&)
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
     if (m_toleranceGivenUp) m_candidates[m_implicit].accurateStep = kFrame / kBoundedGuess;
   }
-  use(m_method, system);
+  use(m_method);
   explain(system);
 }
 
@@ -371,7 +371,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
   }
   giveToleranceUp(system, tooDear && m_method == m_implicit);
   if (m_method == before) return;
-  use(m_method, system);
+  use(m_method);
   m_settled = kSettling;
   if (proven == m_method) { // it need not prove itself twice
     m_candidates[m_method].isMeasured = true;

@@ -150,7 +150,7 @@ private:
     return 0.95 * candidate.integrator->stableStep(m_mode);
   }
   Integrator& current() noexcept { return *m_candidates[m_method].integrator; }
-  void use(Method method, const System& system);
+  void use(Method method);
   void layOut(Method method, const System& system);
   void guessSteps();
   void guessStep(Candidate& candidate) const noexcept;

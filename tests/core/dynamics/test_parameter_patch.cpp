@@ -203,7 +203,8 @@ TEST(ParameterPatch, IsWhatTheWholeNetIsInLargeNets)
 // to know where they are.
 TEST(ParameterPatch, CostsWhatItNames)
 {
-  for (const Index side : {60, 183}) { // 10,620 and 99,918 springs
+  constexpr Index kBatches = 64; // one look at each that is touched: may its springs be alike now?
+  for (const Index side : {60, 183}) { // 10,561 and 99,736 springs
     const SpringNet net = unevenSheet(side, 4);
     Simulation simulation = simulate(net, {}, settingsOf(1e-2, true));
     ParameterPatch patch;
@@ -213,7 +214,7 @@ TEST(ParameterPatch, CostsWhatItNames)
       const auto change = simulation.setParameters(patch);
       ASSERT_TRUE(change);
       EXPECT_EQ(std::ssize(change->springs), 2000);
-      EXPECT_LE(change->springsSeen, move == 0 ? net.springCount() + 2 * 2000 : 2 * 2000);
+      EXPECT_LE(change->springsSeen, (move == 0 ? net.springCount() : 0) + 2 * 2000 + kBatches);
     }
   }
 }

@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/net/net_builder.h"
-#include "core/net/parameter_patch.h"
 #include "tests/core/net/meshes.h"
+#include "tests/support/patch_between.h"
 
 #include <gmock/gmock.h>
 
@@ -118,32 +118,6 @@ TEST(CheckNetGood, anEmptyNetFitsTogether)
   SpringNet net;
   resizeNet(net, 0, 0);
   EXPECT_TRUE(checkNet(net));
-}
-
-/// What makes `now` of `before`, as far as a patch can.
-ParameterPatch patchBetween(const SpringNet& before, const SpringNet& now)
-{
-  const auto differ = [](double a, double b) { return !(a == b); };
-  ParameterPatch patch;
-  if (before.springCount() != now.springCount() || now.mass.size() != before.mass.size()) return patch;
-  for (Index s = 0; s < now.springCount(); ++s) {
-    const auto place = static_cast<std::size_t>(s);
-    if (differ(before.stiffness[s], now.stiffness[s]) || differ(before.viscosity[s], now.viscosity[s]) ||
-        differ(before.lawParameter[s], now.lawParameter[s]) || before.law[place] != now.law[place])
-      patch.springs.push_back({s, now.law[place], now.stiffness[s], now.viscosity[s], now.lawParameter[s]});
-  }
-  for (Index i = 0; i < now.nodeCount(); ++i)
-    if (differ(before.mass[i], now.mass[i]) || differ(before.massDamping[i], now.massDamping[i]))
-      patch.nodes.push_back({i, now.mass[i], now.massDamping[i]});
-  if (before.anchors.stiffness.size() != now.anchors.stiffness.size() ||
-      before.anchors.node != now.anchors.node || !(before.anchors.point.array() == now.anchors.point.array()).all())
-    patch.anchorSet = now.anchors;
-  else
-    for (Index k = 0; k < now.anchors.count(); ++k)
-      if (differ(before.anchors.stiffness[k], now.anchors.stiffness[k]) ||
-          differ(before.anchors.viscosity[k], now.anchors.viscosity[k]))
-        patch.anchors.push_back({k, now.anchors.stiffness[k], now.anchors.viscosity[k]});
-  return patch;
 }
 
 // The same words, whether a fault comes with a whole net or with a patch.
