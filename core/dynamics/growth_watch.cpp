@@ -68,6 +68,7 @@ bool GrowthWatch::look(const System& system, const MotionState& motion)
   if (givesWay) m_pattern = m_stiffness.direction();
   m_lookCost = kPreparation + m_stiffness.products();
   m_spent += m_lookCost;
+  m_stiffness = StiffnessCg(); // looks are rare
   if (!givesWay) return false;
   m_looksAgain = ++m_timesGivenWay < kOften;
   if (m_looksAgain) return false;

@@ -11,6 +11,8 @@
 namespace esm {
 namespace {
 
+constexpr std::size_t kLargeNet = 20'000; ///< nodes, see begin()
+
 /// Implicit steps per frame to begin with; measured from then on. Nets with stiffness over six decades take
 /// 25 and more. With 4 tubes and uteri of a hundred and a thousand times their stiffness went implicit at
 /// first, where explicit steps cost a third of it. But 4 where they only have to stay bounded.
@@ -72,12 +74,12 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_names.clear();
   m_start = state;
   m_startEnergies.reset();
-  m_coarse = m_coarseV = m_look.x = state.x; // room for later
-  m_probe = state;
   const bool isDriven = !system.schedule().isEmpty() || !system.tools().empty();
   m_gauge.begin(state.x, extentOf(system, state.x), m_settings.duration, isDriven);
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
+  // What a look at the bound needs of a large net is a quarter of all its memory, and it may never move.
+  if (system.nodeCount() > kLargeNet) m_bound.freeRoom();
 }
 
 void StepDriver::parametersChanged(System& system, const MotionState& state)
