@@ -5,6 +5,7 @@
 #include "bench/sub_benches.h"
 #include "core/base/text_number.h"
 #include "core/dynamics/simulation.h"
+#include "core/net/net_builder.h"
 #include "core/tissue/tissue_derivation.h"
 
 #include <algorithm>
@@ -51,6 +52,28 @@ TissueModel tissueOf(const SpringNet& net, bool isBlendedEverywhere)
     model.regions.back().insideOut = true;
   }
   return model;
+}
+
+/// The scene's organ as an import makes it: with its surface, which gives its springs their stiffness, and at rest.
+SpringNet importedOrgan(const SceneOptions& options)
+{
+  const SpringNet scene = organ100k(options).net;
+  std::vector<std::vector<Index>> above(static_cast<std::size_t>(scene.nodeCount())); // neighbours of a higher number
+  for (const auto& ends : scene.ends.colwise())
+    above[static_cast<std::size_t>(ends.minCoeff())].push_back(ends.maxCoeff());
+  for (std::vector<Index>& nodes : above) std::sort(nodes.begin(), nodes.end());
+  Mesh mesh;
+  mesh.position = scene.restPosition;
+  std::vector<Eigen::Vector3i> triangles;
+  for (Index a = 0; a < scene.nodeCount(); ++a)
+    for (const Index b : above[static_cast<std::size_t>(a)])
+      for (const Index c : above[static_cast<std::size_t>(b)])
+        if (std::binary_search(above[static_cast<std::size_t>(a)].begin(), above[static_cast<std::size_t>(a)].end(), c))
+          triangles.emplace_back(a, b, c);
+  mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
+  for (std::size_t t = 0; t < triangles.size(); ++t)
+    mesh.triangles.col(static_cast<Eigen::Index>(t)) = triangles[t];
+  return buildNet(std::move(mesh)).value();
 }
 
 bool sameBits(const SpringNet& a, const SpringNet& b)
@@ -140,7 +163,7 @@ int runTissueEdit(const std::vector<std::string>& words)
 {
   SceneOptions options;
   options.size = (isQuick(words) ? 3'400 : 34'000) / 100'002.0;
-  const SpringNet net = organ100k(options).net;
+  const SpringNet net = importedOrgan(options);
   const HandEdit edits[] = {
     {"slider of the base", [](TissueModel& m, double t) { m.inputs[0] = t; }},
     {"slider of a region", [](TissueModel& m, double t) { m.regions[2].inputs[0] = t; }},
