@@ -49,7 +49,7 @@ public:
   {
     m_hasRoom = false; // it is often weighed only
     m_stage.prepare(system);
-    m_loss.prepare();
+    m_loss.prepare(system);
     m_started = false;
   }
   void restart() noexcept override { m_started = false; }

@@ -33,7 +33,7 @@ public:
   {
     for (NodeArray* array : {&m_x, &m_v, &m_force}) array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_matrix.prepare(system, true);
-    m_loss.prepare();
+    m_loss.prepare(system);
     m_factoredStep = 0.0;
   }
   void restart() noexcept override { m_loss.restart(); }

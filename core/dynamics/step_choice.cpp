@@ -11,8 +11,6 @@
 namespace esm {
 namespace {
 
-constexpr std::size_t kLargeNet = 20'000; ///< nodes, see begin()
-
 /// Implicit steps per frame to begin with; measured from then on. Nets with stiffness over six decades take
 /// 25 and more. With 4 tubes and uteri of a hundred and a thousand times their stiffness went implicit at
 /// first, where explicit steps cost a third of it. But 4 where they only have to stay bounded.
@@ -74,12 +72,16 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_names.clear();
   m_start = state;
   m_startEnergies.reset();
+  if (system.nodeCount() <= System::kLarge) { // room for later
+    m_coarse = m_coarseV = m_look.x = state.x;
+    m_probe = state;
+  }
   const bool isDriven = !system.schedule().isEmpty() || !system.tools().empty();
   m_gauge.begin(state.x, extentOf(system, state.x), m_settings.duration, isDriven);
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
   // What a look at the bound needs of a large net is a quarter of all its memory, and it may never move.
-  if (system.nodeCount() > kLargeNet) m_bound.freeRoom();
+  if (system.nodeCount() > System::kLarge) m_bound.freeRoom();
 }
 
 void StepDriver::parametersChanged(System& system, const MotionState& state)
@@ -97,7 +99,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_floorStep = 0.0;
   findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
-  m_loss.prepare();
+  m_loss.prepare(system);
   m_unseen.isOpen = false;
   setBound(system, state);
   guessSteps();
@@ -178,7 +180,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   findBodies(system, state);
   m_bound.prepare(system, asksForDecay());
-  m_loss.prepare();
+  m_loss.prepare(system);
   m_unseen.isOpen = false;
   // Who keeps time goes on by blocks, until the usual look at the bound tells more.
   if (m_byBlocks)

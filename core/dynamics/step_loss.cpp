@@ -6,10 +6,17 @@
 
 namespace esm {
 
-void StepLoss::prepare() noexcept
+void StepLoss::prepare(const System& system)
 {
   for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between}) *array = NodeArray();
+  if (system.nodeCount() <= System::kLarge) makeRoom(system.nodeCount());
   m_isKnown = false;
+}
+
+void StepLoss::makeRoom(std::size_t nodes)
+{
+  for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between})
+    array->assign(nodes, Lanes{0, 0, 0, 0});
 }
 
 /// Of springs, anchors, tools and weight, at rest at x.
@@ -37,9 +44,7 @@ double StepLoss::find(const System& system, const MotionState& start, const Node
                       double work, double heat, double precision)
 {
   constexpr int kMostParts = 256;
-  if (m_still.empty())
-    for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between})
-      array->assign(x.size(), Lanes{0, 0, 0, 0});
+  if (m_still.empty()) makeRoom(x.size());
   if (!m_isKnown) findForces(system, start.x, m_first);
   findForces(system, x, m_last);
   double ends = 0.0, gained = 0.0;

@@ -18,7 +18,6 @@ namespace {
 constexpr std::size_t kLatest = 8;
 constexpr double kSmallPart = 1e-4; // of b.K^-1 b: a hundredth of the solution
 constexpr int kGivingLooks = 24;    ///< iterations of givesWay()
-constexpr std::size_t kMostKept = 20'000; ///< nodes of a net whose tangents may stay for the next time
 
 /// Three numbers from -1 to 1 without a pattern, the same ones everywhere.
 Lanes scattered(std::size_t i) noexcept
@@ -80,7 +79,7 @@ void StiffnessCg::prepare(const System& system, const NodeArray& x, double inert
   m_hasNegative = std::any_of(m_tangents.begin(), m_tangents.end(), [](const SpringTangent& tangent) {
     return std::min(tangent.axial, tangent.lateral) < 0.0;
   });
-  if (nodes > kMostKept) m_tangents = std::vector<SpringTangent>();
+  if (nodes > System::kLarge) m_tangents = std::vector<SpringTangent>();
 }
 
 /// Product with the direction. @return the curvature there.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/sim_runner.h"
 
+#include "core/base/machine_memory.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,6 +16,7 @@ constexpr double kLeastRate = 1.0, kMostRate = 1000.0; ///< frames per second
 constexpr double kLeadTime = 0.004;                    ///< between two places of a led hand [s]
 constexpr int kThreads = 4;          ///< where there are so many processors: more gain little
 constexpr double kFastestHand = 2.0; ///< what goes further was placed anew [m/s]
+constexpr Index kLargeNet = 20'000;  ///< nodes: some tens of MB
 
 double periodOf(double framesPerSecond)
 {
@@ -70,6 +73,8 @@ void SimRunner::carryOut(command::Load&& load)
   m_roughUntil = -1.0;
   m_message.clear();
   keepPicture();
+  // What it took to make a large one, and the former one, would else stay with the heap.
+  if (m_simulation->net().nodeCount() > kLargeNet) giveBackFreeMemory();
 }
 
 void SimRunner::carryOut(command::SetParameters&& change)

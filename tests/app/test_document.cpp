@@ -197,6 +197,7 @@ TEST_F(DocumentTest, RegionChangesOnlySpringsInside)
 // says exactly what has changed, on undo and redo as well, from the first edit on.
 TEST_F(DocumentTest, AnEditOfTheTissueIsAPatch)
 {
+  document.startRecovered(test::sheetProject(), QString(), true, 0, {}); // its numbers are its tissue's
   SpringNet follower = *document.net();
   const auto held = document.net();
   const double* const place = document.project().net.stiffness.data();
