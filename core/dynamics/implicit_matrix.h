@@ -61,6 +61,7 @@ public:
 
 private:
   void layOut(const System& system);
+  bool isLaidOut(const System& system) const noexcept;
   void makeRoom();
   void fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares, bool convex);
   void addSprings(const System& system, const Shares& shares, bool convex) noexcept;

@@ -54,7 +54,7 @@ public:
   RegionDriver(SolverSettings settings, Body& body);
 
   void begin(); ///< after creation and reset of the body
-  /// The body has other parameters now. Costs what the change touches, and a look at the bounds of what is awake.
+  /// The body has other parameters now. Costs what the change touches, and a choice of method and step for what is awake.
   void parametersChanged(const ParameterChange& change);
   /// The body has other tools than in `before`.
   void toolsChanged(const std::vector<ToolSpring>& before);

@@ -77,7 +77,7 @@ public:
 
   // === Between steps
   /// New numbers for what the patch names; the motion goes on, to the bit as if the net with these numbers had
-  /// been given as a whole. Costs what is named, but for a look at the bounds of what is awake: some force passes.
+  /// been given as a whole. Costs what is named, but that method and step are chosen anew for what is awake.
   /// Errors: InvalidValue if checkPatch() refuses; the old parameters stay.
   Result<ParameterChange> setParameters(const ParameterPatch& patch);
   /// New stiffness, viscosity, mass, law, anchors, rest lengths and fixed nodes for the same topology: for a net
