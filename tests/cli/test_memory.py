@@ -9,25 +9,34 @@ import unittest
 from program import PROGRAM, ProgramTest
 
 
-def bumpy_sphere(rings, around):
-    """OBJ of a closed surface of about rings x around nodes, 80 mm across."""
-    from math import cos, pi, sin
-    lines = ["v 0 0 40"]
-    for ring in range(1, rings):
-        for i in range(around):
-            a, b = pi * ring / rings, 2 * pi * i / around
-            r = 40 + 2 * sin(5 * b) * sin(3 * a)
-            lines.append(f"v {r * sin(a) * cos(b):.6f} {r * sin(a) * sin(b):.6f} {r * cos(a):.6f}")
-    lines.append("v 0 0 -40")
-    last = 2 + (rings - 1) * around
-    node = lambda ring, i: 2 + (ring - 1) * around + i % around
-    for i in range(around):
-        lines.append(f"f 1 {node(1, i)} {node(1, i + 1)}")
-        lines.append(f"f {last} {node(rings - 1, i + 1)} {node(rings - 1, i)}")
-        for ring in range(1, rings - 1):
-            lines.append(f"f {node(ring, i)} {node(ring + 1, i)} {node(ring + 1, i + 1)}")
-            lines.append(f"f {node(ring, i)} {node(ring + 1, i + 1)} {node(ring, i + 1)}")
-    return "\n".join(lines) + "\n"
+def geodesic_sphere(n):
+    """OBJ of a sphere of 10 n^2 + 2 nodes, 80 mm across: each face of an icosahedron is cut n times."""
+    g = (1 + 5 ** 0.5) / 2
+    corners = [(-1, g, 0), (1, g, 0), (-1, -g, 0), (1, -g, 0), (0, -1, g), (0, 1, g), (0, -1, -g), (0, 1, -g),
+               (g, 0, -1), (g, 0, 1), (-g, 0, -1), (-g, 0, 1)]
+    faces = [(0, 11, 5), (0, 5, 1), (0, 1, 7), (0, 7, 10), (0, 10, 11), (1, 5, 9), (5, 11, 4), (11, 10, 2), (10, 7, 6),
+             (7, 1, 8), (3, 9, 4), (3, 4, 2), (3, 2, 6), (3, 6, 8), (3, 8, 9), (4, 9, 5), (2, 4, 11), (6, 2, 10),
+             (8, 6, 7), (9, 8, 1)]
+    number, lines = {}, []
+
+    def node(face, i, j):
+        weights = (n - i - j, i, j)
+        point = tuple(sum(w * corners[c][k] for w, c in zip(weights, face)) for k in range(3))
+        key = tuple(round(1e6 * x) for x in point)
+        if key not in number:
+            number[key] = len(number) + 1
+            scale = 40 / sum(x * x for x in point) ** 0.5
+            lines.append("v " + " ".join(f"{scale * x:.6f}" for x in point))
+        return number[key]
+
+    triangles = []
+    for face in faces:
+        for i in range(n):
+            for j in range(n - i):
+                triangles.append((node(face, i, j), node(face, i + 1, j), node(face, i, j + 1)))
+                if i + j + 1 < n:
+                    triangles.append((node(face, i + 1, j), node(face, i + 1, j + 1), node(face, i, j + 1)))
+    return "\n".join(lines + [f"f {a} {b} {c}" for a, b, c in triangles]) + "\n"
 
 
 class Memory(ProgramTest):
@@ -50,7 +59,7 @@ class Memory(ProgramTest):
         return self.json_of("inspect", "a.obj", "--unit", "mm", *choices)["cost"]["memory_bytes"]
 
     def test_a_surface_at_rest_and_in_motion(self):
-        self.write("a.obj", bumpy_sphere(160, 160))
+        self.write("a.obj", geodesic_sphere(50))
         promised = self.promised()
         self.run_program("import", "a.obj", "--unit", "mm", "-o", "a.esmb")
         self.check(self.peak("simulate", "a.esmb", "--duration", "0.05"), promised)
@@ -58,7 +67,7 @@ class Memory(ProgramTest):
         self.check(self.peak("simulate", "b.esmb", "--duration", "0.02", "--solver", "leapfrog"), promised)
 
     def test_a_solid_with_struts(self):
-        self.write("a.obj", bumpy_sphere(80, 80))
+        self.write("a.obj", geodesic_sphere(24))
         promised = self.promised("--interior", "struts")
         self.run_program("import", "a.obj", "--unit", "mm", "--interior", "struts", "-o", "a.esmb")
         self.check(self.peak("simulate", "a.esmb", "--duration", "0.05"), promised)
