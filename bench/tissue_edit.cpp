@@ -58,7 +58,8 @@ TissueModel tissueOf(const SpringNet& net, bool isBlendedEverywhere)
 SpringNet importedOrgan(const SceneOptions& options)
 {
   const SpringNet scene = organ100k(options).net;
-  std::vector<std::vector<Index>> above(static_cast<std::size_t>(scene.nodeCount())); // neighbours of a higher number
+  std::vector<std::vector<Index>> above(
+    static_cast<std::size_t>(scene.nodeCount())); // neighbours of a higher number
   for (const auto& ends : scene.ends.colwise())
     above[static_cast<std::size_t>(ends.minCoeff())].push_back(ends.maxCoeff());
   for (std::vector<Index>& nodes : above) std::sort(nodes.begin(), nodes.end());
@@ -68,7 +69,8 @@ SpringNet importedOrgan(const SceneOptions& options)
   for (Index a = 0; a < scene.nodeCount(); ++a)
     for (const Index b : above[static_cast<std::size_t>(a)])
       for (const Index c : above[static_cast<std::size_t>(b)])
-        if (std::binary_search(above[static_cast<std::size_t>(a)].begin(), above[static_cast<std::size_t>(a)].end(), c))
+        if (std::binary_search(above[static_cast<std::size_t>(a)].begin(),
+                               above[static_cast<std::size_t>(a)].end(), c))
           triangles.emplace_back(a, b, c);
   mesh.triangles.resize(3, static_cast<Eigen::Index>(triangles.size()));
   for (std::size_t t = 0; t < triangles.size(); ++t)
@@ -144,15 +146,15 @@ bool measure(const SpringNet& bare, const char* field, TissueModel model, const 
     if (!sameBits(net, fullNet)) return false;
   }
   const double milliseconds = 1e3 * medianTime(ours), fullMilliseconds = 1e3 * medianTime(full);
-  std::printf("%s,%s,%d,%d,%d,%s,%s,%s,%s,%lld,%s,%s,%s\n", edit.name, field, static_cast<int>(net.springCount()),
-              static_cast<int>(report.springsChanged), static_cast<int>(report.nodesChanged),
-              formatDouble(milliseconds, 3).c_str(),
-              formatDouble(1e3 * *std::max_element(ours.begin(), ours.end()), 3).c_str(),
-              formatDouble(fullMilliseconds, 3).c_str(),
-              formatDouble(fullMilliseconds / milliseconds, 3).c_str(),
-              static_cast<long long>(engine.springsSeen()), formatDouble(engine.patchMilliseconds(), 3).c_str(),
-              formatDouble(engine.wholeMilliseconds(), 3).c_str(),
-              formatDouble(engine.wholeMilliseconds() / engine.patchMilliseconds(), 3).c_str());
+  std::printf(
+    "%s,%s,%d,%d,%d,%s,%s,%s,%s,%lld,%s,%s,%s\n", edit.name, field, static_cast<int>(net.springCount()),
+    static_cast<int>(report.springsChanged), static_cast<int>(report.nodesChanged),
+    formatDouble(milliseconds, 3).c_str(),
+    formatDouble(1e3 * *std::max_element(ours.begin(), ours.end()), 3).c_str(),
+    formatDouble(fullMilliseconds, 3).c_str(), formatDouble(fullMilliseconds / milliseconds, 3).c_str(),
+    static_cast<long long>(engine.springsSeen()), formatDouble(engine.patchMilliseconds(), 3).c_str(),
+    formatDouble(engine.wholeMilliseconds(), 3).c_str(),
+    formatDouble(engine.wholeMilliseconds() / engine.patchMilliseconds(), 3).c_str());
   std::fflush(stdout);
   return true;
 }

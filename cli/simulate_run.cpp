@@ -250,7 +250,8 @@ Result<RunSummary> runSimulation(Project& project, const RunOutputs& outputs)
 {
   Runner runner(project, outputs);
   Run& run = runner.current();
-  Status status = runner.compute(run, std::move(project.net), project.simulation.solver, "simulating", nullptr);
+  Status status =
+    runner.compute(run, std::move(project.net), project.simulation.solver, "simulating", nullptr);
   if (status) status = runner.finish(run);
   if (!status) return status.error();
   return run.summary;

@@ -155,7 +155,7 @@ private:
   Project m_project;
   /// Copy of m_project.net, made on demand: edits of the tissue write to that one in place.
   mutable std::shared_ptr<const SpringNet> m_sharedNet;
-  std::uint64_t m_netNumber = 0, m_netNumbers = 0;      ///< of the net, and how many were given
+  std::uint64_t m_netNumber = 0, m_netNumbers = 0; ///< of the net, and how many were given
   bool m_derived = false; ///< the net's parameters are what applyTissue() gives: undo need not store them
   std::optional<TissueDerivation> m_derivation; ///< follows edits; only while m_derived, and then on demand
   // What the next redo() takes, tried by prepare(); the first only where there is no derivation yet.

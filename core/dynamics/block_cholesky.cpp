@@ -293,8 +293,7 @@ void BlockCholesky::addUpdate(const Front& child, const Front& parent) noexcept
     }
 }
 
-bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling,
-                           Interruption* interruption)
+bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling, Interruption* interruption)
 {
   m_negativePivots = 0;
   m_panels.resize(m_panelNumbers);

@@ -49,8 +49,7 @@ public:
   /// @param coupling  a block per pair of analyze(), symmetric, stands at (a, b) and at (b, a).
   /// @return false if a pivot is 0 or not finite: there is no factor then.
   /// @param interruption  asked between fronts; null: nobody. Who says yes leaves no factor.
-  bool factor(const NodeBlock* diagonal, const NodeBlock* coupling,
-              Interruption* interruption = nullptr);
+  bool factor(const NodeBlock* diagonal, const NodeBlock* coupling, Interruption* interruption = nullptr);
   /// vector = A^-1 vector; an entry per node. @pre factor() was true.
   void solve(Lanes* vector) noexcept;
 

@@ -67,7 +67,8 @@ bool ImplicitMatrix::isLaidOut(const System& system) const noexcept
                 b = m_blockOf[static_cast<std::size_t>(ends[e].b)], pair = m_pairOf[e];
     const bool isPair = a != kNoIndex && b != kNoIndex && a != b;
     if (isPair != (pair != kNoIndex)) return false;
-    if (isPair && (m_pairs[static_cast<std::size_t>(pair)].a != a || m_pairs[static_cast<std::size_t>(pair)].b != b))
+    if (isPair &&
+        (m_pairs[static_cast<std::size_t>(pair)].a != a || m_pairs[static_cast<std::size_t>(pair)].b != b))
       return false;
   }
   return true;

@@ -162,10 +162,10 @@ private:
   std::vector<double> m_massDrag;
   Pressure m_pressure;
   // For patches, from the first one on.
-  std::vector<Place> m_placeOf;    ///< of each spring of the net
-  std::vector<Index> m_anchorAt;   ///< place in m_anchors of each of the net's, kNoIndex
-  Grouped<Index> m_anchorsOfNode;  ///< places in m_anchors
-  bool m_knowsAnchors = false;     ///< the two above are those of now
+  std::vector<Place> m_placeOf;   ///< of each spring of the net
+  std::vector<Index> m_anchorAt;  ///< place in m_anchors of each of the net's, kNoIndex
+  Grouped<Index> m_anchorsOfNode; ///< places in m_anchors
+  bool m_knowsAnchors = false;    ///< the two above are those of now
 };
 
 } // namespace esm

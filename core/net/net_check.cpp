@@ -201,7 +201,9 @@ Status checkSprings(const SpringNet& net)
     if (!notNegative(net.viscosity[s]))
       return badNumber(owner, "viscosity", net.viscosity[s], "N s/m", ">= 0");
     if (!notNegative(net.sectionOf(s))) return badNumber(owner, "section", net.sectionOf(s), "m^2", ">= 0");
-    if (Status status = checkLaw(net, s, net.law[static_cast<std::size_t>(s)], net.lawParameter[s], owner); !status) return status;
+    if (Status status = checkLaw(net, s, net.law[static_cast<std::size_t>(s)], net.lawParameter[s], owner);
+        !status)
+      return status;
   }
   return checkDistinct("spring", net.springId);
 }
@@ -307,8 +309,8 @@ Status checkPlaces(const char* what, const std::vector<Entry>& list, Index Entry
   for (const Entry& entry : list) {
     const Index i = entry.*index;
     if (i < 0 || i >= count)
-      return invalidValue("the patch names " + std::string(what) + " " + std::to_string(i) + ", the net has " +
-                          std::to_string(count));
+      return invalidValue("the patch names " + std::string(what) + " " + std::to_string(i) +
+                          ", the net has " + std::to_string(count));
     if (i <= last)
       return invalidValue("the patch names " + std::string(what) + " " + std::to_string(i) + " after " +
                           std::to_string(last) + ", its list must rise");

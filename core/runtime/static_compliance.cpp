@@ -15,7 +15,8 @@ constexpr double kBudget = 3e5;           ///< of a frame, in spring evaluations
 constexpr double kLongestInterval = 30.0; ///< frames
 
 /// Nodes in the order of their distance from the point, in springs; at most `most`.
-std::vector<Index> nodesAround(const SpringNet& net, const NodeCombination& point, Index most, NodeLinks& links)
+std::vector<Index> nodesAround(const SpringNet& net, const NodeCombination& point, Index most,
+                               NodeLinks& links)
 {
   std::vector<std::uint8_t> met(static_cast<std::size_t>(net.nodeCount()), 0);
   std::vector<Index> nodes;
@@ -127,7 +128,8 @@ Loads loadsOn(const PartNet& part, const Loads& loads)
   for (const PrescribedMotion& motion : loads.motions) {
     std::vector<Index> places;
     for (const Index node : motion.nodes)
-      if (std::binary_search(part.nodes.begin(), part.nodes.end(), node)) places.push_back(part.placeOf(node));
+      if (std::binary_search(part.nodes.begin(), part.nodes.end(), node))
+        places.push_back(part.placeOf(node));
     if (!places.empty()) own.motions.push_back({std::move(places), motion.displacement, motion.release});
   }
   return own;
@@ -156,7 +158,8 @@ void StaticCompliance::prepare(const Simulation& simulation, const NodeCombinati
   const SpringNet& net = simulation.net();
   if (net.nodeCount() > kMostNodes) {
     const std::vector<Index> nodes = nodesAround(net, point, kMostNodes, links);
-    m_parts->inner.assign(nodes.begin(), nodes.begin() + std::ssize(nodes) / 8); // a third of the way to the rim
+    m_parts->inner.assign(nodes.begin(),
+                          nodes.begin() + std::ssize(nodes) / 8); // a third of the way to the rim
     std::sort(m_parts->inner.begin(), m_parts->inner.end());
     PartNet part(net, nodes, links);
     m_parts->system = System(part.net, loadsOn(part, simulation.loads()));

@@ -17,7 +17,8 @@ MemoryCost predictMemory(const SpringNet& net) noexcept
   const double nodes = net.nodeCount(), springs = net.springCount(), triangles = net.triangleCount();
   const double engine = kNode * nodes + kSpring * springs;
   const double shown = kShownNode * nodes + kShownSpring * springs + kShownTriangle * triangles;
-  return {static_cast<std::uint64_t>(kProgram + engine), static_cast<std::uint64_t>(kWindow + engine + shown)};
+  return {static_cast<std::uint64_t>(kProgram + engine),
+          static_cast<std::uint64_t>(kWindow + engine + shown)};
 }
 
 NetCost predictCost(const SpringNet& net)

@@ -350,8 +350,8 @@ void TissueDerivation::deriveAnchors(SpringNet& net, ParameterPatch* patch)
     return;
   }
   const auto put = [&](Index anchor, const AnchorNumbers& numbers) {
-    if (patch != nullptr && (anchors.stiffness[anchor] != numbers.stiffness ||
-                             anchors.viscosity[anchor] != numbers.viscosity))
+    if (patch != nullptr &&
+        (anchors.stiffness[anchor] != numbers.stiffness || anchors.viscosity[anchor] != numbers.viscosity))
       patch->anchors.push_back({anchor, numbers.stiffness, numbers.viscosity});
     anchors.stiffness[anchor] = numbers.stiffness;
     anchors.viscosity[anchor] = numbers.viscosity;

@@ -203,7 +203,7 @@ TEST(ParameterPatch, IsWhatTheWholeNetIsInLargeNets)
 // to know where they are.
 TEST(ParameterPatch, CostsWhatItNames)
 {
-  constexpr Index kBatches = 64; // one look at each that is touched: may its springs be alike now?
+  constexpr Index kBatches = 64;       // one look at each that is touched: may its springs be alike now?
   for (const Index side : {60, 183}) { // 10,561 and 99,736 springs
     const SpringNet net = unevenSheet(side, 4);
     Simulation simulation = simulate(net, {}, settingsOf(1e-2, true));

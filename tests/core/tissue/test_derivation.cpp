@@ -263,7 +263,8 @@ SpringNet tube(Index rings)
   for (Index ring = 0, t = 0; ring < rings; ++ring)
     for (Index i = 0; i < kAround; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / kAround;
-      mesh.position.col(ring * kAround + i) << 0.001 * ring, 0.0032 * std::cos(angle), 0.0032 * std::sin(angle);
+      mesh.position.col(ring * kAround + i) << 0.001 * ring, 0.0032 * std::cos(angle),
+        0.0032 * std::sin(angle);
       if (ring + 1 == rings) continue;
       const Index a = ring * kAround + i, b = ring * kAround + (i + 1) % kAround;
       mesh.triangles.col(t++) << a, b, a + kAround;
@@ -281,7 +282,8 @@ TEST(TissueDerivation, ASliderCostsByWhatItTouches)
   for (const int size : {0, 1}) {
     SpringNet net = tube(size == 0 ? 200 : 1600);
     TissueModel model = defaultTissue();
-    for (const double radius : {0.1, 0.005, 9.0}) { // one in the middle; one around all of it, which nearly covers it
+    for (const double radius :
+         {0.1, 0.005, 9.0}) { // one in the middle; one around all of it, which nearly covers it
       Region region;
       region.ellipsoid.centre = {0.1, 0, 0};
       region.ellipsoid.semiAxes = {radius, 0.02, 0.02};

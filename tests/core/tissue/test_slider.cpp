@@ -23,7 +23,8 @@ SpringNet organOf(Index rings)
   for (Index ring = 0, t = 0; ring < rings; ++ring)
     for (Index i = 0; i < kAround; ++i) {
       const double angle = 2.0 * std::numbers::pi * i / kAround;
-      mesh.position.col(ring * kAround + i) << 0.00025 * ring, 0.004 * std::cos(angle), 0.004 * std::sin(angle);
+      mesh.position.col(ring * kAround + i) << 0.00025 * ring, 0.004 * std::cos(angle),
+        0.004 * std::sin(angle);
       if (ring + 1 == rings) continue;
       const Index a = ring * kAround + i, b = ring * kAround + (i + 1) % kAround;
       mesh.triangles.col(t++) << a, b, a + kAround;
@@ -63,8 +64,10 @@ Work moveSlider(Index rings)
     if (!report || !change) return {};
     work.touched = static_cast<Index>(patch.springs.size());
     work.derivationSaw = std::max(work.derivationSaw, report->placesSeen);
-    if (move == 0) work.firstSaw = change->springsSeen;
-    else work.engineSaw = std::max(work.engineSaw, change->springsSeen);
+    if (move == 0)
+      work.firstSaw = change->springsSeen;
+    else
+      work.engineSaw = std::max(work.engineSaw, change->springsSeen);
     work.bytesSent = std::max(work.bytesSent, patch.springs.size() * sizeof(patch.springs[0]) +
                                                 patch.nodes.size() * sizeof(patch.nodes[0]) +
                                                 patch.anchors.size() * sizeof(patch.anchors[0]));
@@ -111,7 +114,8 @@ TEST(Slider, TheHandsHoldFollowsAPatchToTheBit)
   NodeHolds holds(net);
   NodeLinks links;
   for (int move = 0; move < 8; ++move) {
-    model.regions[static_cast<std::size_t>(move % 2)].inputs[0] = move < 4 ? 0.95 - 0.05 * move : 0.3 + 0.07 * move;
+    model.regions[static_cast<std::size_t>(move % 2)].inputs[0] =
+      move < 4 ? 0.95 - 0.05 * move : 0.3 + 0.07 * move;
     ParameterPatch patch;
     SpringNet before = net;
     ASSERT_TRUE(derivation->update(model, net, &patch));
