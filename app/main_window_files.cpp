@@ -8,6 +8,7 @@
 #include "app/main_window.h"
 #include "app/sample_files.h"
 #include "app/window_actions.h"
+#include "core/base/machine_memory.h"
 #include "core/project/export.h"
 #include "meshimport/import_endings.h"
 
@@ -174,6 +175,9 @@ void MainWindow::chooseAndImport()
 void MainWindow::importPaths(const QStringList& paths)
 {
   const bool empty = m_document->project().net.nodeCount() == 0;
+  const struct GiveBack { // after the dialog, with its mesh and previews, is gone
+    ~GiveBack() { giveBackFreeMemory(); }
+  } afterwards;
   ImportDialog dialog(paths, m_jobs, empty, m_document->project().tissue, this);
   if (dialog.exec() != QDialog::Accepted) return;
   const bool replace = dialog.replaces();

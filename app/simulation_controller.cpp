@@ -53,8 +53,14 @@ SimulationController::SimulationController(Document* document, SceneView* view, 
   connect(document, &Document::netChanged, this, &SimulationController::load);
   connect(document, &Document::parametersChanged, this, [this] {
     if (m_generation == 0) return;
-    m_sim.setParameters(*m_document->net());
-    m_view->setParameters(m_document->net());
+    const auto patch = m_document->lastPatch();
+    if (!patch) {
+      m_sim.setParameters(*m_document->net());
+      m_view->setParameters(m_document->net());
+    } else if (!patch->isEmpty()) {
+      m_sim.setParameters(patch);
+      m_view->setParameters(*patch);
+    }
   });
 
   connect(view, &SceneView::pullStarted, this, [this](int node, double x, double y, double z) {
@@ -150,7 +156,7 @@ void SimulationController::setQuality(const QualityPlan& plan)
 
 void SimulationController::startPull(Index node, const Eigen::Vector3d& target)
 {
-  if (node < 0 || node >= m_document->net()->nodeCount()) return;
+  if (node < 0 || node >= m_document->project().net.nodeCount()) return;
   m_pulledNode = node;
   m_pullTarget = target;
   m_leadsByMouse = m_coupling == Coupling::Touches && m_session && m_session->ledByMouse();

@@ -274,7 +274,7 @@ void StatusStrip::setNet(Index nodes, Index springs)
   retranslate();
 }
 
-void StatusStrip::setDerived(const ApplyReport& report, double time)
+void StatusStrip::setDerived(const DerivationReport& report, double time)
 {
   m_lastApply.emplace(report.springsChanged, time);
   retranslate();

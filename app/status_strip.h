@@ -73,7 +73,7 @@ public:
   void setTool(const QString& hint) { m_tool->setText(hint); }
   void setNet(Index nodes, Index springs);
   /// What the last edit of the tissue cost. @param time [s].
-  void setDerived(const ApplyReport& report, double time);
+  void setDerived(const DerivationReport& report, double time);
   void clearDerived();
   void setRun(const SimSnapshot& snapshot);
   void setDevice(const HapticStatus& status);

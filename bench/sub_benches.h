@@ -29,7 +29,8 @@ int runVerify(const std::vector<std::string>& words);
 int runWatch(const std::vector<std::string>& words);
 /// Evaluations per second of fuzzy rule bases, beside fuzzylite.
 int runFuzzy(const std::vector<std::string>& words);
-/// Milliseconds from a moved slider to new springs, 100,000 of them, beside the full derivation.
+/// Milliseconds from a moved slider to new springs, 100,000 of them, beside the full derivation; and from there to an
+/// engine that has them, by a patch and by the whole net.
 int runTissueEdit(const std::vector<std::string>& words);
 
 /// Nanoseconds per triangle from a mesh file to a net, beside the assimp library.

@@ -56,6 +56,7 @@ void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cos
 {
   JsonLine predicted;
   addCost(predicted, cost);
+  predicted.add("memory_bytes", predictMemory(imported.net).simulate);
   line.add("before", meshReportJson(imported.before));
   line.add("after", meshReportJson(imported.after));
   if (imported.recipe.material.concernsNet()) line.add("material", materialJson(imported.material));

@@ -16,7 +16,8 @@ JsonLine meshReportJson(const MeshReport& report);
 /// "nodes", "springs", "shortest_spring" [m], "stable_step" [s]
 void addCost(JsonLine& line, const NetCost& cost);
 
-/// "before" and "after" of the mesh, "material" if it concerned the net, "cost" and "notes".
+/// "before" and "after" of the mesh, "material" if it concerned the net, "cost" (with "memory_bytes" at the peak of
+/// `esm simulate`) and "notes".
 void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cost);
 
 /// "80 x 42 x 40 mm"

@@ -183,7 +183,8 @@ Exit inspectRecipe(const InspectOptions& options, const ImportRecipe& recipe)
   printReport(made->after, made->files.front().format);
   print("the net: " + std::to_string(made->net.nodeCount()) + " nodes, " +
         std::to_string(made->net.springCount()) + " springs, shortest " + formatDouble(cost.shortest, 4) +
-        " m, largest explicit step " + formatDouble(cost.step, 3) + " s");
+        " m, largest explicit step " + formatDouble(cost.step, 3) + " s, about " +
+        std::to_string(predictMemory(made->net).simulate / 1'000'000) + " MB of memory to simulate");
   return Exit::Done;
 }
 

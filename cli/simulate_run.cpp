@@ -144,7 +144,8 @@ public:
   Runner(const Project& project, const RunOutputs& outputs) : m_project(project), m_outputs(outputs) {}
 
   /// Fills `run`, whatever it held before. @param check  looks on, or null
-  Status compute(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check);
+  Status compute(Run& run, SpringNet net, SolverSettings solver, const std::string& doing,
+                 ToleranceCheck* check);
   /// Its files appear.
   Status finish(Run& run)
   {
@@ -181,7 +182,8 @@ private:
   }};
 };
 
-Status Runner::compute(Run& run, SolverSettings solver, const std::string& doing, ToleranceCheck* check)
+Status Runner::compute(Run& run, SpringNet net, SolverSettings solver, const std::string& doing,
+                       ToleranceCheck* check)
 {
   RunSummary& summary = run.summary = {};
   const auto timed = [&](auto&& work) {
@@ -191,7 +193,7 @@ Status Runner::compute(Run& run, SolverSettings solver, const std::string& doing
   const SimulationSettings& settings = m_project.simulation;
   solver.duration = settings.duration;
   Result<Simulation> created =
-    timed([&] { return Simulation::create(m_project.net, m_project.loads, solver); });
+    timed([&] { return Simulation::create(std::move(net), m_project.loads, solver); });
   if (!created) return created.error();
   run.simulation.emplace(std::move(*created));
   Simulation& simulation = *run.simulation;
@@ -204,7 +206,9 @@ Status Runner::compute(Run& run, SolverSettings solver, const std::string& doing
   if (!check && !(solver.fixedStep > 0.0)) timed([&] { simulation.watchGrowth(); });
   if (check) check->start(simulation.state());
   summary.frames = 1;
-  summary.nodesAwake = simulation.net().nodeCount();
+  summary.nodes = simulation.net().nodeCount();
+  summary.springs = simulation.net().springCount();
+  summary.nodesAwake = summary.nodes;
   double awake = 0.0;
   while (summary.frames <= last && summary.steps.good()) {
     // From the frame's number, so that rounding does not add up over the frames.
@@ -242,11 +246,12 @@ Status checkMemory(const Project& project)
 
 } // namespace
 
-Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outputs)
+Result<RunSummary> runSimulation(Project& project, const RunOutputs& outputs)
 {
   Runner runner(project, outputs);
   Run& run = runner.current();
-  Status status = runner.compute(run, project.simulation.solver, "simulating", nullptr);
+  Status status =
+    runner.compute(run, std::move(project.net), project.simulation.solver, "simulating", nullptr);
   if (status) status = runner.finish(run);
   if (!status) return status.error();
   return run.summary;
@@ -262,7 +267,7 @@ Result<RunSummary> runVerified(const Project& project, const RunOutputs& outputs
   while (ToleranceCheck::isOpen(next)) {
     if (next == ToleranceCheck::Next::RunAgain) runner.next();
     const Status done =
-      runner.compute(runner.current(), check.settings(),
+      runner.compute(runner.current(), project.net, check.settings(),
                      "simulating with a tolerance of " + formatDouble(check.settings().tolerance, 3), &check);
     if (!done) return done.error();
     seconds += runner.current().summary.integrationSeconds;

@@ -30,6 +30,7 @@ struct Verification {
 /// What a run cost and came to.
 struct RunSummary {
   double integrationSeconds = 0.0; ///< processor time of set-up and steps; files excluded [s]
+  Index nodes = 0, springs = 0;    ///< of the net
   long long frames = 0;            ///< computed, frame 0 included
   StepReport steps;
   double nodesAwake = 0.0;   ///< at the ends of the frames, on average
@@ -44,8 +45,9 @@ struct RunSummary {
 /// Simulates round(duration * frameRate) frames after the initial one and writes the outputs. If the numerics
 /// fail, what was computed until then is written all the same, and the summary's steps are not good().
 /// Interrupted by a signal, it leaves nothing behind: no file of a part of the motion, no temporary one.
+/// Takes the project's net: two of a large one would be a fifth more memory.
 /// Errors: of Simulation::create() and of the files.
-Result<RunSummary> runSimulation(const Project& project, const RunOutputs& outputs);
+Result<RunSummary> runSimulation(Project& project, const RunOutputs& outputs);
 
 /// The same, and again with a tenth of the tolerance until two runs agree; the outputs are those of the run
 /// that keeps the tolerance, or of the finest. Keeps one motion in memory.

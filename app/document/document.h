@@ -94,8 +94,10 @@ public:
   /// The tissue compiled, as it holds now; null if it cannot be (problem() has said why).
   const TissueField* tissueField() const;
   /// What the last edit of the tissue derived anew, and its time [s].
-  const ApplyReport& lastApply() const noexcept { return m_lastApply; }
+  const DerivationReport& lastApply() const noexcept { return m_lastApply; }
   double lastApplyTime() const noexcept { return m_lastApplyTime; }
+  /// The numbers that the last parametersChanged() is about; null: they may be others everywhere.
+  std::shared_ptr<const ParameterPatch> lastPatch() const noexcept { return m_lastPatch; }
   // What a lock forbids (core/tissue/region_edit.h) is refused: problem() says so.
   void addRegion(Region region); ///< at the end: it covers the others
   void removeRegion(int index);
@@ -124,7 +126,7 @@ signals:
   void projectReset();      ///< another project: everything changed
   void netChanged();        ///< topology, fixed nodes, loads or solver: the simulation starts anew
   void modelReplaced();     ///< nodes are others than before: forget what was selected (after netChanged)
-  void parametersChanged(); ///< same topology, other numbers
+  void parametersChanged(); ///< same topology, other numbers: see lastPatch()
   void regionsChanged();
   void inputTargetChanged(int region);
   void tissueSettingsChanged();
@@ -135,12 +137,6 @@ private:
   friend class DocumentCommand;
   friend class TissueCommand;
 
-  /// A derivation with the net that it keeps.
-  struct Derived {
-    TissueDerivation derivation;
-    std::shared_ptr<const SpringNet> net;
-  };
-
   bool pushTissue(std::unique_ptr<TissueCommand> command);
   void refuse(const Error& error);
   bool mayEditInputs();
@@ -148,7 +144,7 @@ private:
                    const QString& text, int gesture = 0);
   bool derivesSprings() const;
   Status prepare(const TissueModel& tissue);
-  bool isPrepared() const { return m_preparedNet || m_preparedField; }
+  bool isPrepared() const { return m_preparedField.has_value(); }
   void derivePrepared();
   void putNet(std::shared_ptr<const SpringNet> net, bool derived);
   void begin(Project project, const QString& path, bool derived, int steps, RuleDraft draft);
@@ -157,15 +153,18 @@ private:
   void keepTargetInRange();
 
   Project m_project;
-  mutable std::shared_ptr<const SpringNet> m_sharedNet; ///< copy of m_project.net, made on demand
-  std::uint64_t m_netNumber = 0, m_netNumbers = 0;      ///< of the net, and how many were given
+  /// Copy of m_project.net, made on demand: edits of the tissue write to that one in place.
+  mutable std::shared_ptr<const SpringNet> m_sharedNet;
+  std::uint64_t m_netNumber = 0, m_netNumbers = 0; ///< of the net, and how many were given
   bool m_derived = false; ///< the net's parameters are what applyTissue() gives: undo need not store them
   std::optional<TissueDerivation> m_derivation; ///< follows edits; only while m_derived, and then on demand
-  std::optional<Derived> m_preparedNet;         ///< what the next redo() takes, tried by prepare()
+  // What the next redo() takes, tried by prepare(); the first only where there is no derivation yet.
+  std::optional<TissueDerivation> m_preparedDerivation;
   std::optional<TissueField> m_preparedField;
+  std::shared_ptr<const ParameterPatch> m_lastPatch;
   mutable std::optional<TissueField> m_field; ///< compiled on demand while there is no derivation
   QElapsedTimer m_deriving;
-  ApplyReport m_lastApply;
+  DerivationReport m_lastApply;
   double m_lastApplyTime = 0.0;
   fuzzy::RuleBase m_savedRules;
   QUndoStack m_undo;

@@ -43,7 +43,7 @@ void TissueCommand::undo()
   Document& target = document();
   revert(project().tissue);
   if (m_before)
-    target.putNet(m_before, false);
+    putNet(m_before, false);
   else
     derive();
   keepTargetInRange();
@@ -55,7 +55,7 @@ void TissueCommand::becomeVoid()
 {
   setObsolete(true);
   if (!m_before) return;
-  document().putNet(m_before, false); // the numbers of the file, which the first edit of the gesture replaced
+  putNet(m_before, false); // the numbers of the file, which the first edit of the gesture replaced
   emit document().parametersChanged();
 }
 

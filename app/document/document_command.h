@@ -20,6 +20,7 @@ protected:
   Document& document() { return *m_document; }
   Project& project() { return m_document->m_project; }
   void netReplaced(bool derived); ///< call after writing to project().net
+  void putNet(const std::shared_ptr<const SpringNet>& net, bool derived) { m_document->putNet(net, derived); }
   bool netIsDerived() const { return m_document->m_derived; }
   std::uint64_t newNetNumber() { return ++m_document->m_netNumbers; }
   void setNetNumber(std::uint64_t number) { m_document->m_netNumber = number; }

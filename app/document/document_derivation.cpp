@@ -36,22 +36,20 @@ void Document::refuse(const Error& error)
 }
 
 /// Does what can fail of deriving the springs from `tissue`; the project stays as it is.
-/// The first derivation of a net is made whole on a copy, later ones follow the edit.
 Status Document::prepare(const TissueModel& tissue)
 {
   m_deriving.start();
-  m_preparedNet.reset();
+  m_preparedDerivation.reset();
   m_preparedField.reset();
-  if (m_derivation || !derivesSprings()) {
-    auto field = TissueField::create(tissue);
-    if (!field) return field.error();
-    m_preparedField.emplace(std::move(field).value());
-    return {};
+  m_lastPatch.reset();
+  auto field = TissueField::create(tissue);
+  if (!field) return field.error();
+  if (!m_derivation && derivesSprings()) {
+    auto derivation = TissueDerivation::prepare(tissue, m_project.net);
+    if (!derivation) return derivation.error();
+    m_preparedDerivation.emplace(std::move(derivation).value());
   }
-  auto net = std::make_shared<SpringNet>(m_project.net);
-  auto derivation = TissueDerivation::create(tissue, *net);
-  if (!derivation) return derivation.error();
-  m_preparedNet.emplace(Derived{std::move(derivation).value(), std::move(net)});
+  m_preparedField.emplace(std::move(field).value());
   return {};
 }
 
@@ -63,17 +61,18 @@ bool Document::derivesSprings() const
 /// Gives the springs what prepare() made ready for the project's present tissue.
 void Document::derivePrepared()
 {
-  if (m_preparedNet) {
-    putNet(m_preparedNet->net, true);
-    m_derivation = std::move(m_preparedNet->derivation);
-    m_lastApply = m_derivation->report();
-  } else if (m_derivation) {
-    m_lastApply = m_derivation->update(std::move(*m_preparedField), m_project.net);
+  if (m_preparedDerivation) m_derivation = std::move(m_preparedDerivation); // the first one writes everything
+  if (m_derivation) {
+    auto patch = std::make_shared<ParameterPatch>();
+    m_lastApply = m_derivation->update(std::move(*m_preparedField), m_project.net, patch.get());
+    m_lastPatch = std::move(patch);
     m_sharedNet.reset();
+    m_field.reset();
+    m_derived = true;
   } else {
     m_field = std::move(m_preparedField);
   }
-  m_preparedNet.reset();
+  m_preparedDerivation.reset();
   m_preparedField.reset();
   m_lastApplyTime = 1e-9 * static_cast<double>(m_deriving.nsecsElapsed());
 }
@@ -89,6 +88,7 @@ void Document::putNet(std::shared_ptr<const SpringNet> net, bool derived)
 void Document::netWritten(bool derived)
 {
   m_sharedNet.reset();
+  m_lastPatch.reset();
   m_derivation.reset();
   m_field.reset();
   m_derived = derived;

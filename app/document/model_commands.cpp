@@ -26,10 +26,9 @@ void SetModelCommand::put(const ModelPart& part)
   const TissueModel former = std::exchange(target.tissue, part.tissue);
   target.name = part.name;
   target.source = part.source;
-  target.net = *part.net;
   target.loads = part.loads;
   target.parametersFromTissue = part.parametersFromTissue;
-  netReplaced(part.derived);
+  putNet(part.net, part.derived);
   setNetNumber(part.netNumber);
   const bool otherRules = former.rules != part.tissue.rules,
              otherRegions = former.regions != part.tissue.regions;
@@ -128,8 +127,7 @@ void SetParametersFromTissueCommand::put(bool on, const std::shared_ptr<const Sp
                                          std::uint64_t number)
 {
   project().parametersFromTissue = on;
-  project().net = *net;
-  netReplaced(derived);
+  putNet(net, derived);
   setNetNumber(number);
   emit document().parametersChanged();
   emit document().tissueSettingsChanged();

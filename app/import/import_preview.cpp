@@ -9,19 +9,8 @@ namespace esm {
 
 namespace {
 
-// Project, its shared copy, the simulation with its frames, and the picture, all together.
-constexpr std::uint64_t kBytesPerNode = 600, kBytesPerSpring = 400, kBytesPerTriangle = 60;
 constexpr double kIntersectionTime = 0.5;  ///< of the search for them in a preview [s]
 constexpr double kSecondsPerSpring = 5e-9; ///< of an explicit step, on one core
-
-NetPrediction predictMemory(const SpringNet& net)
-{
-  NetPrediction prediction;
-  prediction.bytes = kBytesPerNode * static_cast<std::uint64_t>(net.nodeCount()) +
-                     kBytesPerSpring * static_cast<std::uint64_t>(net.springCount()) +
-                     kBytesPerTriangle * static_cast<std::uint64_t>(net.triangleCount());
-  return prediction;
-}
 
 } // namespace
 
@@ -42,7 +31,7 @@ Result<ImportPreview> makePreview(const MeshSource& source, const ImportRecipe& 
     findSelfIntersections(mesh, kIntersectionTime, kMostDefects + 1, control);
   if (stopWanted(control)) return cancelledError();
   preview.defects = defectPlaces(mesh, defects, crossings);
-  preview.prediction = predictMemory(made->net);
+  preview.prediction.bytes = predictMemory(made->net).window;
   // Tissue cannot be applied in the middle of an edit of its rules; then nothing is said of its numbers.
   if (SpringNet net = made->net; applyTissue(*wished, net)) {
     if (Result<QualityReport> quality = judgeNet(net, control)) preview.quality = std::move(quality).value();

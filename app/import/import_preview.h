@@ -14,7 +14,7 @@ namespace esm {
 
 /// What a net will cost once it runs.
 struct NetPrediction {
-  std::uint64_t bytes = 0; ///< of memory, net and simulation together
+  std::uint64_t bytes = 0; ///< of memory, that the window takes with it
   double step = 0.0;       ///< largest stable explicit step [s]; 0: not known
   double realTime = 0.0;   ///< simulated seconds per second, with explicit steps on one core; 0: not known
 };

@@ -77,7 +77,7 @@ bool SceneModel::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t gene
   m_strainRange.reset();
   m_forceRange.reset();
   if (m_net) {
-    m_stiffnessRange = logRange(m_net->stiffness);
+    takeStiffness();
     const Eigen::AlignedBox3d box = boxOf(m_net->restPosition);
     m_origin = box.isEmpty() ? Eigen::Vector3d::Zero() : Eigen::Vector3d(box.center());
   }
@@ -131,9 +131,24 @@ bool SceneModel::setParameters(std::shared_ptr<const SpringNet> net)
   if (!net || !m_net || net->nodeCount() != m_net->nodeCount() || net->springCount() != m_net->springCount())
     return false;
   m_net = std::move(net);
-  m_stiffnessRange = logRange(m_net->stiffness);
+  takeStiffness();
+  return true;
+}
+
+bool SceneModel::setParameters(const ParameterPatch& patch)
+{
+  if (!m_net || patch.springs.empty()) return false;
+  for (const ParameterPatch::Spring& spring : patch.springs) m_stiffness[spring.spring] = spring.stiffness;
+  m_stiffnessRange = logRange(m_stiffness);
   dirty.frame = true;
   return true;
+}
+
+void SceneModel::takeStiffness()
+{
+  m_stiffness = m_net->stiffness;
+  m_stiffnessRange = logRange(m_stiffness);
+  dirty.frame = true;
 }
 
 bool SceneModel::setRegions(const std::vector<Region>& regions, int selected)
@@ -301,7 +316,7 @@ Eigen::ArrayXd SceneModel::springValues() const
   if (!m_net) return {};
   switch (m_colouring) {
   case Colouring::Stiffness:
-    return m_net->stiffness;
+    return m_stiffness;
   case Colouring::Strain:
     return strains(*m_net, m_position);
   case Colouring::Force:

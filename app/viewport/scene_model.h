@@ -38,12 +38,14 @@ public:
   bool setNet(std::shared_ptr<const SpringNet> net, std::uint64_t generation);
   bool setSnapshot(const SimSnapshot& snapshot);
   bool setParameters(std::shared_ptr<const SpringNet> net);
+  bool setParameters(const ParameterPatch& patch);
   bool setRegions(const std::vector<Region>& regions, int selected);
   bool setColouring(Colouring colouring);
   bool setShown(bool surface, bool springs, bool struts);
   bool setMarks(const Eigen::Matrix3Xd& places); ///< 3 x K [m]
   bool setInstrument(const Instrument& instrument);
 
+  /// For topology and rest shape: of its parameters patches have changed some, see springValues().
   const SpringNet* net() const noexcept { return m_net.get(); }
   const Eigen::Matrix3Xd& position() const noexcept { return m_position; }
   const std::vector<Region>& regions() const noexcept { return m_regions; }
@@ -95,6 +97,7 @@ public:
   std::vector<Index> nodesIn(const Eigen::AlignedBox2d& pixels) const;
 
 private:
+  void takeStiffness();
   void weighSprings();
   bool isShown(Index spring) const;
   void updateBounds();
@@ -106,6 +109,7 @@ private:
   std::uint64_t m_sequence = 0, m_revision = 0; ///< of the snapshot
   Eigen::Matrix3Xd m_position;                  ///< 3 x N [m]
   Eigen::ArrayXd m_tension;                     ///< S [N]
+  Eigen::ArrayXd m_stiffness;                   ///< S, the net's with all patches since [N/m]
   double m_time = 0.0;                          ///< of the snapshot [s]
   Index m_grabbed = kNoIndex;
   std::vector<Index> m_held;

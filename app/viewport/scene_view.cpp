@@ -143,6 +143,11 @@ void SceneView::setParameters(std::shared_ptr<const SpringNet> net)
   m_impl->repaintIf(m_impl->model.setParameters(std::move(net)));
 }
 
+void SceneView::setParameters(const ParameterPatch& patch)
+{
+  m_impl->repaintIf(m_impl->model.setParameters(patch));
+}
+
 void SceneView::setRegions(const std::vector<Region>& regions, int selected)
 {
   m_impl->repaintIf(m_impl->model.setRegions(regions, selected));

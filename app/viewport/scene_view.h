@@ -49,6 +49,7 @@ public:
   void setNet(std::shared_ptr<const SpringNet> net, std::uint64_t generation); ///< null: empty scene
   void setSnapshot(const SimSnapshot& snapshot); ///< ignored if of another generation; schedules a repaint
   void setParameters(std::shared_ptr<const SpringNet> net);          ///< same topology, new colours
+  void setParameters(const ParameterPatch& patch);                   ///< for what it names
   void setRegions(const std::vector<Region>& regions, int selected); ///< wireframes; -1 = none selected
   void setColouring(Colouring colouring);                            ///< legend with unit follows
   void setShown(bool surface, bool springs, bool struts);

@@ -293,10 +293,11 @@ void BlockCholesky::addUpdate(const Front& child, const Front& parent) noexcept
     }
 }
 
-bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling,
-                           Interruption* interruption) noexcept
+bool BlockCholesky::factor(const NodeBlock* diagonal, const NodeBlock* coupling, Interruption* interruption)
 {
   m_negativePivots = 0;
+  m_panels.resize(m_panelNumbers);
+  m_updates.resize(m_updateNumbers);
   std::fill(m_panels.begin(), m_panels.end(), 0.0);
   const auto add = [&](const Place& place, const NodeBlock& block) {
     double* corner = m_panels.data() + place.corner;

@@ -32,7 +32,7 @@ std::vector<Index> eliminationOrder(Index nodes, const std::vector<NodePair>& pa
 /// Multifrontal (Duff and Reid 1983): columns with nearly the same pattern are gathered in supernodes; each
 /// is a dense front that its children's updates are added to, is factored by dense kernels, and passes its
 /// own update to its parent. All that depends on the pattern alone is done once by analyze(), so that
-/// factor() and solve() neither search nor allocate. Sums run in a fixed order, lane by lane: equal input
+/// factor(), but for its first call, and solve() neither search nor allocate. Sums run in a fixed order, lane by lane: equal input
 /// gives equal bits on every CPU.
 ///
 /// A negative pivot is taken as it is, without exchange: for a matrix that is indefinite the factor may be
@@ -49,8 +49,7 @@ public:
   /// @param coupling  a block per pair of analyze(), symmetric, stands at (a, b) and at (b, a).
   /// @return false if a pivot is 0 or not finite: there is no factor then.
   /// @param interruption  asked between fronts; null: nobody. Who says yes leaves no factor.
-  bool factor(const NodeBlock* diagonal, const NodeBlock* coupling,
-              Interruption* interruption = nullptr) noexcept;
+  bool factor(const NodeBlock* diagonal, const NodeBlock* coupling, Interruption* interruption = nullptr);
   /// vector = A^-1 vector; an entry per node. @pre factor() was true.
   void solve(Lanes* vector) noexcept;
 
@@ -106,7 +105,8 @@ private:
   std::vector<Run> m_runs;
   std::vector<Index> m_nodeAt; ///< place in the order -> node
   std::vector<Place> m_diagonal, m_coupling;
-  Numbers m_panels, m_updates;
+  Numbers m_panels, m_updates; ///< from the first factor() on: many only ask for its cost
+  std::size_t m_panelNumbers = 0, m_updateNumbers = 0;
   Numbers m_signed;      ///< a panel with its columns times S
   Numbers m_sign;        ///< S by columns
   Numbers m_vector;      ///< 3 per node, in the order of elimination

@@ -254,7 +254,7 @@ bool BlockCholesky::analyze(Index nodes, const std::vector<NodePair>& pairs, std
     *this = BlockCholesky();
     return false;
   }
-  m_panels.assign(numbers, 0.0);
+  m_panelNumbers = numbers;
   layOutUpdates();
   placeBlocks(structure, pairs);
   return true;
@@ -346,7 +346,7 @@ void BlockCholesky::layOutUpdates()
       packed = std::min(packed, static_cast<std::size_t>(next - live.begin()));
     }
   }
-  m_updates.assign(top, 0.0);
+  m_updateNumbers = top;
 }
 
 void BlockCholesky::placeBlocks(const Structure& structure, const std::vector<NodePair>& pairs)

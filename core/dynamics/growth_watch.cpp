@@ -35,9 +35,8 @@ bool isDamped(const SpringNet& net)
 
 void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
 {
-  m_system = System(net, loads);
-  m_integrator = makeLeapfrog();
-  m_integrator->prepare(m_system);
+  m_net = &net;
+  m_loads = &loads;
   const Eigen::Vector3d box = net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
   m_extent = std::max(box.norm(), 1e-12);
   m_share = isDamped(net) ? kWatchShare : kShareUndamped;
@@ -77,6 +76,7 @@ bool GrowthWatch::look(const System& system, const MotionState& motion)
   if (givesWay) m_pattern = m_stiffness.direction();
   m_lookCost = kPreparation + m_stiffness.products();
   m_spent += m_lookCost;
+  m_stiffness = StiffnessCg(); // looks are rare
   if (!givesWay) return false;
   m_looksAgain = ++m_timesGivenWay < kOften;
   if (m_looksAgain) return false;
@@ -96,6 +96,9 @@ void GrowthWatch::setMode(const FastestMode& mode) noexcept
 /// A difference in the velocities, in the pattern in which the net gives way.
 void GrowthWatch::start()
 {
+  m_system = System(*m_net, *m_loads);
+  m_integrator = makeLeapfrog();
+  m_integrator->prepare(m_system);
   m_v = m_pattern;
   m_x.assign(m_v.size(), Lanes{0, 0, 0, 0});
   const double scale = kSmall * m_extent / size();

@@ -37,7 +37,9 @@ private:
   bool run(MotionState& state, double end, double step);
   double size() const noexcept;
 
-  System m_system; ///< of the two neighbours
+  const SpringNet* m_net = nullptr;
+  const Loads* m_loads = nullptr;
+  System m_system; ///< of the two neighbours, once there are two
   MotionState m_before, m_here, m_beside;
   NodeArray m_pattern; ///< in which the net gave way last
   NodeArray m_x, m_v;  ///< the difference [m, m/s]

@@ -47,8 +47,7 @@ class TrBdf2 final : public Integrator {
 public:
   void prepare(const System& system) override
   {
-    for (NodeArray* array : {&m_a, &m_middleV, &m_middleA, &m_x, &m_v, &m_startX, &m_startV})
-      array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+    m_hasRoom = false; // it is often weighed only
     m_stage.prepare(system);
     m_loss.prepare(system);
     m_started = false;
@@ -112,6 +111,9 @@ public:
 private:
   void start(System& system, MotionState& state)
   {
+    if (!std::exchange(m_hasRoom, true))
+      for (NodeArray* array : {&m_a, &m_middleV, &m_middleA, &m_x, &m_v, &m_startX, &m_startV})
+        array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_rates = system.evaluate(state.time, state.x, state.v, m_a);
     system.toAccelerations(m_a);
     m_loss.restart();
@@ -127,7 +129,7 @@ private:
   StageGuess m_guessMiddle, m_guessEnd;
   double m_localError = 0.0; ///< since takeLocalError() [m]
   double m_lastStep = 0.0;   ///< [s], 0: the first step
-  bool m_started = false;
+  bool m_started = false, m_hasRoom = false;
 };
 
 } // namespace

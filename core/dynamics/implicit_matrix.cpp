@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -39,7 +40,8 @@ void addScalar(NodeBlock& block, double amount) noexcept
 
 void ImplicitMatrix::prepare(const System& system, bool mayIterate)
 {
-  m_mayIterate = mayIterate;
+  const bool sameWay = std::exchange(m_mayIterate, mayIterate) == mayIterate;
+  const std::vector<Index> formerBlocks = std::move(m_blockOf);
   m_blockOf.assign(system.nodeCount(), kNoIndex);
   m_nodeOf.clear();
   for (std::size_t i = 0; i < system.nodeCount(); ++i)
@@ -47,8 +49,29 @@ void ImplicitMatrix::prepare(const System& system, bool mayIterate)
       m_blockOf[i] = static_cast<Index>(m_nodeOf.size());
       m_nodeOf.push_back(static_cast<Index>(i));
     }
-  layOut(system);
+  // Other parameters are no other springs: to find an order for the factor costs hundreds of force passes.
+  if (!(sameWay && formerBlocks == m_blockOf && isLaidOut(system))) layOut(system);
+  m_spent = 0.0;
   constraintsChanged(system);
+}
+
+/// For these springs between these blocks, by a factor.
+bool ImplicitMatrix::isLaidOut(const System& system) const noexcept
+{
+  const auto& ends = system.forces().springEnds();
+  if (m_pairOf.size() != ends.size() || m_isIterative || m_isTooLarge || m_nodeOf.empty() ||
+      (m_mayIterate && m_nodeOf.size() > kManyNodes))
+    return false;
+  for (std::size_t e = 0; e < ends.size(); ++e) {
+    const Index a = m_blockOf[static_cast<std::size_t>(ends[e].a)],
+                b = m_blockOf[static_cast<std::size_t>(ends[e].b)], pair = m_pairOf[e];
+    const bool isPair = a != kNoIndex && b != kNoIndex && a != b;
+    if (isPair != (pair != kNoIndex)) return false;
+    if (isPair &&
+        (m_pairs[static_cast<std::size_t>(pair)].a != a || m_pairs[static_cast<std::size_t>(pair)].b != b))
+      return false;
+  }
+  return true;
 }
 
 void ImplicitMatrix::layOut(const System& system)
@@ -67,10 +90,14 @@ void ImplicitMatrix::layOut(const System& system)
   m_spent = 0.0;
   m_isTooLarge = false;
   m_isIterative = m_mayIterate && m_nodeOf.size() > kManyNodes;
-  if (m_isIterative)
-    m_gradients.prepare(static_cast<Index>(m_nodeOf.size()), m_pairs);
-  else
-    m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs);
+  if (!m_isIterative) m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs);
+  m_hasRoom = false;
+}
+
+void ImplicitMatrix::makeRoom()
+{
+  if (std::exchange(m_hasRoom, true)) return;
+  if (m_isIterative) m_gradients.prepare(static_cast<Index>(m_nodeOf.size()), m_pairs);
   m_diagonal.assign(m_nodeOf.size(), {});
   m_coupling.assign(m_pairs.size(), {});
   m_vector.assign(m_nodeOf.size(), Lanes{0, 0, 0, 0});
@@ -148,6 +175,7 @@ double ImplicitMatrix::stiffestRate(const System& system, const NodeArray& x, co
 void ImplicitMatrix::fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares,
                           bool convex)
 {
+  makeRoom();
   std::fill(m_diagonal.begin(), m_diagonal.end(), NodeBlock{});
   const auto scalar = [&](Index node, double amount) {
     if (const Index block = m_blockOf[static_cast<std::size_t>(node)]; block != kNoIndex)

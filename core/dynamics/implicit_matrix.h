@@ -61,6 +61,8 @@ public:
 
 private:
   void layOut(const System& system);
+  bool isLaidOut(const System& system) const noexcept;
+  void makeRoom();
   void fill(const System& system, const NodeArray& x, const NodeArray& v, const Shares& shares, bool convex);
   void addSprings(const System& system, const Shares& shares, bool convex) noexcept;
   void fillPressure(const System& system, const NodeArray& x, const Shares& shares);
@@ -87,6 +89,7 @@ private:
   std::int64_t m_negativesGone = 0; ///< by the pressure
   BlockCholesky m_cholesky;
   PreconditionedCg m_gradients;
+  bool m_hasRoom = false; ///< for the numbers: from the first factor() on, many only ask for costs
   bool m_mayIterate = false, m_isIterative = false, m_isTooLarge = false;
   double m_spent = 0.0;           ///< on gradients since they were last judged [spring evaluations]
   std::int64_t m_metNegative = 0; ///< 1: the gradients met negative curvature

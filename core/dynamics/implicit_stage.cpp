@@ -41,13 +41,19 @@ ESM_CPU_CLONES double toResidual(std::size_t count, double s, const double* mass
 
 void ImplicitStage::prepare(const System& system)
 {
-  for (NodeArray* array : {&m_force, &m_change, &m_trial, &m_before})
-    array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
-  m_pairs.prepare(system.nodeCount());
+  m_hasRoom = false;
+  m_pairs.clearAll();
   m_matrix.prepare(system, true);
   m_factoredShare = 0.0;
   m_meanIterations = 2.0;
   m_meanFactors = 0.1;
+}
+
+void ImplicitStage::makeRoom(const System& system)
+{
+  if (std::exchange(m_hasRoom, true)) return;
+  for (NodeArray* array : {&m_force, &m_change, &m_trial, &m_before})
+    array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
 }
 
 void ImplicitStage::constraintsChanged(const System& system)
@@ -158,6 +164,7 @@ StepResult ImplicitStage::solve(System& system, double t, double s, const NodeAr
                                 const NodeArray& startV, NodeArray& v, NodeArray& x, Rates& rates,
                                 StepReport& report)
 {
+  makeRoom(system);
   const Problem problem{system, t, s, startX, startV};
   double norm = residual(problem, v, x, rates);
   if (m_matrix.freeCount() == 0) return std::isfinite(norm) ? StepResult::Done : StepResult::NonFinite;

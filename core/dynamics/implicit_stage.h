@@ -37,6 +37,7 @@ public:
   double cost(const System& system) const noexcept;
 
 private:
+  void makeRoom(const System& system);
   struct Problem {
     System& system;
     double t, s;
@@ -59,6 +60,7 @@ private:
   double m_pairShare = 0.0;             ///< [s]
   NodeArray m_force, m_change, m_trial; ///< residual with a minus; A^-1 of it; velocities tried
   NodeArray m_before;                   ///< the residual that m_change answers
+  bool m_hasRoom = false;               ///< these arrays are there: from the first solve() on
   double m_tolerance = 1e-9;            ///< [m]
   double m_move = 0.0;                  ///< length of m_change in position [m], RMS over nodes
   bool m_rough = false;                 ///< a few iterations that gain are enough

@@ -82,11 +82,11 @@ class Multirate final : public Integrator {
 public:
   void prepare(const System& system) override
   {
-    for (NodeArray* array : {&m_x, &m_v, &m_p, &m_force})
-      array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     m_plan = MultirateLayout::plan(system);
     m_plan.pays = m_plan.pays && system.forces().pressure().isEmpty();
     m_built = m_started = false;
+    for (NodeArray* array : {&m_x, &m_v, &m_p, &m_force})
+      array->assign(m_plan.pays ? system.nodeCount() : 0, Lanes{0, 0, 0, 0});
     if (m_plan.pays) return;
     m_uniform = StiffNodes::find(system).empty() ? makeVerlet() : makeFewImplicit();
     m_uniform->prepare(system);

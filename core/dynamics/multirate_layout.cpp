@@ -200,7 +200,7 @@ void MultirateLayout::fillClasses(const System& system)
   };
   for (const Anchor& anchor : forces.anchors()) classOfNext().anchors.push_back(anchor);
   for (std::size_t i = 0; i < forces.massDrag().size(); ++i)
-    classOfNext().anchors.push_back({static_cast<Index>(i), Lanes{0, 0, 0, 0}, 0.0, forces.massDrag()[i]});
+    classOfNext().anchors.push_back({Lanes{0, 0, 0, 0}, 0.0, forces.massDrag()[i], static_cast<Index>(i)});
   for (std::size_t i = 0; i < system.tools().size(); ++i) classOfNext().tools.push_back(i);
 
   // Which nodes feel which class. Weight and loads belong to the slowest one, which so has all nodes.

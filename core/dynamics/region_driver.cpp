@@ -56,7 +56,7 @@ StepReport RegionDriver::advance(double interval, const Budget& budget)
   return report;
 }
 
-void RegionDriver::closeLoss() noexcept
+void RegionDriver::closeLoss()
 {
   if (m_mode == Mode::Rest) return;
   const bool isPart = m_mode == Mode::Part;
@@ -270,8 +270,9 @@ double RegionDriver::workLeft(double end) const noexcept
 FastestMode RegionDriver::fastestMode()
 {
   if (m_mode == Mode::Whole) return m_driver.fastestMode(m_body.system, m_body.motion);
-  m_wholeBound.prepare(m_body.system, m_driver.asksForDecay());
-  return m_wholeBound.compute(m_body.system, m_body.motion.x, m_body.motion.v);
+  StepBound bound; // asked for rarely: not worth the room of a whole net in between
+  bound.prepare(m_body.system, m_driver.asksForDecay());
+  return bound.compute(m_body.system, m_body.motion.x, m_body.motion.v);
 }
 
 void RegionDriver::clearMoved() noexcept

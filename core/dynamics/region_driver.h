@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/load_watch.h"
+#include "core/dynamics/parameter_change.h"
 #include "core/dynamics/rest_watch.h"
 #include "core/dynamics/settling.h"
 #include "core/dynamics/sleeping_tensions.h"
@@ -53,8 +54,8 @@ public:
   RegionDriver(SolverSettings settings, Body& body);
 
   void begin(); ///< after creation and reset of the body
-  /// The body has other parameters than in `before`.
-  void parametersChanged(const SpringNet& before);
+  /// The body has other parameters now. Costs what the change touches, and a choice of method and step for what is awake.
+  void parametersChanged(const ParameterChange& change);
   /// The body has other tools than in `before`.
   void toolsChanged(const std::vector<ToolSpring>& before);
   /// Another accuracy from the next stretch on; see Simulation.
@@ -62,7 +63,7 @@ public:
   StepReport advance(double interval, const Budget& budget);
 
   /// Books all that the method has lost up to now.
-  void closeLoss() noexcept;
+  void closeLoss();
 
   /// Nodes that advance() and the changes above have moved since the last clearMoved(); empty and all = true
   /// for everybody.
@@ -131,7 +132,6 @@ private:
   SleepingTensions m_tensions;
   Settling m_settling;
   SubNetCutter m_cutter;
-  StepBound m_wholeBound;
   FreeBodies m_bodies; ///< of the whole net, see bodies()
   bool m_bodiesAreKnown = false;
 

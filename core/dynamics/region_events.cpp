@@ -5,60 +5,30 @@
 #include "core/dynamics/region_driver.h"
 
 #include <algorithm>
+#include <numeric>
 
 namespace esm {
-namespace {
 
-/// Flags the nodes whose parameters, or those of their springs, are not what they were. False if the two nets
-/// differ in more than that: in fixed nodes, in which nodes have anchors, in tables.
-bool flagTouched(const SpringNet& before, const SpringNet& now, std::vector<std::uint8_t>& touched)
+void RegionDriver::parametersChanged(const ParameterChange& change)
 {
-  const AnchorSet &old = before.anchors, &anchors = now.anchors;
-  if (before.fixed != now.fixed || old.node != anchors.node || before.tables != now.tables ||
-      before.massDamping.size() != now.massDamping.size() || before.pressure != now.pressure)
-    return false;
-  for (Index i = 0; i < now.nodeCount(); ++i) {
-    const bool drag = now.massDamping.size() > 0 && before.massDamping[i] != now.massDamping[i];
-    touched[static_cast<std::size_t>(i)] = before.mass[i] != now.mass[i] || drag;
-  }
-  for (Index s = 0; s < now.springCount(); ++s) {
-    const auto i = static_cast<std::size_t>(s);
-    if (before.stiffness[s] == now.stiffness[s] && before.viscosity[s] == now.viscosity[s] &&
-        before.restLength[s] == now.restLength[s] && before.law[i] == now.law[i] &&
-        before.lawParameter[s] == now.lawParameter[s] && before.tensionOnly[i] == now.tensionOnly[i])
-      continue;
-    for (const Index node : {now.ends(0, s), now.ends(1, s)}) touched[static_cast<std::size_t>(node)] = 1;
-  }
-  for (Index k = 0; k < anchors.count(); ++k)
-    if (old.stiffness[k] != anchors.stiffness[k] || old.viscosity[k] != anchors.viscosity[k] ||
-        old.point.col(k) != anchors.point.col(k))
-      touched[static_cast<std::size_t>(anchors.node[static_cast<std::size_t>(k)])] = 1;
-  return true;
-}
-
-} // namespace
-
-/// O(nodes + springs).
-void RegionDriver::parametersChanged(const SpringNet& before)
-{
-  m_allMoved = true; // fixed nodes have lost their velocity
+  m_allMoved = m_allMoved || change.otherFixed; // fixed nodes have lost their velocity
   m_bodiesAreKnown = false;
   m_settling.forget();
   m_stirred = m_body.motion.time;
   if (m_on) {
-    const SpringNet& net = m_body.net;
-    std::vector<std::uint8_t> touched(static_cast<std::size_t>(net.nodeCount()), 0);
-    std::vector<Index> seeds;
-    const bool known = flagTouched(before, net, touched);
-    if (before.fixed != net.fixed) {
-      m_region = ActiveRegion(net);
+    if (change.otherFixed) {
+      m_region = ActiveRegion(m_body.net);
       m_mode = Mode::Rest; // to wake everybody
     }
-    for (Index i = 0; i < net.nodeCount(); ++i)
-      if (!known || touched[static_cast<std::size_t>(i)]) seeds.push_back(i);
-    if (seeds.empty()) return;
-    m_cutter.prepare(net);
-    wake(seeds, kFirstLayers);
+    if (change.isNone()) return;
+    if (change.otherAnchors || change.otherFixed) m_cutter.prepare(m_body.net);
+    if (change.everything) {
+      std::vector<Index> all(static_cast<std::size_t>(m_body.net.nodeCount()));
+      std::iota(all.begin(), all.end(), 0);
+      wake(all, kFirstLayers);
+    } else {
+      wake(change.nodes, kFirstLayers);
+    }
     m_changed = m_mode != Mode::Whole; // the part needs the new parameters, whoever has woken
     applyChange();
     m_watch.watch(m_region.awake(), m_body.motion);

@@ -33,20 +33,18 @@ ESM_CPU_CLONES void setPair(std::size_t count, double fraction, const Lanes* cha
 
 } // namespace
 
-void SecantPairs::prepare(std::size_t nodes)
+void SecantPairs::clearAll() noexcept
 {
-  for (Pair& pair : m_pairs) {
-    pair.step.assign(nodes, Lanes{0, 0, 0, 0});
-    pair.drop.assign(nodes, Lanes{0, 0, 0, 0});
-  }
+  m_pairs = {};
   m_count = m_next = 0;
 }
 
 void SecantPairs::add(const NodeArray& change, double fraction, const NodeArray& before,
-                      const NodeArray& after) noexcept
+                      const NodeArray& after)
 {
   Pair& oldest = m_pairs[m_next];
   const std::size_t count = change.size();
+  for (NodeArray* array : {&oldest.step, &oldest.drop}) array->resize(count);
   setPair(count, fraction, change.data(), before.data(), after.data(), oldest.step.data(),
           oldest.drop.data());
   oldest.curvature = dotOf(count, oldest.step.data(), oldest.drop.data());

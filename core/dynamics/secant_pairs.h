@@ -21,13 +21,13 @@ class SecantPairs {
 public:
   static constexpr std::size_t kMost = 8; ///< pairs that are kept
 
-  /// Room for vectors of so many nodes.
-  void prepare(std::size_t nodes);
+  /// Forgets all; the next vectors may be of another size. A pair takes its room when it first comes: methods that
+  /// are weighed and not used have none.
+  void clearAll() noexcept;
   void clear() noexcept { m_count = 0; }
   /// After the step fraction * change [m/s], by which the residual went from `before` to `after` [N s]. Keeps
   /// it, in place of the oldest, unless A had no positive curvature along it.
-  void add(const NodeArray& change, double fraction, const NodeArray& before,
-           const NodeArray& after) noexcept;
+  void add(const NodeArray& change, double fraction, const NodeArray& before, const NodeArray& after);
   void fold(NodeArray& residual) noexcept;
   void unfold(NodeArray& change) noexcept;
 

@@ -5,6 +5,7 @@
 #include "core/base/assert.h"
 #include "core/dynamics/growth_watch.h"
 #include "core/dynamics/region_driver.h"
+#include "core/forces/few_springs.h"
 #include "core/net/net_builder.h"
 
 #include <Eigen/Geometry>
@@ -35,6 +36,11 @@ Status checkSettings(const SolverSettings& settings)
     return invalid("the work limit must be a positive number of force passes, or 0 for none");
   if (settings.threads < 1) return invalid("the number of threads must be at least 1");
   return {};
+}
+
+Energies differenceOf(const Energies& a, const Energies& b) noexcept
+{
+  return {a.kinetic - b.kinetic, a.elastic - b.elastic, a.gravity - b.gravity};
 }
 
 /// More than there are processors only wait for each other.
@@ -81,6 +87,40 @@ struct Simulation::Impl {
     const System& system = body.system;
     return {system.kineticEnergy(body.motion.v), system.elasticEnergy(body.motion.x),
             system.forces().gravityEnergy(body.motion.x.data())};
+  }
+
+  /// Of what the patch names alone, with the numbers of now.
+  Energies energiesOf(const ParameterPatch& patch) const
+  {
+    const SpringNet& net = body.net;
+    const NodeArray& x = body.motion.x;
+    Energies sum;
+    for (const ParameterPatch::Node& node : patch.nodes) {
+      const auto i = static_cast<std::size_t>(node.node);
+      sum.kinetic += 0.5 * net.mass[node.node] * dot(body.motion.v[i], body.motion.v[i]);
+      sum.gravity -= net.mass[node.node] * body.loads.gravity.dot(toVector(x[i]));
+    }
+    std::vector<Index> springs;
+    for (const ParameterPatch::Spring& spring : patch.springs) springs.push_back(spring.spring);
+    sum.elastic = FewSprings(net, springs).energy(x.data());
+    const auto addAnchor = [&](Index k) {
+      const auto i = static_cast<std::size_t>(net.anchors.node[static_cast<std::size_t>(k)]);
+      const Eigen::Vector3d away = toVector(x[i]) - net.anchors.point.col(k);
+      sum.elastic += 0.5 * net.anchors.stiffness[k] * away.squaredNorm();
+    };
+    if (patch.anchorSet)
+      for (Index k = 0; k < net.anchors.count(); ++k) addAnchor(k);
+    else
+      for (const ParameterPatch::Anchor& anchor : patch.anchors) addAnchor(anchor.anchor);
+    if (!patch.bulkModuli.empty()) sum.elastic += body.system.forces().pressure().energy(x.data());
+    return sum;
+  }
+
+  void addToInitial(const Energies& change) noexcept
+  {
+    initial.kinetic += change.kinetic;
+    initial.elastic += change.elastic;
+    initial.gravity += change.gravity;
   }
 
   void watchGrowth(const StepReport& report)
@@ -172,7 +212,7 @@ void Simulation::reset()
   m_impl->reset();
 }
 
-Status Simulation::setParameters(const SpringNet& net)
+Status Simulation::setParameters(SpringNet net)
 {
   Impl& impl = *m_impl;
   if (net.nodeCount() != impl.body.net.nodeCount() || net.springCount() != impl.body.net.springCount() ||
@@ -181,19 +221,35 @@ Status Simulation::setParameters(const SpringNet& net)
                  "the new parameters are for a net of other springs; start a new simulation with it"};
   if (Status status = checkNet(net); !status) return status.error();
   impl.driver.closeLoss();
-  const SpringNet before = std::exchange(impl.body.net, net);
+  const ParameterChange change = changeBetween(impl.body.net, net);
+  impl.body.net = std::move(net);
   const Energies energiesBefore = impl.energies();
-  impl.body.system.setParameters(net, impl.body.loads.gravity);
+  impl.body.system.setParameters(impl.body.net, impl.body.loads.gravity);
   impl.engageWorkers();
   for (std::size_t i = 0; i < impl.body.motion.v.size(); ++i)
-    if (net.fixed[i]) impl.body.motion.v[i] = Lanes{0, 0, 0, 0};
-  const Energies energies = impl.energies();
-  impl.initial.kinetic += energies.kinetic - energiesBefore.kinetic;
-  impl.initial.elastic += energies.elastic - energiesBefore.elastic;
-  impl.initial.gravity += energies.gravity - energiesBefore.gravity;
-  impl.driver.parametersChanged(before);
+    if (impl.body.net.fixed[i]) impl.body.motion.v[i] = Lanes{0, 0, 0, 0};
+  impl.addToInitial(differenceOf(impl.energies(), energiesBefore));
+  impl.driver.parametersChanged(change);
   impl.publish();
   return {};
+}
+
+Result<ParameterChange> Simulation::setParameters(const ParameterPatch& patch)
+{
+  Impl& impl = *m_impl;
+  Body& body = impl.body;
+  if (Status status = checkPatch(patch, body.net); !status) return status.error();
+  impl.driver.closeLoss();
+  ParameterChange change = changeBy(patch, body.net);
+  const Energies energiesBefore = impl.energiesOf(patch);
+  patch.applyTo(body.net);
+  change.springsSeen += body.system.setParameters(patch, body.net, body.loads.gravity);
+  impl.engageWorkers();
+  change.energies = differenceOf(impl.energiesOf(patch), energiesBefore);
+  impl.addToInitial(change.energies);
+  impl.driver.parametersChanged(change);
+  impl.publish();
+  return change;
 }
 
 Status Simulation::setAccuracy(double tolerance, double effort)
@@ -314,6 +370,13 @@ void Simulation::springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const
   const System& system = m_impl->body.system;
   system.forces().springTensions(m_impl->body.motion.x.data(), m_impl->body.motion.v.data(), tension.data(),
                                  system.workers());
+}
+
+void Simulation::springTensions(std::span<const Index> springs, Eigen::Ref<Eigen::ArrayXd> tension) const
+{
+  const Body& body = m_impl->body;
+  ESM_ASSERT(tension.size() == body.net.springCount());
+  FewSprings(body.net, springs).tensions(body.motion.x.data(), body.motion.v.data(), tension.data());
 }
 
 double Simulation::stableStep() const

@@ -5,6 +5,7 @@
 #include "core/base/result.h"
 #include "core/dynamics/budget.h"
 #include "core/dynamics/energy_report.h"
+#include "core/dynamics/parameter_change.h"
 #include "core/dynamics/step_report.h"
 #include "core/forces/loads.h"
 #include "core/net/spring_net.h"
@@ -75,9 +76,14 @@ public:
   void reset();
 
   // === Between steps
-  /// New stiffness, viscosity, mass, law and anchors for the same topology; the motion goes on.
+  /// New numbers for what the patch names; the motion goes on, to the bit as if the net with these numbers had
+  /// been given as a whole. Costs what is named, but that method and step are chosen anew for what is awake.
+  /// Errors: InvalidValue if checkPatch() refuses; the old parameters stay.
+  Result<ParameterChange> setParameters(const ParameterPatch& patch);
+  /// New stiffness, viscosity, mass, law, anchors, rest lengths and fixed nodes for the same topology: for a net
+  /// of which nobody knows what has changed. Looks at all of it and compiles the forces anew.
   /// Errors: InvalidValue if the topology differs or checkNet() refuses; the old parameters stay.
-  Status setParameters(const SpringNet& net);
+  Status setParameters(SpringNet net);
   /// Another tolerance and effort (see SolverSettings), both > 0, from the next advance() on. The motion goes
   /// on, nothing is prepared anew: whoever keeps time with a clock may call it between any two frames.
   /// Errors: InvalidValue; the former values stay.
@@ -112,6 +118,8 @@ public:
   Eigen::Vector3d reaction(Index node) const;
   Eigen::Vector3d toolForce(std::size_t tool) const;             ///< force of the tool on its node [N]
   void springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const; ///< S [N], elastic + viscous, > 0 pulls
+  /// Of these springs alone, each at its place in `tension` (S).
+  void springTensions(std::span<const Index> springs, Eigen::Ref<Eigen::ArrayXd> tension) const;
   /// Largest substep [s] that explicit integration bears now, and the node that sets it.
   double stableStep() const;
   Index stiffestNode() const;

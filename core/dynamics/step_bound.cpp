@@ -42,13 +42,32 @@ void StepBound::prepare(const System& system, bool findsDecay)
     for (std::size_t s = 0; s < ends.size(); ++s)
       for (const Index node : {ends[s].a, ends[s].b}) add(node, static_cast<std::uint32_t>(s));
   });
-  m_tangents.resize(ends.size());
-  for (auto* array : {&m_rootStiffness, &m_rootViscosity, &m_rowStiffness, &m_rowViscosity})
-    array->resize(ends.size());
-  m_nodes.resize(nodes);
+  makeRoom(system);
   m_stiffnessSharpness = m_dampingSharpness = Sharpness{};
   m_decayShare = 0.0; // the first guess is that nothing decays faster than it swings
   m_sinceMeasured = kLooksBetween;
+}
+
+void StepBound::makeRoom(const System& system)
+{
+  const std::size_t springs = system.forces().springEnds().size();
+  m_tangents.resize(springs);
+  for (auto* array : {&m_rootStiffness, &m_rootViscosity, &m_rowStiffness, &m_rowViscosity})
+    array->resize(springs);
+  m_nodes.resize(system.nodeCount());
+}
+
+void StepBound::freeRoom()
+{
+  m_tangents = std::vector<SpringTangent>();
+  for (auto* array : {&m_rootStiffness, &m_rootViscosity, &m_rowStiffness, &m_rowViscosity, &m_undamped,
+                      &m_rootInverseMass, &m_diagonal, &m_turning})
+    *array = std::vector<double>();
+  m_nodes = std::vector<NodeSums>();
+  m_springs = SpringMatrix();
+  m_scaled = NodeArray();
+  m_pressure.clear();
+  m_lanczos = Lanczos();
 }
 
 /// Nothing is done without pressure.
@@ -309,6 +328,7 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
 
 FastestMode StepBound::compute(const System& system, const NodeArray& x, const NodeArray& v)
 {
+  makeRoom(system);
   system.forces().springTangents(x.data(), v.data(), m_tangents);
   sumPressure(system, x);
   sumNodes(system);

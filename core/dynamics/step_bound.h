@@ -54,8 +54,11 @@ public:
   /// @param findsDecay  else FastestMode::decay stays at what it cannot exceed, `damping`.
   void prepare(const System& system, bool findsDecay = true);
   FastestMode compute(const System& system, const NodeArray& x, const NodeArray& v);
+  /// What is known stays; the next compute() allocates.
+  void freeRoom();
 
 private:
+  void makeRoom(const System& system);
   void sumNodes(const System& system);
   void sumSprings(const System& system);
   void sumHub(std::span<const std::uint32_t> springs, const std::vector<double>& weight, double inverseMass,

@@ -185,7 +185,7 @@ void StepDriver::bookLoss(const System& system, MotionState& state, Method metho
   if (m_unseen.passes >= kLook) state.loss += closeLoss(system, state);
 }
 
-double StepDriver::closeLoss(const System& system, const MotionState& state) noexcept
+double StepDriver::closeLoss(const System& system, const MotionState& state)
 {
   constexpr double kPrecision = 0.01; // of the tolerance
   const MotionState& start = m_unseen.start;
@@ -393,7 +393,7 @@ void StepDriver::continueOnset(System& system)
     static_cast<Knowledge&>(m_candidates[method]) = m_onset.known[method];
   m_checkGap = 1;
   if (m_method == m_onset.method) return;
-  use(m_onset.method, system);
+  use(m_onset.method);
   m_candidates[m_method].isMeasured = true; // see above
   explain(system);
 }

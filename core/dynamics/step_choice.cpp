@@ -72,12 +72,16 @@ void StepDriver::begin(System& system, const MotionState& state)
   m_names.clear();
   m_start = state;
   m_startEnergies.reset();
-  m_coarse = m_coarseV = m_look.x = state.x; // room for later
-  m_probe = state;
+  if (system.nodeCount() <= System::kLarge) { // room for later
+    m_coarse = m_coarseV = m_look.x = state.x;
+    m_probe = state;
+  }
   const bool isDriven = !system.schedule().isEmpty() || !system.tools().empty();
   m_gauge.begin(state.x, extentOf(system, state.x), m_settings.duration, isDriven);
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
+  // What a look at the bound needs of a large net is a quarter of all its memory, and it may never move.
+  if (system.nodeCount() > System::kLarge) m_bound.freeRoom();
 }
 
 void StepDriver::parametersChanged(System& system, const MotionState& state)
@@ -207,7 +211,7 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
   m_settled = 0;
   m_roughAtCheck = false;
   if (m_auto && competes(m_candidates[m_method]) && !isPayable(m_method, system)) {
-    use(cheapestExplicit(system, 1.0), system);
+    use(cheapestExplicit(system, 1.0));
     explain(system);
   }
   if (!m_toleranceGivenUp) return;
@@ -225,11 +229,10 @@ void StepDriver::layOut(Method method, const System& system)
   candidate.prepared = true;
 }
 
-void StepDriver::use(Method method, const System& system)
+void StepDriver::use(Method method)
 {
   m_method = method;
   m_candidates[method].isMeasured = false; // a guess that fails says nothing about the others
-  layOut(method, system);
   current().restart();
   m_untilCheck = 0;
   m_checkGap = 1;
@@ -333,7 +336,7 @@ void StepDriver::choose(System& system, const MotionState&)
     giveToleranceUp(system, m_method == m_implicit && toleranceIsTooDear(system));
     if (m_toleranceGivenUp) m_candidates[m_implicit].accurateStep = kFrame / kBoundedGuess;
   }
-  use(m_method, system);
+  use(m_method);
   explain(system);
 }
 
@@ -372,7 +375,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
   }
   giveToleranceUp(system, tooDear && m_method == m_implicit);
   if (m_method == before) return;
-  use(m_method, system);
+  use(m_method);
   m_settled = kSettling;
   if (proven == m_method) { // it need not prove itself twice
     m_candidates[m_method].isMeasured = true;

@@ -154,7 +154,6 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   }
   if (m_auto) {
     if (takesBlocks()) return stretchRoughly(system, state, end, report);
-    layOut(m_method, system); // blocks may have been all that this part of the net has seen
     const double usual =
       kMostEffort * std::max(effort(system), 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
     if (m_onset.longest <= 0.0) m_onset.affordable = usual; // it may begin here
@@ -163,6 +162,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   }
   Run failure = Run::NotConverged;
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    layOut(m_method, system); // who is chosen has no room before he runs
     const double step = controlledStep(length);
     const double count = std::ceil(length / step * (1.0 - 1e-9));
     if (isTooDear(system, count * current().stepCost(system, step))) {
@@ -270,7 +270,7 @@ bool StepDriver::fallBackToLeapfrog(System& system, double length)
 {
   if (!m_auto || m_method == m_leapfrog || m_method == m_implicit) return false;
   if (isTooDear(system, m_leastCost * length / kFrame)) return false;
-  use(m_leapfrog, system);
+  use(m_leapfrog);
   m_candidates[m_leapfrog].accurateStep = explicitLimit();
   m_settled = 4;
   explain(system);
@@ -445,7 +445,7 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, double
   m_untilCheck = 0;
   m_checkGap = 1;
   if (m_auto && m_method != m_implicit && attempt >= 4) {
-    use(m_implicit, system);
+    use(m_implicit);
     m_settled = 64;
     explain(system);
   }

@@ -75,7 +75,7 @@ public:
 
   /// What the method has lost up to `state` and not booked yet [J]; from now on it is booked. To be called
   /// before the net changes.
-  double closeLoss(const System& system, const MotionState& state) noexcept;
+  double closeLoss(const System& system, const MotionState& state);
 
   /// Where the net is stiffest now, and the largest explicit step there.
   FastestMode fastestMode(const System& system, const MotionState& state);
@@ -153,7 +153,7 @@ private:
     return 0.95 * candidate.integrator->stableStep(m_mode);
   }
   Integrator& current() noexcept { return *m_candidates[m_method].integrator; }
-  void use(Method method, const System& system);
+  void use(Method method);
   void layOut(Method method, const System& system);
   void guessSteps();
   void guessStep(Candidate& candidate) const noexcept;

@@ -8,9 +8,15 @@ namespace esm {
 
 void StepLoss::prepare(const System& system)
 {
-  for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between})
-    array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
+  for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between}) *array = NodeArray();
+  if (system.nodeCount() <= System::kLarge) makeRoom(system.nodeCount());
   m_isKnown = false;
+}
+
+void StepLoss::makeRoom(std::size_t nodes)
+{
+  for (NodeArray* array : {&m_still, &m_place, &m_first, &m_last, &m_between})
+    array->assign(nodes, Lanes{0, 0, 0, 0});
 }
 
 /// Of springs, anchors, tools and weight, at rest at x.
@@ -35,9 +41,10 @@ double StepLoss::powerAt(const System& system, const NodeArray& from, const Node
 }
 
 double StepLoss::find(const System& system, const MotionState& start, const NodeArray& x, const NodeArray& v,
-                      double work, double heat, double precision) noexcept
+                      double work, double heat, double precision)
 {
   constexpr int kMostParts = 256;
+  if (m_still.empty()) makeRoom(x.size());
   if (!m_isKnown) findForces(system, start.x, m_first);
   findForces(system, x, m_last);
   double ends = 0.0, gained = 0.0;

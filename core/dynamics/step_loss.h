@@ -13,15 +13,18 @@ namespace esm {
 /// enters: what the balance of energies leaves over judges this, too.
 class StepLoss {
 public:
+  /// Another net. So that steps need not allocate room is made at once; of a large net, which may never move, by the
+  /// first find().
   void prepare(const System& system);
   void restart() noexcept { m_isKnown = false; } ///< the next start is not the last end
   /// Of what led from `start` to x and v [J].
   /// @param precision  of the forces' work, relative to itself and to the changes of the others; a very
   /// curved way is given up at some point.
   double find(const System& system, const MotionState& start, const NodeArray& x, const NodeArray& v,
-              double work, double heat, double precision = 1.0) noexcept;
+              double work, double heat, double precision = 1.0);
 
 private:
+  void makeRoom(std::size_t nodes);
   void findForces(const System& system, const NodeArray& x, NodeArray& force) noexcept;
   double powerAt(const System& system, const NodeArray& from, const NodeArray& to, double share) noexcept;
 

@@ -76,6 +76,10 @@ void StiffnessCg::prepare(const System& system, const NodeArray& x, double inert
   }
   for (std::size_t i = 0; i < nodes; ++i)
     m_inverse[i] = system.isFree(i) && m_inverse[i] > 0.0 ? 1.0 / m_inverse[i] : 0.0;
+  m_hasNegative = std::any_of(m_tangents.begin(), m_tangents.end(), [](const SpringTangent& tangent) {
+    return std::min(tangent.axial, tangent.lateral) < 0.0;
+  });
+  if (nodes > System::kLarge) m_tangents = std::vector<SpringTangent>();
 }
 
 /// Product with the direction. @return the curvature there.
@@ -148,11 +152,8 @@ StiffnessCg::Result StiffnessCg::solve(const System& system, NodeArray& vector, 
 /// direction in which it would fall.
 bool StiffnessCg::givesWay(const System& system, const NodeArray* former)
 {
-  const auto isNegative = [](const SpringTangent& tangent) {
-    return std::min(tangent.axial, tangent.lateral) < 0.0;
-  };
   m_metNegative = false;
-  if (std::none_of(m_tangents.begin(), m_tangents.end(), isNegative)) return false;
+  if (!m_hasNegative) return false;
   NodeArray pattern(m_inverse.size());
   for (std::size_t i = 0; i < pattern.size(); ++i)
     pattern[i] = m_inverse[i] > 0.0 ? scattered(i) * std::sqrt(1.0 / m_inverse[i]) : Lanes{0, 0, 0, 0};

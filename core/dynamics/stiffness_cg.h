@@ -49,7 +49,8 @@ private:
   double multiply(const System& system) noexcept;
   double iterate(const System& system, NodeArray* solution) noexcept;
 
-  std::vector<SpringTangent> m_tangents;
+  std::vector<SpringTangent> m_tangents; ///< of prepare(), of a small net kept as room
+  bool m_hasNegative = false;            ///< one of them was
   SpringMatrix m_springs;
   std::vector<double> m_diagonal;                        ///< inertia, anchors, tools [N/m]
   std::vector<double> m_inverse;                         ///< of all that holds a node; 0 if a support does

@@ -23,6 +23,21 @@ void System::setParameters(const SpringNet& net, const Eigen::Vector3d& gravity)
   updateConstraints();
 }
 
+std::int64_t System::setParameters(const ParameterPatch& patch, const SpringNet& net,
+                                   const Eigen::Vector3d& gravity)
+{
+  const std::int64_t looked = m_forces.setParameters(patch, net, gravity);
+  if (patch.nodes.empty()) return looked;
+  for (const ParameterPatch::Node& node : patch.nodes) {
+    const auto i = static_cast<std::size_t>(node.node);
+    m_mass[i] = node.mass;
+    m_inverseMass[i] = m_fixed[i] ? 0.0 : 1.0 / node.mass;
+  }
+  m_totalMass = net.mass.sum();
+  updateConstraints();
+  return looked;
+}
+
 bool System::updateConstraints() noexcept
 {
   bool changed = false;

@@ -46,6 +46,10 @@ public:
   System(const SpringNet& net, const Loads& loads);
   /// New parameters for the same nodes; loads, tools and constraints stay.
   void setParameters(const SpringNet& net, const Eigen::Vector3d& gravity);
+  /// The same where only what `patch` names has changed, to the bit. @param net  with the patch.
+  /// @return springs looked at, see ForceModel::setParameters().
+  std::int64_t setParameters(const ParameterPatch& patch, const SpringNet& net,
+                             const Eigen::Vector3d& gravity);
   /// Threads that share the passes over a large net, with the same bits as one; null: none. Not owned.
   void setWorkers(WorkerPool* workers) noexcept { m_workers = workers; }
   WorkerPool* workers() const noexcept { return m_workers; }
@@ -72,6 +76,9 @@ public:
   double setTools(std::span<const ToolSpring> tools, const NodeArray& x);
 
   std::size_t nodeCount() const noexcept { return m_mass.size(); }
+  /// Nodes of a net from which on room for what may never be done is not made beforehand, nor kept in between: its
+  /// allocation is little beside one pass over it.
+  static constexpr std::size_t kLarge = 20'000;
   /// What a method's sweeps over the nodes cost, from that of one node [spring evaluations] where its arrays
   /// are in the caches and where they are not. Measured before sweeps went on the way through a pass; with
   /// what they take now (the near ones) an organ of 100,000 nodes takes a quarter more passes at 1e-6.

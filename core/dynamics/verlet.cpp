@@ -4,6 +4,7 @@
 #include "core/dynamics/verlet_sweeps.h"
 
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -19,11 +20,9 @@ namespace {
 /// prediction grow with 1/(1 - c), a step carries no more than its length asks for, at most two thirds.
 class Verlet final : public Integrator {
 public:
-  void prepare(const System& system) override
+  void prepare(const System& /*system*/) override
   {
-    for (NodeArray* array : {&m_a, &m_p, &m_x, &m_v, &m_force})
-      array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
-    m_started = false;
+    m_started = m_hasRoom = false; // it is often weighed only
   }
   void restart() noexcept override { m_started = false; }
   int order() const noexcept override { return 2; }
@@ -46,6 +45,9 @@ public:
     const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
     const double* inverseMass = system.inverseMass().data();
     const Prediction how{h, carryFor(h)};
+    if (!std::exchange(m_hasRoom, true))
+      for (NodeArray* array : {&m_a, &m_p, &m_x, &m_v, &m_force})
+        array->assign(system.nodeCount(), Lanes{0, 0, 0, 0});
     if (!m_started) start(system, state);
     m_x = state.x; // same size: no allocation
     m_v = state.v;
@@ -94,7 +96,7 @@ private:
   NodeArray m_x, m_v, m_force;
   FastestMode m_mode; ///< at the last tune()
   Rates m_rates;
-  bool m_started = false;
+  bool m_started = false, m_hasRoom = false;
 };
 
 } // namespace

@@ -18,15 +18,6 @@ constexpr double kTriangleCost = 1.4;
 /// up.
 constexpr std::size_t kFewTables = 32;
 
-/// b = 0 makes the exponential law linear, and a = 0 the cubic one; the linear kernel is cheaper and does not
-/// divide by b. Below 1e-9 the two laws differ by less than rounding for strains up to 1e-7/b.
-SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept
-{
-  if (law == SpringLaw::Exponential && std::abs(parameter) < 1e-9) return SpringLaw::Linear;
-  if (law == SpringLaw::Cubic && parameter == 0.0) return SpringLaw::Linear;
-  return law;
-}
-
 /// Of a damped spring against a linear one, measured. Exponential ones take 1.4 by now; with that eight uteri
 /// took 4 % more passes at 1e-2 where nobody knows the end, the one of the bench for real time a fifth more.
 double lawCost(SpringLaw law) noexcept
@@ -58,6 +49,13 @@ std::vector<Index> activeByLowerEnd(const SpringNet& net)
 
 } // namespace
 
+SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept
+{
+  if (law == SpringLaw::Exponential && std::abs(parameter) < 1e-9) return SpringLaw::Linear;
+  if (law == SpringLaw::Cubic && parameter == 0.0) return SpringLaw::Linear;
+  return law;
+}
+
 ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
   : m_springCount(static_cast<std::size_t>(net.springCount()))
 {
@@ -71,23 +69,31 @@ ForceModel::ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity)
                          division.first[p + 1] - division.first[p]));
     m_parts.push_back({firstBatch, m_batches.size(), damper});
   }
+  m_passCost += 0.1 * static_cast<double>(net.nodeCount());
+  compileNodes(net, gravity, division.ranges);
+  m_pressure = Pressure(net);
+  m_passCost += kTriangleCost * static_cast<double>(m_pressure.triangleCount());
+}
+
+void ForceModel::compileNodes(const SpringNet& net, const Eigen::Vector3d& gravity, const NodeRanges& ranges)
+{
+  m_anchors.clear();
+  m_anchors.reserve(net.anchors.node.size());
   for (Index i = 0; i < net.anchors.count(); ++i) {
     const double k = net.anchors.stiffness[i], c = net.anchors.viscosity[i];
     if (k > 0.0 || c > 0.0)
       m_anchors.push_back(
-        {net.anchors.node[static_cast<std::size_t>(i)], toLanes(net.anchors.point.col(i)), k, c});
+        {toLanes(net.anchors.point.col(i)), k, c, net.anchors.node[static_cast<std::size_t>(i)], i});
   }
-  if (division.ranges.count() > 1)
+  if (ranges.count() > 1)
     std::stable_sort(m_anchors.begin(), m_anchors.end(),
                      [](const Anchor& a, const Anchor& b) { return a.node < b.node; });
+  m_massDrag.clear();
   if (net.massDamping.size() > 0 && net.massDamping.maxCoeff() > 0.0) {
     const Eigen::ArrayXd drag = net.massDamping * net.mass;
     m_massDrag.assign(drag.begin(), drag.end());
   }
-  m_passCost += 0.1 * static_cast<double>(net.nodeCount());
-  m_nodeForces = NodeForces(net, gravity, m_anchors, m_massDrag, division.ranges);
-  m_pressure = Pressure(net);
-  m_passCost += kTriangleCost * static_cast<double>(m_pressure.triangleCount());
+  m_nodeForces = NodeForces(net, gravity, m_anchors, m_massDrag, ranges);
 }
 
 /// The springs of one part, by kind; those of few tables table by table.

@@ -2,11 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/grouped.h"
 #include "core/base/worker_pool.h"
 #include "core/forces/node_forces.h"
 #include "core/forces/node_sweep.h"
 #include "core/forces/pressure.h"
 #include "core/forces/spring_law.h"
+#include "core/net/parameter_patch.h"
 
 #include <array>
 #include <span>
@@ -28,6 +30,11 @@ struct SpringTangent {
   Eigen::Vector3d shear = Eigen::Vector3d::Zero();     ///< c (w - u (u.w)) / l [N/m]
 };
 
+/// The law that a spring is computed by: b = 0 makes the exponential law linear, and a = 0 the cubic one; the linear
+/// kernel is cheaper and does not divide by b. Below 1e-9 the two laws differ by less than rounding for strains up
+/// to 1e-7/b.
+SpringLaw effectiveLaw(SpringLaw law, double parameter) noexcept;
+
 /// All forces that a net has by itself: springs, anchors, pressure, weight and mass damping, compiled from a
 /// SpringNet for speed. Springs are sorted by law (see SpringBatch); what is absent costs nothing: a law
 /// without springs, springs with neither stiffness nor viscosity, viscosity that is zero, gravity, mass
@@ -40,6 +47,14 @@ class ForceModel {
 public:
   ForceModel() = default;
   ForceModel(const SpringNet& net, const Eigen::Vector3d& gravity);
+
+  /// Other numbers for what `patch` names: to the bit the model of the net as it is now. Springs that fall
+  /// silent, wake, or take a law of another kind are sorted anew with all others; anchors likewise.
+  /// @param net  with the patch.
+  /// @return springs looked at: those of the patch; all of them the first time, to know where they are, and
+  ///         where they are sorted anew.
+  std::int64_t setParameters(const ParameterPatch& patch, const SpringNet& net,
+                             const Eigen::Vector3d& gravity);
 
   std::size_t nodeCount() const noexcept { return m_nodeForces.nodeCount(); }
   /// Springs that one addForces() evaluates.
@@ -112,6 +127,17 @@ private:
     std::size_t damper; ///< where its damping begins
   };
 
+  /// Where a spring of the net is.
+  struct Place {
+    static constexpr std::uint32_t kIdle = ~std::uint32_t{0};
+    std::uint32_t batch = kIdle, spring = 0;
+  };
+  bool isInItsKind(const ParameterPatch::Spring& spring, Place place) const noexcept;
+  bool findPlaces(const SpringNet& net);
+  void findAnchors(const SpringNet& net);
+  bool setSprings(const ParameterPatch& patch, std::int64_t& looked);
+  bool setNodes(const ParameterPatch& patch, const SpringNet& net);
+  void compileNodes(const SpringNet& net, const Eigen::Vector3d& gravity, const NodeRanges& ranges);
   void addBatches(const SpringNet& net, const SharedTables& tables, std::span<const Index> springs);
   /// work(p) for all parts, phase by phase.
   template <class Work>
@@ -137,6 +163,11 @@ private:
   std::vector<Anchor> m_anchors;
   std::vector<double> m_massDrag;
   Pressure m_pressure;
+  // For patches, from the first one on.
+  std::vector<Place> m_placeOf;   ///< of each spring of the net
+  std::vector<Index> m_anchorAt;  ///< place in m_anchors of each of the net's, kNoIndex
+  Grouped<Index> m_anchorsOfNode; ///< places in m_anchors
+  bool m_knowsAnchors = false;    ///< the two above are those of now
 };
 
 } // namespace esm

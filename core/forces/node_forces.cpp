@@ -78,16 +78,33 @@ NodeForces::NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity,
   m_viscosity.resize(count, 0.0);
   m_stiffness.assign(count, 0.0);
   m_point.assign(count, Lanes{0, 0, 0, 0});
-  for (const Anchor& anchor : anchors) {
-    const auto i = static_cast<std::size_t>(anchor.node);
-    const double total = m_stiffness[i] + anchor.stiffness;
-    if (m_stiffness[i] == 0.0)
-      m_point[i] = anchor.point; // exactly
-    else if (total > 0.0)
-      m_point[i] += (anchor.point - m_point[i]) * (anchor.stiffness / total);
-    m_stiffness[i] = total;
-    m_viscosity[i] += anchor.viscosity;
+  for (const Anchor& anchor : anchors) addToBed(anchor);
+}
+
+void NodeForces::addToBed(const Anchor& anchor) noexcept
+{
+  const auto i = static_cast<std::size_t>(anchor.node);
+  const double total = m_stiffness[i] + anchor.stiffness;
+  if (m_stiffness[i] == 0.0)
+    m_point[i] = anchor.point; // exactly
+  else if (total > 0.0)
+    m_point[i] += (anchor.point - m_point[i]) * (anchor.stiffness / total);
+  m_stiffness[i] = total;
+  m_viscosity[i] += anchor.viscosity;
+}
+
+void NodeForces::setBed(Index node, double massDrag, const std::vector<Anchor>& anchors,
+                        std::span<const Index> own)
+{
+  if (m_stiffness.empty()) { // the list of few is that of all
+    for (const Index k : own) m_few[static_cast<std::size_t>(k)] = anchors[static_cast<std::size_t>(k)];
+    return;
   }
+  const auto i = static_cast<std::size_t>(node);
+  m_stiffness[i] = 0.0;
+  m_viscosity[i] = massDrag;
+  m_point[i] = Lanes{0, 0, 0, 0};
+  for (const Index k : own) addToBed(anchors[static_cast<std::size_t>(k)]);
 }
 
 double NodeForces::set(std::size_t range, const Lanes* x, const Lanes* v, Lanes* force) const noexcept

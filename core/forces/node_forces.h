@@ -13,9 +13,10 @@ namespace esm {
 
 /// An elastic bedding of one node: - k (p - p0) - c v.
 struct Anchor {
-  Index node;
   Lanes point;                 ///< p0 [m]
   double stiffness, viscosity; ///< k [N/m], c [N s/m]
+  Index node;
+  Index place = kNoIndex; ///< among the net's
 };
 
 /// The forces that act on single nodes: weight, anchors, mass damping. They open each force pass, so that one
@@ -29,6 +30,12 @@ public:
   /// @param ranges    of the nodes, for set() and addFewDampers().
   NodeForces(const SpringNet& net, const Eigen::Vector3d& gravity, const std::vector<Anchor>& anchors,
              const std::vector<double>& massDrag, const NodeRanges& ranges);
+
+  void setMass(Index node, double mass) noexcept { m_mass[static_cast<std::size_t>(node)] = mass; }
+  /// Other numbers for the anchors of a node, and for its mass damping: as many pull at all as before.
+  /// @param anchors   those given to the constructor, with the new numbers.
+  /// @param own       places in them, of the node's.
+  void setBed(Index node, double massDrag, const std::vector<Anchor>& anchors, std::span<const Index> own);
 
   const NodeRanges& ranges() const noexcept { return m_ranges; }
   /// Sets the forces of the nodes of a range at x, v; the arrays are those of all nodes.
@@ -48,6 +55,8 @@ private:
   {
     return {m_few.data() + m_firstFew[range], m_few.data() + m_firstFew[range + 1]};
   }
+
+  void addToBed(const Anchor& anchor) noexcept;
 
   NodeRanges m_ranges;
   std::vector<double> m_mass; ///< [kg]

@@ -58,6 +58,12 @@ void SpringBatch::finish(std::size_t nodeCount)
   for (std::vector<Index>* values : {&a, &b, &spring}) putInto(order, *values);
   for (std::vector<double>* values : {&restLength, &stiffness, &viscosity, &parameter})
     putInto(order, *values);
+  finishAsGiven();
+}
+
+void SpringBatch::finishAsGiven()
+{
+  count = a.size();
   findAlike();
   findTable();
   while (a.size() % 4 != 0) {
@@ -73,13 +79,46 @@ void SpringBatch::finish(std::size_t nodeCount)
   fillRecord();
 }
 
-void SpringBatch::findAlike()
+void SpringBatch::set(std::size_t place, double newStiffness, double newViscosity, double newParameter)
 {
-  alike = canBeAlike(law) && areEqual(stiffness) && areEqual(viscosity);
+  stiffness[place] = newStiffness;
+  viscosity[place] = newViscosity;
+  parameter[place] = newParameter;
+  rootViscosity[place] = std::sqrt(newViscosity);
+  if (!alike) putRecord(place);
+}
+
+std::size_t SpringBatch::changed()
+{
+  const bool wasAlike = alike;
+  const std::size_t looked = findAlike();
+  if (!alike && !wasAlike) return looked;
+  for (std::size_t i = count; i < a.size(); ++i) restLength[i] = alike ? 0.0 : 1.0;
+  fillRecord();
+  return looked + count;
+}
+
+/// @return springs looked at
+std::size_t SpringBatch::findAlike()
+{
   shared.clear();
-  if (!alike || count == 0) return;
+  alike = false;
+  if (!canBeAlike(law) || count == 0) return 0;
+  const auto isUnlike = [this](std::size_t i) {
+    return stiffness[i] != stiffness[0] || viscosity[i] != viscosity[0];
+  };
+  if (m_unlike > 0 && isUnlike(m_unlike)) return 1;
+  m_unlike = 0;
+  std::size_t i = 1;
+  while (i < count && !isUnlike(i)) ++i;
+  if (i < count) {
+    m_unlike = i;
+    return i;
+  }
+  alike = true;
   for (const double value : {stiffness.front(), viscosity.front(), std::sqrt(viscosity.front())})
     shared.push_back(Lanes{value, value, value, value});
+  return count;
 }
 
 void SpringBatch::findTable()
@@ -92,41 +131,44 @@ void SpringBatch::fillRecord()
 {
   const std::size_t rows = recordRows();
   record.assign(a.size() / 4 * rows, Lanes{0, 0, 0, 0});
-  for (std::size_t i = 0; i < a.size(); ++i) {
-    Lanes* const group = record.data() + i / 4 * rows;
-    const std::size_t lane = i % 4;
-    const auto putEnd = [&](Index node, std::size_t place) {
-      const std::uint32_t offset = detail::placeOf(node);
-      std::memcpy(reinterpret_cast<char*>(group) + place * sizeof(offset), &offset, sizeof(offset));
-    };
-    putEnd(a[i], lane);
-    putEnd(b[i], 4 + lane);
-    std::size_t row = 1;
-    const auto put = [&](double value) { group[row++][lane] = value; };
-    put(restLength[i]);
-    const double perStrain =
-      parameter[i] / restLength[i]; // unused, and infinite, in a linear spring of length 0
-    switch (law) {
-    case SpringLaw::Linear:
-      if (!alike) put(stiffness[i]);
-      break;
-    case SpringLaw::Cubic:
-      if (!alike) put(stiffness[i]);
-      put(i < count ? perStrain / restLength[i] : 0.0);
-      break;
-    case SpringLaw::Exponential:
-      put(stiffness[i] / perStrain);
-      put(perStrain);
-      break;
-    case SpringLaw::Table:
-      put(stiffness[i] * restLength[i]);
-      put(1.0 / restLength[i]);
-      break;
-    }
-    if (damped && !alike) put(viscosity[i]);
-  }
+  for (std::size_t i = 0; i < a.size(); ++i) putRecord(i);
   ends.clear();
   for (std::size_t group = 0; damped && group < a.size() / 4; ++group) ends.push_back(record[group * rows]);
+}
+
+void SpringBatch::putRecord(std::size_t i) noexcept
+{
+  Lanes* const group = record.data() + i / 4 * recordRows();
+  const std::size_t lane = i % 4;
+  const auto putEnd = [&](Index node, std::size_t place) {
+    const std::uint32_t offset = detail::placeOf(node);
+    std::memcpy(reinterpret_cast<char*>(group) + place * sizeof(offset), &offset, sizeof(offset));
+  };
+  putEnd(a[i], lane);
+  putEnd(b[i], 4 + lane);
+  std::size_t row = 1;
+  const auto put = [&](double value) { group[row++][lane] = value; };
+  put(restLength[i]);
+  const double perStrain =
+    parameter[i] / restLength[i]; // unused, and infinite, in a linear spring of length 0
+  switch (law) {
+  case SpringLaw::Linear:
+    if (!alike) put(stiffness[i]);
+    break;
+  case SpringLaw::Cubic:
+    if (!alike) put(stiffness[i]);
+    put(i < count ? perStrain / restLength[i] : 0.0);
+    break;
+  case SpringLaw::Exponential:
+    put(stiffness[i] / perStrain);
+    put(perStrain);
+    break;
+  case SpringLaw::Table:
+    put(stiffness[i] * restLength[i]);
+    put(1.0 / restLength[i]);
+    break;
+  }
+  if (damped && !alike) put(viscosity[i]);
 }
 
 } // namespace esm

@@ -85,11 +85,21 @@ struct SpringBatch {
   void append(const SpringNet& net, Index s);
   /// After the last append(): puts the springs into the order of conflictFreeOrder(), pads and derives.
   void finish(std::size_t nodeCount);
+  /// The same in the order given, for few springs that are looked at once.
+  void finishAsGiven();
+  /// Other numbers for the spring at a place, of the same kind: law, table, damped or not. Then changed().
+  void set(std::size_t place, double newStiffness, double newViscosity, double newParameter);
+  /// After the last set(). The batch is then to the bit what finish() makes of these numbers.
+  /// @return springs looked at besides: none but where they are, or become, or might have become alike.
+  std::size_t changed();
 
 private:
-  void findAlike();
+  std::size_t findAlike();
   void findTable();
   void fillRecord();
+  void putRecord(std::size_t i) noexcept;
+
+  std::size_t m_unlike = 0; ///< a spring with another k or c than the first one; 0: not known
 };
 
 /// The damping of a batch at one instant, kept by addForces(): for each group of four springs the x, y and z

@@ -2,12 +2,14 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/text_number.h"
 #include "core/net/net_builder.h"
+#include "core/net/parameter_patch.h"
 
 #include <Eigen/Geometry>
 
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <string>
 
 namespace esm {
@@ -35,7 +37,30 @@ struct Shape {
   bool mayBeAbsent = false;
 };
 
-Status checkShapes(const SpringNet& net)
+Status checkShapes(std::span<const Shape> shapes)
+{
+  for (const Shape& shape : shapes)
+    if (shape.size != shape.wanted && !(shape.mayBeAbsent && shape.size == 0))
+      return invalidValue("the net's array " + std::string(shape.name) + " holds " +
+                          std::to_string(shape.size) + " entries, it must hold " +
+                          std::to_string(shape.wanted));
+  return {};
+}
+
+Status checkAnchorShapes(const AnchorSet& anchors)
+{
+  const auto size = [](const auto& array) { return static_cast<std::size_t>(array.size()); };
+  const std::size_t count = anchors.node.size();
+  const Shape shapes[] = {
+    {"anchors.point", static_cast<std::size_t>(anchors.point.cols()), count},
+    {"anchors.stiffness", size(anchors.stiffness), count},
+    {"anchors.viscosity", size(anchors.viscosity), count},
+    {"anchors.bandLength", size(anchors.bandLength), count, true},
+  };
+  return checkShapes(shapes);
+}
+
+Status checkArrays(const SpringNet& net)
 {
   if (net.restPosition.cols() > kMostNetNodes)
     return invalidValue("the net has " + std::to_string(net.restPosition.cols()) + " nodes, it may have " +
@@ -43,7 +68,7 @@ Status checkShapes(const SpringNet& net)
                         ": simplify the mesh or cut it into several projects");
   const auto cols = [](const auto& matrix) { return static_cast<std::size_t>(matrix.cols()); };
   const auto size = [](const auto& array) { return static_cast<std::size_t>(array.size()); };
-  const std::size_t n = cols(net.restPosition), s = cols(net.ends), a = net.anchors.node.size();
+  const std::size_t n = cols(net.restPosition), s = cols(net.ends);
   const Shape shapes[] = {
     {"initialVelocity", cols(net.initialVelocity), n, true},
     {"mass", size(net.mass), n},
@@ -61,17 +86,9 @@ Status checkShapes(const SpringNet& net)
     {"kind", net.kind.size(), s},
     {"springId", net.springId.size(), s},
     {"section", size(net.section), s, true},
-    {"anchors.point", cols(net.anchors.point), a},
-    {"anchors.stiffness", size(net.anchors.stiffness), a},
-    {"anchors.viscosity", size(net.anchors.viscosity), a},
-    {"anchors.bandLength", size(net.anchors.bandLength), a, true},
   };
-  for (const Shape& shape : shapes)
-    if (shape.size != shape.wanted && !(shape.mayBeAbsent && shape.size == 0))
-      return invalidValue("the net's array " + std::string(shape.name) + " holds " +
-                          std::to_string(shape.size) + " entries, it must hold " +
-                          std::to_string(shape.wanted));
-  return {};
+  if (Status status = checkShapes(shapes); !status) return status;
+  return checkAnchorShapes(net.anchors);
 }
 
 template <class Id>
@@ -95,6 +112,23 @@ bool notNegative(double value)
   return std::isfinite(value) && value >= 0.0;
 }
 
+/// @param owner  called only for who is named.
+template <class Owner>
+Status checkInertia(const Owner& owner, double mass, double damping)
+{
+  if (!(std::isfinite(mass) && mass > 0.0)) return badNumber(owner(), "mass", mass, "kg", "> 0");
+  if (!notNegative(damping)) return badNumber(owner(), "mass damping", damping, "1/s", ">= 0");
+  return {};
+}
+
+template <class Owner>
+Status checkBed(const Owner& owner, double stiffness, double viscosity)
+{
+  if (!notNegative(stiffness)) return badNumber(owner(), "stiffness", stiffness, "N/m", ">= 0");
+  if (!notNegative(viscosity)) return badNumber(owner(), "viscosity", viscosity, "N s/m", ">= 0");
+  return {};
+}
+
 Status checkNodes(const SpringNet& net)
 {
   for (Index i = 0; i < net.nodeCount(); ++i) {
@@ -105,10 +139,8 @@ Status checkNodes(const SpringNet& net)
       if (net.initialVelocity.cols() > 0 && !std::isfinite(net.initialVelocity(k, i)))
         return badNumber(owner(), "initial velocity", net.initialVelocity(k, i), "m/s", "finite");
     }
-    if (!(std::isfinite(net.mass[i]) && net.mass[i] > 0.0))
-      return badNumber(owner(), "mass", net.mass[i], "kg", "> 0");
-    if (net.massDamping.size() > 0 && !notNegative(net.massDamping[i]))
-      return badNumber(owner(), "mass damping", net.massDamping[i], "1/s", ">= 0");
+    const double damping = net.massDamping.size() > 0 ? net.massDamping[i] : 0.0;
+    if (Status status = checkInertia(owner, net.mass[i], damping); !status) return status;
     if (!notNegative(net.volumeOf(i))) return badNumber(owner(), "volume", net.volumeOf(i), "m^3", ">= 0");
   }
   return checkDistinct("node", net.nodeId);
@@ -134,10 +166,8 @@ Status checkTables(const SpringNet& net)
   return {};
 }
 
-Status checkLaw(const SpringNet& net, Index s, const std::string& owner)
+Status checkLaw(const SpringNet& net, Index s, SpringLaw law, double parameter, const std::string& owner)
 {
-  const SpringLaw law = net.law[static_cast<std::size_t>(s)];
-  const double parameter = net.lawParameter[s];
   if (law > SpringLaw::Table)
     return badNumber(owner, "law number", static_cast<double>(law), "", "a SpringLaw");
   if (law != SpringLaw::Linear && !(net.restLength[s] > 0.0))
@@ -171,31 +201,35 @@ Status checkSprings(const SpringNet& net)
     if (!notNegative(net.viscosity[s]))
       return badNumber(owner, "viscosity", net.viscosity[s], "N s/m", ">= 0");
     if (!notNegative(net.sectionOf(s))) return badNumber(owner, "section", net.sectionOf(s), "m^2", ">= 0");
-    if (Status status = checkLaw(net, s, owner); !status) return status;
+    if (Status status = checkLaw(net, s, net.law[static_cast<std::size_t>(s)], net.lawParameter[s], owner);
+        !status)
+      return status;
   }
   return checkDistinct("spring", net.springId);
 }
 
-Status checkAnchors(const SpringNet& net)
+Status checkAnchors(const AnchorSet& anchors, Index nodeCount)
 {
-  const AnchorSet& anchors = net.anchors;
   for (Index i = 0; i < anchors.count(); ++i) {
     const Index node = anchors.node[static_cast<std::size_t>(i)];
     const std::string owner = "anchor " + std::to_string(i);
-    if (node < 0 || node >= net.nodeCount())
+    if (node < 0 || node >= nodeCount)
       return invalidValue(owner + ": it holds node " + std::to_string(node) + ", the net has " +
-                          std::to_string(net.nodeCount()) + " nodes");
+                          std::to_string(nodeCount) + " nodes");
     for (int k = 0; k < 3; ++k)
       if (!std::isfinite(anchors.point(k, i)))
         return badNumber(owner, "point", anchors.point(k, i), "m", "finite");
-    if (!notNegative(anchors.stiffness[i]))
-      return badNumber(owner, "stiffness", anchors.stiffness[i], "N/m", ">= 0");
-    if (!notNegative(anchors.viscosity[i]))
-      return badNumber(owner, "viscosity", anchors.viscosity[i], "N s/m", ">= 0");
+    const auto name = [&] { return owner; };
+    if (Status status = checkBed(name, anchors.stiffness[i], anchors.viscosity[i]); !status) return status;
     if (anchors.bandLength.size() > 0 && !notNegative(anchors.bandLength[i]))
       return badNumber(owner, "length of its band", anchors.bandLength[i], "m", ">= 0");
   }
   return {};
+}
+
+Status checkBeds(const SpringNet& net)
+{
+  return checkAnchors(net.anchors, net.nodeCount());
 }
 
 Status checkMaterial(const SpringNet& net)
@@ -219,13 +253,19 @@ double enclosedVolume(const SpringNet& net, const TriangleMatrix& triangles)
   return sum / 6.0;
 }
 
+Status checkBulkModulus(const std::string& owner, double modulus)
+{
+  if (!(std::isfinite(modulus) && modulus > 0.0))
+    return badNumber(owner, "bulk modulus", modulus, "Pa", "> 0");
+  return {};
+}
+
 Status checkPressure(const SpringNet& net)
 {
   for (std::size_t i = 0; i < net.pressure.size(); ++i) {
     const PressureBody& body = net.pressure[i];
     const std::string owner = "pressure body " + std::to_string(i);
-    if (!(std::isfinite(body.bulkModulus) && body.bulkModulus > 0.0))
-      return badNumber(owner, "bulk modulus", body.bulkModulus, "Pa", "> 0");
+    if (Status status = checkBulkModulus(owner, body.bulkModulus); !status) return status;
     if (body.triangles.cols() == 0) return invalidValue(owner + ": it has no triangles");
     std::vector<std::pair<Index, Index>> sides;
     for (Eigen::Index t = 0; t < body.triangles.cols(); ++t)
@@ -261,11 +301,92 @@ Status checkTriangles(const SpringNet& net)
   return {};
 }
 
+/// Whether a patch's list names only who is there, and rises.
+template <class Entry>
+Status checkPlaces(const char* what, const std::vector<Entry>& list, Index Entry::*index, Index count)
+{
+  Index last = -1;
+  for (const Entry& entry : list) {
+    const Index i = entry.*index;
+    if (i < 0 || i >= count)
+      return invalidValue("the patch names " + std::string(what) + " " + std::to_string(i) +
+                          ", the net has " + std::to_string(count));
+    if (i <= last)
+      return invalidValue("the patch names " + std::string(what) + " " + std::to_string(i) + " after " +
+                          std::to_string(last) + ", its list must rise");
+    last = i;
+  }
+  return {};
+}
+
+Status checkPatchNodes(const ParameterPatch& patch, const SpringNet& net)
+{
+  if (Status status = checkPlaces("node", patch.nodes, &ParameterPatch::Node::node, net.nodeCount()); !status)
+    return status;
+  for (const ParameterPatch::Node& node : patch.nodes) {
+    const auto owner = [&] { return named("node", net.nodeId, node.node); };
+    if (Status status = checkInertia(owner, node.mass, node.massDamping); !status) return status;
+  }
+  return {};
+}
+
+Status checkPatchSprings(const ParameterPatch& patch, const SpringNet& net)
+{
+  if (Status status =
+        checkPlaces("spring", patch.springs, &ParameterPatch::Spring::spring, net.springCount());
+      !status)
+    return status;
+  for (const ParameterPatch::Spring& spring : patch.springs) {
+    const Index s = spring.spring;
+    const auto owner = [&] { return named("spring", net.springId, s); };
+    if (Status status = checkBed(owner, spring.stiffness, spring.viscosity); !status) return status;
+    if (spring.law == SpringLaw::Linear && std::isfinite(spring.lawParameter)) continue;
+    if (Status status = checkLaw(net, s, spring.law, spring.lawParameter, owner()); !status) return status;
+  }
+  return {};
+}
+
+Status checkPatchAnchors(const ParameterPatch& patch, const SpringNet& net)
+{
+  if (patch.anchorSet) {
+    if (Status status = checkAnchorShapes(*patch.anchorSet); !status) return status;
+    if (Status status = checkAnchors(*patch.anchorSet, net.nodeCount()); !status) return status;
+  }
+  const Index count = patch.anchorSet ? patch.anchorSet->count() : net.anchors.count();
+  if (Status status = checkPlaces("anchor", patch.anchors, &ParameterPatch::Anchor::anchor, count); !status)
+    return status;
+  for (const ParameterPatch::Anchor& anchor : patch.anchors) {
+    const auto owner = [&] { return "anchor " + std::to_string(anchor.anchor); };
+    if (Status status = checkBed(owner, anchor.stiffness, anchor.viscosity); !status) return status;
+  }
+  return {};
+}
+
+Status checkPatchPressure(const ParameterPatch& patch, const SpringNet& net)
+{
+  if (patch.bulkModuli.empty()) return {};
+  if (patch.bulkModuli.size() != net.pressure.size())
+    return invalidValue("the patch holds " + std::to_string(patch.bulkModuli.size()) +
+                        " bulk moduli, the net has " + std::to_string(net.pressure.size()) +
+                        " pressure bodies");
+  for (std::size_t i = 0; i < patch.bulkModuli.size(); ++i)
+    if (Status status = checkBulkModulus("pressure body " + std::to_string(i), patch.bulkModuli[i]); !status)
+      return status;
+  return {};
+}
+
 } // namespace
+
+Status checkPatch(const ParameterPatch& patch, const SpringNet& net)
+{
+  for (const auto check : {checkPatchNodes, checkPatchSprings, checkPatchAnchors, checkPatchPressure})
+    if (Status status = check(patch, net); !status) return status;
+  return {};
+}
 
 Status checkNet(const SpringNet& net)
 {
-  for (const auto check : {checkShapes, checkNodes, checkTables, checkSprings, checkAnchors, checkTriangles,
+  for (const auto check : {checkArrays, checkNodes, checkTables, checkSprings, checkBeds, checkTriangles,
                            checkMaterial, checkPressure})
     if (Status status = check(net); !status) return status;
   return {};

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/net/spring_net.h"
+#include "core/runtime/node_links.h"
 
 #include <vector>
 
@@ -18,6 +18,26 @@ struct NodeHold {
 /// one of the net: explicit steps get shorter by that at most. A hand holds many nodes on a fine mesh, so its
 /// springs need not be stiffer to lead them. The damping is that of the node's own springs, or half critical for
 /// its mass where that is more, within the same bound.
-std::vector<NodeHold> holdOfNodes(const SpringNet& net);
+class NodeHolds {
+public:
+  explicit NodeHolds(const SpringNet& net);
+
+  /// The net has other parameters at these nodes, or at their springs and anchors; to the bit as if made anew.
+  void adapt(const SpringNet& net, std::span<const Index> nodes, NodeLinks& links);
+  NodeHold at(const SpringNet& net, Index node) const;
+
+private:
+  struct Fastest {
+    double rate = 0.0; ///< [1/s^2] or [1/s]
+    Index node = kNoIndex;
+    /// @return false if the fastest one has become slower: then somebody else may be it.
+    bool take(Index candidate, double candidateRate) noexcept;
+  };
+  bool weigh(const SpringNet& net, Index node) noexcept;
+  void findFastest(const SpringNet& net) noexcept;
+
+  std::vector<NodeHold> m_own; ///< sums over a node's springs and anchors
+  Fastest m_swing, m_decay;
+};
 
 } // namespace esm

@@ -9,7 +9,9 @@
 #include <Eigen/Core>
 
 #include <cstdint>
+#include <memory>
 #include <variant>
+#include <vector>
 
 namespace esm {
 
@@ -24,6 +26,9 @@ struct Load {
 };
 struct SetParameters {
   SpringNet net;
+};
+struct PatchParameters {
+  std::vector<std::shared_ptr<const ParameterPatch>> patches; ///< in their order, none null
 };
 struct Play {};
 struct Pause {};
@@ -57,8 +62,8 @@ struct Touch {
 } // namespace command
 
 using SimCommand =
-  std::variant<command::Load, command::SetParameters, command::Play, command::Pause, command::StepOnce,
-               command::Reset, command::SetFrameRate, command::SetQuality, command::Grab, command::MoveGrab,
-               command::Release, command::FollowDevice, command::Touch>;
+  std::variant<command::Load, command::SetParameters, command::PatchParameters, command::Play, command::Pause,
+               command::StepOnce, command::Reset, command::SetFrameRate, command::SetQuality, command::Grab,
+               command::MoveGrab, command::Release, command::FollowDevice, command::Touch>;
 
 } // namespace esm

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/sim_runner.h"
 
+#include "core/base/machine_memory.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -14,6 +16,7 @@ constexpr double kLeastRate = 1.0, kMostRate = 1000.0; ///< frames per second
 constexpr double kLeadTime = 0.004;                    ///< between two places of a led hand [s]
 constexpr int kThreads = 4;          ///< where there are so many processors: more gain little
 constexpr double kFastestHand = 2.0; ///< what goes further was placed anew [m/s]
+constexpr Index kLargeNet = 20'000;  ///< nodes: some tens of MB
 
 double periodOf(double framesPerSecond)
 {
@@ -58,6 +61,7 @@ void SimRunner::carryOut(command::Load&& load)
   closeScene();
   m_grip.reset();
   m_simulation.emplace(std::move(*fresh));
+  m_links.forget();
   m_compliance.forget();
   m_told.begin(m_simulation->state().position);
   m_tip.reset();
@@ -70,15 +74,16 @@ void SimRunner::carryOut(command::Load&& load)
   m_roughUntil = -1.0;
   m_message.clear();
   keepPicture();
+  // What it took to make a large one, and the former one, would else stay with the heap.
+  if (m_simulation->net().nodeCount() > kLargeNet) giveBackFreeMemory();
 }
 
 void SimRunner::carryOut(command::SetParameters&& change)
 {
   if (!m_simulation) return;
-  if (const Status status = m_simulation->setParameters(change.net); !status) {
-    m_message = "The change was not taken, the former values hold: " + status.error().detail;
-    return;
-  }
+  if (const Status status = m_simulation->setParameters(std::move(change.net)); !status)
+    return refuseParameters(status);
+  m_links.forgetAnchors();
   if (m_grip) m_grip->adapt(m_simulation->net());
   if (m_tip) m_tip->adapt(m_simulation->net());
   m_compliance.forget();
@@ -86,6 +91,57 @@ void SimRunner::carryOut(command::SetParameters&& change)
   m_failed = false;
   m_message.clear();
   keepPicture();
+}
+
+/// All at once, but each is judged by itself: one that is refused takes no other along.
+void SimRunner::carryOut(const command::PatchParameters& change)
+{
+  if (!m_simulation) return;
+  bool allTaken = true;
+  ParameterPatch sum;
+  for (const std::shared_ptr<const ParameterPatch>& patch : change.patches) {
+    if (const Status status = checkPatch(*patch, m_simulation->net()); !status) {
+      refuseParameters(status);
+      allTaken = false;
+    } else {
+      sum.append(*patch);
+    }
+    // What comes next may speak of anchors that only it brings.
+    if (patch->anchorSet || patch == change.patches.back()) {
+      if (!sum.isEmpty()) allTaken = takePatch(sum) && allTaken;
+      sum = {};
+    }
+  }
+  if (allTaken) m_message.clear();
+}
+
+bool SimRunner::takePatch(const ParameterPatch& patch)
+{
+  const Result<ParameterChange> change = m_simulation->setParameters(patch);
+  if (!change) {
+    refuseParameters(change.error());
+    return false;
+  }
+  const SpringNet& net = m_simulation->net();
+  if (change->otherAnchors) m_links.forgetAnchors();
+  if (change->everything) {
+    if (m_grip) m_grip->adapt(net);
+    if (m_tip) m_tip->adapt(net);
+    m_compliance.forget();
+  } else {
+    if (m_grip) m_grip->adapt(net, change->nodes, m_links);
+    if (m_tip) m_tip->adapt(net, change->nodes, m_links);
+    m_compliance.adapt(change->nodes);
+  }
+  ++m_edition;
+  m_failed = false;
+  keepPicture(*change);
+  return true;
+}
+
+void SimRunner::refuseParameters(const Status& status)
+{
+  m_message = "The change was not taken, the former values hold: " + status.error().detail;
 }
 
 void SimRunner::carryOut(command::Play)
@@ -312,6 +368,23 @@ void SimRunner::keepPicture()
   if (const Energies energies = m_simulation->energies(); isFinite(energies)) m_energies = energies;
 }
 
+/// Nothing has moved: only tensions are others, and energies.
+void SimRunner::keepPicture(const ParameterChange& change)
+{
+  Eigen::ArrayXd& tension = m_picture.tension;
+  if (change.everything || tension.size() != m_simulation->net().springCount()) return keepPicture();
+  keepMoment();
+  if (change.isNone()) return;
+  ++m_picture.revision;
+  m_simulation->springTensions(change.springs, tension);
+  for (const Index spring : change.springs)
+    if (!std::isfinite(tension[spring])) tension[spring] = 0.0;
+  const Energies energies{m_energies.kinetic + change.energies.kinetic,
+                          m_energies.elastic + change.energies.elastic,
+                          m_energies.gravity + change.energies.gravity};
+  if (isFinite(energies)) m_energies = energies;
+}
+
 void SimRunner::keepMoment()
 {
   m_time = m_simulation->state().time;
@@ -324,9 +397,9 @@ void SimRunner::publishContact()
   const NetState& state = m_simulation->state();
   ContactModel model;
   if (deviceFeels() && m_grip)
-    model = m_grip->contactModel(state, m_compliance.at(*m_simulation, m_grip->point()));
+    model = m_grip->contactModel(state, m_compliance.at(*m_simulation, m_grip->point(), m_links));
   else if (deviceFeels() && m_tip->isNear())
-    model = m_tip->contactModel(state, m_compliance.at(*m_simulation, m_tip->point()));
+    model = m_tip->contactModel(state, m_compliance.at(*m_simulation, m_tip->point(), m_links));
   if (!model.force.allFinite() || !model.stiffness.allFinite()) model = {};
   if (m_scene == 0) m_scene = ++m_sceneCount;
   publish(model);

@@ -54,6 +54,7 @@ public:
 private:
   void carryOut(command::Load&& load);
   void carryOut(command::SetParameters&& change);
+  void carryOut(const command::PatchParameters& change);
   void carryOut(command::Play);
   void carryOut(command::Pause);
   void carryOut(command::StepOnce);
@@ -66,6 +67,8 @@ private:
   void carryOut(const command::FollowDevice& follow);
   void carryOut(const command::Touch& touch);
 
+  bool takePatch(const ParameterPatch& patch);
+  void refuseParameters(const Status& status);
   void applyAccuracy();
   Stability stability() const;
   bool deviceTouches() const noexcept { return m_tip && m_followDevice && !m_grip; }
@@ -76,6 +79,7 @@ private:
   StepReport advance(double interval, const std::function<bool()>& enough);
   void judge(const StepReport& report);
   void keepPicture();
+  void keepPicture(const ParameterChange& change);
   void keepMoment();
   bool deviceFeels() const noexcept { return (m_grip || m_tip) && m_followDevice; }
   void publishContact();
@@ -89,6 +93,7 @@ private:
   std::optional<ToolGrip> m_grip;
   std::optional<ToolTip> m_tip;
   std::optional<command::Touch> m_touch; ///< wanted, for nets to come too
+  NodeLinks m_links;
   StaticCompliance m_compliance;
   QualityLadder m_ladder;
   bool m_auto = false; ///< the solver is the engine's own choice

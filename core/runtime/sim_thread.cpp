@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/sim_thread.h"
 
+#include "core/runtime/coalesce.h"
 #include "core/runtime/command_queue.h"
 #include "core/runtime/frame_clock.h"
 #include "core/runtime/sim_runner.h"
@@ -124,6 +125,7 @@ void SimThread::Impl::playFrame(const std::stop_token& stop)
 void SimThread::Impl::obey()
 {
   commands.take(batch);
+  coalesce(batch);
   for (SimCommand& command : batch) runner.apply(std::move(command));
   batch.clear();
   clock.setPeriod(runner.framePeriod());
@@ -170,6 +172,11 @@ std::uint64_t SimThread::load(SpringNet net, Loads loads, SolverSettings setting
 void SimThread::setParameters(SpringNet net)
 {
   m_impl->commands.push(command::SetParameters{std::move(net)});
+}
+
+void SimThread::setParameters(std::shared_ptr<const ParameterPatch> patch)
+{
+  m_impl->commands.push(command::PatchParameters{{std::move(patch)}});
 }
 
 void SimThread::play()

@@ -91,6 +91,8 @@ public:
   /// leaves the former one running; the next snapshot's message says why.
   std::uint64_t load(SpringNet net, Loads loads, SolverSettings settings);
   void setParameters(SpringNet net); ///< same topology; the motion goes on
+  /// The same where only that has changed: costs what the patch names. Not null.
+  void setParameters(std::shared_ptr<const ParameterPatch> patch);
   void play();
   void pause();
   void stepOnce(); ///< one frame, then pause

@@ -4,6 +4,7 @@
 
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/simulation.h"
+#include "core/runtime/node_links.h"
 
 #include <memory>
 #include <vector>
@@ -33,22 +34,26 @@ class StaticCompliance {
 public:
   static constexpr Index kMostNodes = 3000;
 
-  void forget() noexcept { m_parts.reset(); } ///< another net, other parameters
+  void forget() noexcept { m_parts.reset(); } ///< another net, or other parameters anywhere
+  /// Other parameters around these nodes, rising.
+  void adapt(std::span<const Index> nodes) noexcept;
+  /// @param links  of the simulation's net.
   /// @return C [m/N]; 0 if the point's nodes are all held, or K has no factor.
-  Eigen::Matrix3d at(const Simulation& simulation, const NodeCombination& point);
+  Eigen::Matrix3d at(const Simulation& simulation, const NodeCombination& point, NodeLinks& links);
 
 private:
   struct Parts {
+    std::vector<Index> nodes; ///< of the net, rising; empty: all of them
+    std::vector<Index> inner; ///< of them, rising: far enough from the rim that the part may be kept
     System system;
     MotionState motion;
     ImplicitMatrix matrix;
     NodeArray vector;
-    std::vector<std::uint8_t>
-      inner;                   ///< N, 1: far enough from the rim that the part may be kept; empty: whole
     int age = 0, interval = 1; ///< frames since the factor, frames between factors
     bool hasFactor = false;
+    std::size_t placeOf(Index node) const noexcept; ///< system.nodeCount() if it is not in the part
   };
-  void prepare(const Simulation& simulation, const NodeCombination& point);
+  void prepare(const Simulation& simulation, const NodeCombination& point, NodeLinks& links);
   void renew(const Simulation& simulation);
 
   std::unique_ptr<Parts> m_parts;

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/tool_grip.h"
 
-#include "core/runtime/node_hold.h"
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 
@@ -43,7 +41,8 @@ ToolGrip::ToolGrip(const SpringNet& net, const Eigen::Matrix3Xd& position, Index
                    const Eigen::Vector3d& target, double maxForce)
   : m_node(node),
     m_target(target.allFinite() ? target : Eigen::Vector3d(position.col(node))),
-    m_maxForce(std::isfinite(maxForce) ? std::max(maxForce, kLeastForceLimit) : kLeastForceLimit)
+    m_maxForce(std::isfinite(maxForce) ? std::max(maxForce, kLeastForceLimit) : kLeastForceLimit),
+    m_holds(net)
 {
   const Eigen::Vector3d centre = position.col(node);
   std::vector<PatchNode> patch;
@@ -51,16 +50,27 @@ ToolGrip::ToolGrip(const SpringNet& net, const Eigen::Matrix3Xd& position, Index
   for (const PatchNode& found : patch)
     if (found.node == node || !net.fixed[static_cast<std::size_t>(found.node)])
       m_held.push_back({found.node, leadOf(found.share), position.col(found.node) - centre});
-  adapt(net);
+  takeHold(net);
 }
 
 void ToolGrip::adapt(const SpringNet& net)
 {
-  const std::vector<NodeHold> hold = holdOfNodes(net);
+  m_holds = NodeHolds(net);
+  takeHold(net);
+}
+
+void ToolGrip::adapt(const SpringNet& net, std::span<const Index> nodes, NodeLinks& links)
+{
+  m_holds.adapt(net, nodes, links);
+  takeHold(net);
+}
+
+void ToolGrip::takeHold(const SpringNet& net)
+{
   double leads = 0.0;
   m_stiffness = m_viscosity = 0.0;
   for (Held& held : m_held) {
-    const NodeHold& whole = hold[static_cast<std::size_t>(held.node)];
+    const NodeHold whole = m_holds.at(net, held.node);
     held.stiffness = held.lead * whole.stiffness;
     held.viscosity = held.lead * whole.viscosity;
     m_stiffness += held.stiffness;

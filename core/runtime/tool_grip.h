@@ -5,6 +5,7 @@
 #include "core/dynamics/simulation.h"
 #include "core/runtime/hand_over.h"
 #include "core/runtime/limited_pull.h"
+#include "core/runtime/node_hold.h"
 #include "core/runtime/node_patch.h"
 #include "core/runtime/static_compliance.h"
 
@@ -21,7 +22,7 @@ namespace esm {
 ///     node i  o--/\/\/--o  h + o_i       on the hand:  F = sum k_i (p_i - h - o_i) + c_i (v_i - vh)
 ///             p_i, v_i
 ///
-/// k_i is what the net bears at hardly any cost of step (see holdOfNodes()), less where the patch has but a share
+/// k_i is what the net bears at hardly any cost of step (see NodeHolds), less where the patch has but a share
 /// of the node's cell. Many nodes on a fine mesh, all together they are far stiffer than the tissue is against them, so
 /// that the patch follows the hand nearly as if it were prescribed. The pull, the sum, is limited (see
 /// LimitedPull), and so is what the patch bears to keep its shape.
@@ -32,8 +33,9 @@ public:
   ToolGrip(const SpringNet& net, const Eigen::Matrix3Xd& position, Index node, double radius,
            const Eigen::Vector3d& target, double maxForce);
 
-  /// Takes the stiffness anew after the net's parameters have changed.
+  /// Takes the stiffness anew after the net's parameters have changed: anywhere, or around some nodes.
   void adapt(const SpringNet& net);
+  void adapt(const SpringNet& net, std::span<const Index> nodes, NodeLinks& links);
   void moveTo(const Eigen::Vector3d& target, const Eigen::Vector3d& velocity); ///< non-finite: stays
 
   Index node() const noexcept { return m_node; }
@@ -54,6 +56,7 @@ public:
   ContactModel contactModel(const NetState& state, const Eigen::Matrix3d& compliance) const;
 
 private:
+  void takeHold(const SpringNet& net);
   struct Held {
     Index node = kNoIndex;
     double lead = 0.0;                                ///< of a whole hold [1]
@@ -76,6 +79,7 @@ private:
   Eigen::Vector3d m_targetVelocity = Eigen::Vector3d::Zero();
   double m_maxForce;
   double m_stiffness = 0.0, m_viscosity = 0.0; ///< sums
+  NodeHolds m_holds;
   std::vector<Held> m_held;
   NodeCombination m_point;
   std::vector<ToolSpring> m_springs;

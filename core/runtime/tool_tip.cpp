@@ -90,6 +90,17 @@ void ToolTip::adapt(const SpringNet& net)
   m_mass.assign(net.mass.data(), net.mass.data() + net.mass.size());
 }
 
+void ToolTip::adapt(const SpringNet& net, std::span<const Index> nodes, NodeLinks& links)
+{
+  for (const Index node : nodes) {
+    double& own = m_own[static_cast<std::size_t>(node)];
+    own = 0.0;
+    for (const Index s : links.springsOf(net, node)) own += net.stiffness[s];
+    for (const Index a : links.anchorsOf(net, node)) own += net.anchors.stiffness[a];
+    m_mass[static_cast<std::size_t>(node)] = net.mass[node];
+  }
+}
+
 void ToolTip::setMaxForce(double newtons) noexcept
 {
   m_maxForce = std::isfinite(newtons) ? std::max(newtons, kLeastForce) : kLeastForce;

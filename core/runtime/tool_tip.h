@@ -6,6 +6,7 @@
 #include "core/dynamics/simulation.h"
 #include "core/runtime/deforming_surface.h"
 #include "core/runtime/hand_over.h"
+#include "core/runtime/node_links.h"
 #include "core/runtime/press_area.h"
 #include "core/runtime/static_compliance.h"
 
@@ -42,7 +43,9 @@ public:
   /// @param radius [m] >= 0; @param maxForce on the hand [N].
   ToolTip(const SpringNet& net, double radius, double maxForce);
 
-  void adapt(const SpringNet& net); ///< other parameters
+  void adapt(const SpringNet& net); ///< other parameters, anywhere
+  /// Around these nodes.
+  void adapt(const SpringNet& net, std::span<const Index> nodes, NodeLinks& links);
   void setMaxForce(double newtons) noexcept;
   void moveTo(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity); ///< non-finite: stays
   void letGo() noexcept; ///< of the surface; the hand counts as outside where it is next

@@ -8,7 +8,7 @@ Result<ApplyReport> applyTissue(const TissueModel& model, SpringNet& net)
 {
   const auto derivation = TissueDerivation::create(model, net);
   if (!derivation) return derivation.error();
-  return derivation->report();
+  return derivation->account(net);
 }
 
 } // namespace esm

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <numbers>
+#include <numeric>
 
 namespace esm {
 
@@ -85,34 +86,95 @@ Reach reachOf(const RegionShape& shape, const Eigen::Matrix3Xd& points)
   return reach;
 }
 
-void markAll(const Reach& reach, std::vector<std::uint8_t>& touched)
+double ReachCursor::weightAt(Index place) noexcept
 {
-  for (const Index place : reach.place) touched[static_cast<std::size_t>(place)] = 1;
+  const std::vector<Index>& places = m_reach.place;
+  std::size_t step = 1, end = m_next; // in leaps that double, then back by halves
+  while (end < places.size() && places[end] < place) {
+    m_next = end + 1;
+    end += step;
+    step *= 2;
+  }
+  const auto first = places.begin();
+  end = std::min(end, places.size());
+  const auto found = std::lower_bound(first + static_cast<std::ptrdiff_t>(m_next),
+                                      first + static_cast<std::ptrdiff_t>(end), place);
+  m_next = static_cast<std::size_t>(found - first);
+  return m_next < places.size() && places[m_next] == place ? m_reach.weight[m_next] : 0.0;
 }
 
-void hideUnder(const Reach& reach, std::vector<std::uint8_t>& touched)
+void TouchedPlaces::clear()
 {
-  for (std::size_t i = 0; i < reach.place.size(); ++i)
-    if (reach.weight[i] == 1.0) touched[static_cast<std::size_t>(reach.place[i])] = 0;
+  for (const Index place : m_list) m_flag[static_cast<std::size_t>(place)] = 0;
+  m_list.clear();
+  m_isSorted = true;
+  m_looks = 0;
 }
 
-void markMoved(const Reach& before, const Reach& after, std::vector<std::uint8_t>& touched)
+void TouchedPlaces::add(Index place)
+{
+  std::uint8_t& flag = m_flag[static_cast<std::size_t>(place)];
+  if (flag) return;
+  flag = 1;
+  m_isSorted = m_isSorted && (m_list.empty() || m_list.back() < place);
+  m_list.push_back(place);
+}
+
+void TouchedPlaces::addAll()
+{
+  m_list.resize(m_flag.size());
+  std::iota(m_list.begin(), m_list.end(), 0);
+  std::fill(m_flag.begin(), m_flag.end(), std::uint8_t{1});
+  m_isSorted = true;
+  m_looks += std::ssize(m_list);
+}
+
+void TouchedPlaces::addReach(const Reach& reach)
+{
+  for (const Index place : reach.place) add(place);
+  m_looks += std::ssize(reach.place);
+}
+
+void TouchedPlaces::hideUnder(const Reach& reach)
+{
+  ReachCursor weight(reach);
+  const std::vector<Index>& list = sorted();
+  m_looks += std::ssize(list);
+  std::erase_if(m_list, [&](Index place) {
+    if (weight.weightAt(place) != 1.0) return false;
+    m_flag[static_cast<std::size_t>(place)] = 0;
+    return true;
+  });
+}
+
+void TouchedPlaces::addMoved(const Reach& before, const Reach& after)
 {
   std::size_t i = 0, j = 0;
+  std::vector<Index> hidden;
   while (i < before.place.size() || j < after.place.size()) {
     const bool onlyBefore =
       j == after.place.size() || (i < before.place.size() && before.place[i] < after.place[j]);
     const bool onlyAfter =
       i == before.place.size() || (j < after.place.size() && after.place[j] < before.place[i]);
     const Index place = onlyBefore ? before.place[i] : after.place[j];
-    std::uint8_t& mark = touched[static_cast<std::size_t>(place)];
     if (onlyBefore || onlyAfter || before.weight[i] != after.weight[j])
-      mark = 1;
-    else if (after.weight[j] == 1.0)
-      mark = 0;
+      add(place);
+    else if (after.weight[j] == 1.0 && has(place))
+      hidden.push_back(place);
     i += onlyAfter ? 0 : 1;
     j += onlyBefore ? 0 : 1;
   }
+  m_looks += std::ssize(before.place) + std::ssize(after.place);
+  if (hidden.empty()) return;
+  for (const Index place : hidden) m_flag[static_cast<std::size_t>(place)] = 0;
+  std::erase_if(m_list, [&](Index place) { return !has(place); });
+}
+
+const std::vector<Index>& TouchedPlaces::sorted()
+{
+  if (!m_isSorted) std::sort(m_list.begin(), m_list.end());
+  m_isSorted = true;
+  return m_list;
 }
 
 } // namespace esm

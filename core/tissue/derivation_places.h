@@ -89,13 +89,44 @@ struct Reach {
 };
 Reach reachOf(const RegionShape& shape, const Eigen::Matrix3Xd& points);
 
-/// Marks for an edit of the region list: `touched` is 1 where what lies below has changed (the base tissue:
-/// everywhere or nowhere); afterwards where the blend of all has changed. Call for regions from the bottom
-/// up.
-void markAll(const Reach& reach, std::vector<std::uint8_t>& touched);
-/// A region as it was: it hides changes below where its weight is 1.
-void hideUnder(const Reach& reach, std::vector<std::uint8_t>& touched);
-/// A region that has moved but kept its parameters.
-void markMoved(const Reach& before, const Reach& after, std::vector<std::uint8_t>& touched);
+/// Looks places up in a reach, ascending: next to each other or far apart, either way at the price of what is asked.
+class ReachCursor {
+public:
+  explicit ReachCursor(const Reach& reach) noexcept : m_reach(reach) {}
+  double weightAt(Index place) noexcept; ///< 0 outside the reach
+
+private:
+  const Reach& m_reach;
+  std::size_t m_next = 0;
+};
+
+/// The places that an edit touches, as flags and as a list: to look through the list costs nothing for all the
+/// others. What happens to it, happens for regions from the bottom up: a place is in it where the blend of all
+/// below has changed (the base tissue: everywhere or nowhere).
+class TouchedPlaces {
+public:
+  TouchedPlaces() = default;
+  explicit TouchedPlaces(Index places) : m_flag(static_cast<std::size_t>(places), 0) {}
+
+  void clear();
+  void addAll();
+  void add(Index place);
+  void addReach(const Reach& reach);
+  /// A region as it was: it hides changes below where its weight is 1.
+  void hideUnder(const Reach& reach);
+  /// A region that has moved but kept its parameters.
+  void addMoved(const Reach& before, const Reach& after);
+
+  bool has(Index place) const noexcept { return m_flag[static_cast<std::size_t>(place)] != 0; }
+  /// Ascending, until the next change.
+  const std::vector<Index>& sorted();
+  std::int64_t looks() const noexcept { return m_looks; } ///< at places, since clear(): the work of it all
+
+private:
+  std::vector<std::uint8_t> m_flag;
+  std::vector<Index> m_list; ///< all that were added, once each while their flag is set
+  bool m_isSorted = true;
+  std::int64_t m_looks = 0;
+};
 
 } // namespace esm

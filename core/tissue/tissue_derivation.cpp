@@ -39,28 +39,33 @@ bool differEverywhere(const TissueModel& a, const TissueModel& b)
 /// Blends place after place, ascending, from remembered weights.
 class Blender {
 public:
-  Blender(const TissueField& field, const std::vector<std::shared_ptr<const Reach>>& reaches)
-    : m_field(field), m_reaches(reaches), m_next(reaches.size(), 0)
-  {}
+  Blender(const TissueField& field, const std::vector<std::shared_ptr<const Reach>>& reaches) : m_field(field)
+  {
+    for (const std::shared_ptr<const Reach>& reach : reaches) m_weights.emplace_back(*reach);
+  }
 
   TissueBlend at(Index place)
   {
     TissueBlend blend = m_field.baseBlend();
-    for (std::size_t r = 0; r < m_reaches.size(); ++r) {
-      const Reach& reach = *m_reaches[r];
-      std::size_t& next = m_next[r];
-      while (next < reach.place.size() && reach.place[next] < place) ++next;
-      if (next < reach.place.size() && reach.place[next] == place)
-        blend.cover(static_cast<int>(r), reach.weight[next], m_field.regions()[r].logs);
-    }
+    for (std::size_t r = 0; r < m_weights.size(); ++r)
+      blend.cover(static_cast<int>(r), m_weights[r].weightAt(place), m_field.regions()[r].logs);
     return blend;
   }
 
 private:
   const TissueField& m_field;
-  const std::vector<std::shared_ptr<const Reach>>& m_reaches;
-  std::vector<std::size_t> m_next;
+  std::vector<ReachCursor> m_weights;
 };
+
+/// Whether two sets hold the same nodes at the same points, so that they differ in numbers alone.
+bool samePlaces(const AnchorSet& a, const AnchorSet& b)
+{
+  const auto same = [](const auto& x, const auto& y) {
+    return x.rows() == y.rows() && x.cols() == y.cols() && (x.array() == y.array()).all();
+  };
+  return a.node == b.node && same(a.point, b.point) && same(a.bandLength, b.bandLength) &&
+         a.stiffness.size() == b.stiffness.size() && a.viscosity.size() == b.viscosity.size();
+}
 
 /// A mesh that came in a thousand times too small, say: without area there is no mass.
 bool surfaceHasArea(const SpringNet& net, const DerivationPlaces& places)
@@ -73,7 +78,7 @@ bool surfaceHasArea(const SpringNet& net, const DerivationPlaces& places)
 TissueDerivation::TissueDerivation(TissueField field, const SpringNet& net)
   : m_places(net),
     m_field(std::move(field)),
-    m_touched(static_cast<std::size_t>(m_places.springs + m_places.nodes), 1),
+    m_touched(m_places.springs + m_places.nodes),
     m_modulus(m_places.springs),
     m_springDensity(m_places.loose.empty() ? 0 : m_places.springs),
     m_anchoring(Eigen::ArrayXd::Zero(m_places.nodes)),
@@ -84,9 +89,13 @@ TissueDerivation::TissueDerivation(TissueField field, const SpringNet& net)
     if (net.anchors.isBand(anchor))
       m_bands.push_back({net.anchors.node[static_cast<std::size_t>(anchor)], net.anchors.point.col(anchor),
                          net.anchors.bandLength[anchor]});
+  if (m_bands.empty()) return;
+  m_bandsOfNode.build(static_cast<std::size_t>(m_places.nodes), [&](const auto& add) {
+    for (std::size_t i = 0; i < m_bands.size(); ++i) add(m_bands[i].node, static_cast<Index>(i));
+  });
 }
 
-Result<TissueDerivation> TissueDerivation::create(const TissueModel& model, SpringNet& net)
+Result<TissueDerivation> TissueDerivation::prepare(const TissueModel& model, const SpringNet& net)
 {
   auto field = TissueField::create(model);
   if (!field) return field.error();
@@ -96,51 +105,81 @@ Result<TissueDerivation> TissueDerivation::create(const TissueModel& model, Spri
       ErrorCode::InvalidValue,
       "the surface has triangles but no area, so that its tissue has no mass; import the mesh with "
       "a smaller weld tolerance or the right unit"};
-  net.stiffness.resize(net.springCount());
-  net.viscosity.resize(net.springCount());
-  net.lawParameter.resize(net.springCount());
-  net.mass.resize(net.nodeCount());
-  net.law.assign(static_cast<std::size_t>(net.springCount()), model.law);
-  derivation.m_places.setThickness(model.thickness, net);
-  derivation.m_reaches = derivation.reachesOf(derivation.m_field);
-  derivation.deriveTouched(net);
   return derivation;
 }
 
-Result<ApplyReport> TissueDerivation::update(const TissueModel& model, SpringNet& net)
+Result<TissueDerivation> TissueDerivation::create(const TissueModel& model, SpringNet& net)
+{
+  auto derivation = prepare(model, net);
+  if (derivation) derivation->update(TissueField(derivation->m_field), net);
+  return derivation;
+}
+
+Result<DerivationReport> TissueDerivation::update(const TissueModel& model, SpringNet& net,
+                                                  ParameterPatch* patch)
 {
   auto field = TissueField::create(model);
   if (!field) return field.error();
-  return update(std::move(*field), net);
+  return update(std::move(*field), net, patch);
 }
 
-const ApplyReport& TissueDerivation::update(TissueField field, SpringNet& net)
+const DerivationReport& TissueDerivation::update(TissueField field, SpringNet& net, ParameterPatch* patch)
 {
   ESM_ASSERT(net.springCount() == m_places.springs && net.nodeCount() == m_places.nodes);
+  m_touched.clear();
+  m_report = {};
+  if (patch != nullptr) *patch = {};
   const TissueModel &before = m_field.model(), &model = field.model();
+  if (m_isFirst || before.thickness != model.thickness) setThickness(model.thickness, net);
   Reaches reaches = reachesOf(field);
-  if (differEverywhere(before, model)) {
-    if (before.thickness != model.thickness) m_places.setThickness(model.thickness, net);
-    std::fill(net.law.begin(), net.law.end(), model.law);
-    std::fill(m_touched.begin(), m_touched.end(), std::uint8_t{1});
-  } else {
+  if (m_isFirst || differEverywhere(before, model))
+    m_touched.addAll();
+  else
     markWhatDiffers(field, reaches);
-  }
   m_field = std::move(field);
   m_reaches = std::move(reaches);
-  deriveTouched(net);
+  deriveTouched(net, patch);
+  m_isFirst = false;
   return m_report;
 }
 
+ApplyReport TissueDerivation::account(const SpringNet& net) const
+{
+  ApplyReport report{m_report};
+  if (m_places.springs > 0) {
+    report.minYoungsModulus = m_modulus.minCoeff();
+    report.maxYoungsModulus = m_modulus.maxCoeff();
+  }
+  report.totalMass = net.mass.sum();
+  return report;
+}
+
+/// Sections depend on it, and on them who has no mass of his own.
+void TissueDerivation::setThickness(double thickness, const SpringNet& net)
+{
+  m_places.setThickness(thickness, net);
+  m_report.placesSeen += m_places.springs;
+  m_lone.clear();
+  for (std::size_t i = 0; i < m_places.loose.size(); ++i) {
+    double volume = 0.0;
+    for (const Index s : m_places.looseSprings[i]) volume += m_places.section[s] * net.restLength[s];
+    if (!(volume > 0.0)) m_lone.push_back(m_places.loose[i]);
+  }
+}
+
 /// Weights of shapes that were there before are not computed again.
-TissueDerivation::Reaches TissueDerivation::reachesOf(const TissueField& field) const
+TissueDerivation::Reaches TissueDerivation::reachesOf(const TissueField& field)
 {
   Reaches reaches;
   for (const CompiledRegion& region : field.regions()) {
     std::shared_ptr<const Reach> reach;
     for (std::size_t old = 0; old < m_reaches.size() && !reach; ++old)
       if (m_field.regions()[old].shape == region.shape) reach = m_reaches[old];
-    reaches.push_back(reach ? reach : std::make_shared<Reach>(reachOf(region.shape, m_places.point)));
+    if (!reach) {
+      reach = std::make_shared<Reach>(reachOf(region.shape, m_places.point));
+      m_report.placesSeen += m_places.point.cols();
+    }
+    reaches.push_back(std::move(reach));
   }
   return reaches;
 }
@@ -155,144 +194,185 @@ void TissueDerivation::markWhatDiffers(const TissueField& field, const Reaches& 
   while (bottom < common && same(before[bottom], after[bottom])) ++bottom;
   while (bottom + top < common && same(before[before.size() - 1 - top], after[after.size() - 1 - top])) ++top;
 
-  const bool sameBase = (m_field.baseBlend().logs == field.baseBlend().logs).all();
-  std::fill(m_touched.begin(), m_touched.end(), static_cast<std::uint8_t>(sameBase ? 0 : 1));
-  for (std::size_t r = 0; r < bottom; ++r) hideUnder(*reaches[r], m_touched);
+  if (!(m_field.baseBlend().logs == field.baseBlend().logs).all()) {
+    m_touched.addAll();
+    for (std::size_t r = 0; r < bottom; ++r) m_touched.hideUnder(*reaches[r]);
+  }
   const std::size_t beforeEnd = before.size() - top, afterEnd = after.size() - top;
   if (beforeEnd == afterEnd) {
     for (std::size_t r = bottom; r < afterEnd; ++r) {
       if (sameTissue(before[r], after[r])) {
-        markMoved(*m_reaches[r], *reaches[r], m_touched);
+        m_touched.addMoved(*m_reaches[r], *reaches[r]);
       } else {
-        markAll(*m_reaches[r], m_touched);
-        markAll(*reaches[r], m_touched);
+        m_touched.addReach(*m_reaches[r]);
+        m_touched.addReach(*reaches[r]);
       }
     }
   } else {
-    for (std::size_t r = bottom; r < beforeEnd; ++r) markAll(*m_reaches[r], m_touched);
-    for (std::size_t r = bottom; r < afterEnd; ++r) markAll(*reaches[r], m_touched);
+    for (std::size_t r = bottom; r < beforeEnd; ++r) m_touched.addReach(*m_reaches[r]);
+    for (std::size_t r = bottom; r < afterEnd; ++r) m_touched.addReach(*reaches[r]);
   }
-  for (std::size_t r = afterEnd; r < after.size(); ++r) hideUnder(*reaches[r], m_touched);
+  for (std::size_t r = afterEnd; r < after.size(); ++r) m_touched.hideUnder(*reaches[r]);
 }
 
-void TissueDerivation::deriveTouched(SpringNet& net)
+void TissueDerivation::deriveTouched(SpringNet& net, ParameterPatch* patch)
 {
-  m_report = {};
-  m_anchorsChangePlaces = false;
+  m_anchorsChangePlaces = m_isFirst; // whatever anchors the net brought go
   m_cubicFromStiffening = cubicFromStiffening(m_field.model());
-  deriveSprings(net);
-  deriveNodes(net);
-  deriveBands();
-  deriveAnchors(net);
-  if (m_places.springs > 0) {
-    m_report.minYoungsModulus = m_modulus.minCoeff();
-    m_report.maxYoungsModulus = m_modulus.maxCoeff();
+  if (m_isFirst) {
+    net.stiffness.resize(m_places.springs);
+    net.viscosity.resize(m_places.springs);
+    net.lawParameter.resize(m_places.springs);
+    net.law.resize(static_cast<std::size_t>(m_places.springs), m_field.model().law);
+    net.mass.resize(m_places.nodes);
   }
-  m_report.totalMass = net.mass.sum();
+  deriveSprings(net, patch);
+  deriveNodes(net, patch);
+  deriveAnchors(net, patch);
+  m_report.placesSeen += m_touched.looks();
 }
 
-void TissueDerivation::deriveSprings(SpringNet& net)
+void TissueDerivation::deriveSprings(SpringNet& net, ParameterPatch* patch)
 {
   Blender blender(m_field, m_reaches);
+  const SpringLaw law = m_field.model().law;
   const unsigned wanted = m_places.loose.empty() ? kSpringParameters : kSpringParameters | kNodeParameters;
-  for (Index s = 0; s < m_places.springs; ++s) {
-    if (!m_touched[static_cast<std::size_t>(s)]) continue;
-    writeSpring(s, m_field.plain(blender.at(s), wanted), net);
-    ++m_report.springsChanged;
+  const std::vector<Index>& touched = m_touched.sorted();
+  const auto count = static_cast<std::size_t>(
+    std::lower_bound(touched.begin(), touched.end(), m_places.springs) - touched.begin());
+  for (std::size_t i = 0; i < count; ++i) { // nodes may come in behind them
+    const Index s = touched[i];
+    const TissueParameters tissue = m_field.plain(blender.at(s), wanted);
+    const SpringNumbers numbers = springNumbers(tissue, m_places.perModulus[s], m_cubicFromStiffening);
+    SpringLaw& lawNow = net.law[static_cast<std::size_t>(s)];
+    if (patch != nullptr && (net.stiffness[s] != numbers.stiffness || net.viscosity[s] != numbers.viscosity ||
+                             net.lawParameter[s] != numbers.lawParameter || lawNow != law))
+      patch->springs.push_back({s, law, numbers.stiffness, numbers.viscosity, numbers.lawParameter});
+    lawNow = law;
+    net.stiffness[s] = numbers.stiffness;
+    net.viscosity[s] = numbers.viscosity;
+    net.lawParameter[s] = numbers.lawParameter;
+    m_modulus[s] = tissue.youngsModulus;
+    if (!(m_places.section[s] > 0.0)) continue;
+    m_springDensity[s] = tissue.density;
+    for (int end = 0; end < 2; ++end) // its mass is theirs
+      if (const Index node = net.ends(end, s);
+          m_places.looseOfNode[static_cast<std::size_t>(node)] != kNoIndex)
+        m_touched.add(placeOfNode(node));
   }
+  m_report.springsChanged = static_cast<Index>(count);
 }
 
-void TissueDerivation::writeSpring(Index spring, const TissueParameters& tissue, SpringNet& net)
+namespace {
+
+void putMass(Index node, double mass, SpringNet& net, ParameterPatch* patch)
 {
-  const SpringNumbers numbers = springNumbers(tissue, m_places.perModulus[spring], m_cubicFromStiffening);
-  net.stiffness[spring] = numbers.stiffness;
-  net.viscosity[spring] = numbers.viscosity;
-  net.lawParameter[spring] = numbers.lawParameter;
-  m_modulus[spring] = tissue.youngsModulus;
-  if (!(m_places.section[spring] > 0.0)) return;
-  m_springDensity[spring] = tissue.density;
-  for (int end = 0; end < 2; ++end) // its mass is theirs
-    if (const Index node = net.ends(end, spring);
-        m_places.looseOfNode[static_cast<std::size_t>(node)] != kNoIndex)
-      m_touched[placeOfNode(node)] = 1;
+  if (patch != nullptr && net.mass[node] != mass)
+    patch->nodes.push_back({node, mass, net.massDamping.size() > 0 ? net.massDamping[node] : 0.0});
+  net.mass[node] = mass;
 }
 
-void TissueDerivation::deriveNodes(SpringNet& net)
+} // namespace
+
+void TissueDerivation::deriveNodes(SpringNet& net, ParameterPatch* patch)
 {
   Blender blender(m_field, m_reaches);
   const double thickness = m_field.model().thickness;
-  for (Index node = 0; node < m_places.nodes; ++node) {
-    const Index place = m_places.springs + node;
-    if (!m_touched[static_cast<std::size_t>(place)]) continue;
+  const std::vector<Index>& touched = m_touched.sorted();
+  for (auto it = std::lower_bound(touched.begin(), touched.end(), m_places.springs); it != touched.end();
+       ++it) {
+    const Index node = *it - m_places.springs;
     ++m_report.nodesChanged;
     const double area = m_places.dualArea[node], volume = m_places.volumeOf(node);
-    if (m_places.hasTissue(node)) {
-      const TissueParameters tissue = m_field.plain(blender.at(place), kNodeParameters);
-      net.mass[node] = volume > 0.0 ? massOfVolume(tissue, volume) : massOfSurface(tissue, thickness, area);
-      const AnchorNumbers anchor = anchorNumbers(tissue, area);
-      m_anchorsChangePlaces |= (anchor.stiffness > 0.0) != (m_anchoring[node] > 0.0);
-      m_anchoring[node] = anchor.stiffness;
-      m_anchorViscosity[node] = anchor.viscosity;
+    if (!m_places.hasTissue(node)) {
+      if (!std::binary_search(m_lone.begin(), m_lone.end(), node))
+        putMass(node, massOfLines(node, net), net, patch);
       continue;
     }
-    const auto i = static_cast<std::size_t>(m_places.looseOfNode[static_cast<std::size_t>(node)]);
-    net.mass[node] = 0.0;
-    for (const Index s : m_places.looseSprings[i])
-      net.mass[node] += halfMassOfLine(m_springDensity[s], m_places.section[s], net.restLength[s]);
+    const TissueParameters tissue = m_field.plain(blender.at(*it), kNodeParameters);
+    putMass(node, volume > 0.0 ? massOfVolume(tissue, volume) : massOfSurface(tissue, thickness, area), net,
+            patch);
+    const AnchorNumbers anchor = anchorNumbers(tissue, area);
+    m_anchorsChangePlaces |= (anchor.stiffness > 0.0) != (m_anchoring[node] > 0.0);
+    m_anchoring[node] = anchor.stiffness;
+    m_anchorViscosity[node] = anchor.viscosity;
   }
-  if (!m_places.loose.empty()) fillLoneMasses(net);
+  if (!m_lone.empty() && m_report.nodesChanged > 0) fillLoneMasses(net, patch);
+}
+
+double TissueDerivation::massOfLines(Index node, const SpringNet& net) const
+{
+  const auto i = static_cast<std::size_t>(m_places.looseOfNode[static_cast<std::size_t>(node)]);
+  double mass = 0.0;
+  for (const Index s : m_places.looseSprings[i])
+    mass += halfMassOfLine(m_springDensity[s], m_places.section[s], net.restLength[s]);
+  return mass;
 }
 
 /// Nodes to which nothing belongs get the smallest mass of the others, so that nobody divides by zero.
-void TissueDerivation::fillLoneMasses(SpringNet& net) const
+void TissueDerivation::fillLoneMasses(SpringNet& net, ParameterPatch* patch) const
 {
-  const auto isLone = [&](Index node) {
-    const auto i = static_cast<std::size_t>(m_places.looseOfNode[static_cast<std::size_t>(node)]);
-    double volume = 0.0;
-    for (const Index s : m_places.looseSprings[i]) volume += m_places.section[s] * net.restLength[s];
-    return !(volume > 0.0);
-  };
-  std::vector<Index> lone;
-  std::copy_if(m_places.loose.begin(), m_places.loose.end(), std::back_inserter(lone), isLone);
-  for (const Index node : lone) net.mass[node] = std::numeric_limits<double>::infinity();
-  const double least = net.mass.size() > 0 ? net.mass.minCoeff() : 0.0;
-  for (const Index node : lone)
-    net.mass[node] = std::isfinite(least)
-                       ? least
-                       : m_field.base().density * std::pow(m_field.model().thickness, 3.0); // only lone nodes
+  double least = std::numeric_limits<double>::infinity();
+  auto lone = m_lone.begin();
+  for (Index node = 0; node < m_places.nodes; ++node)
+    if (lone != m_lone.end() && *lone == node)
+      ++lone;
+    else
+      least = std::min(least, net.mass[node]);
+  if (!std::isfinite(least))
+    least = m_field.base().density * std::pow(m_field.model().thickness, 3.0); // only lone nodes
+  for (const Index node : m_lone) putMass(node, least, net, patch);
+  if (patch != nullptr)
+    std::sort(patch->nodes.begin(), patch->nodes.end(),
+              [](const ParameterPatch::Node& a, const ParameterPatch::Node& b) { return a.node < b.node; });
 }
 
-void TissueDerivation::deriveBands()
+/// Those of touched nodes; all where a node has gained or lost its own.
+void TissueDerivation::deriveAnchors(SpringNet& net, ParameterPatch* patch)
 {
-  for (Band& band : m_bands)
-    if (m_touched[placeOfNode(band.node)])
-      band.numbers = bandNumbers(m_field.at(m_places.point.col(m_places.springs + band.node)),
-                                 m_places.dualArea[band.node], band.length);
-}
-
-void TissueDerivation::deriveAnchors(SpringNet& net)
-{
-  AnchorSet& anchors = net.anchors;
-  const auto write = [&](Index anchor, Index node) {
-    anchors.stiffness[anchor] = m_anchoring[node];
-    anchors.viscosity[anchor] = m_anchorViscosity[node];
-  };
-  const auto writeBands = [&] {
-    Index anchor = anchors.count() - static_cast<Index>(m_bands.size());
-    for (const Band& band : m_bands) {
-      anchors.stiffness[anchor] = band.numbers.stiffness;
-      anchors.viscosity[anchor++] = band.numbers.viscosity;
+  const std::vector<Index>& touched = m_touched.sorted();
+  const auto firstNode = std::lower_bound(touched.begin(), touched.end(), m_places.springs);
+  for (auto it = firstNode; it != touched.end() && !m_bands.empty(); ++it)
+    for (const Index i : m_bandsOfNode[static_cast<std::size_t>(*it - m_places.springs)]) {
+      Band& band = m_bands[static_cast<std::size_t>(i)];
+      band.numbers =
+        bandNumbers(m_field.at(m_places.point.col(*it)), m_places.dualArea[band.node], band.length);
     }
-  };
-  const bool isFirst = m_report.nodesChanged == m_places.nodes; // whatever anchors the net brought go
-  if (!m_anchorsChangePlaces && !isFirst) {
-    for (Index node = 0; node < m_places.nodes; ++node)
-      if (const Index anchor = m_anchorOfNode[static_cast<std::size_t>(node)];
-          anchor != kNoIndex && m_touched[placeOfNode(node)])
-        write(anchor, node);
-    writeBands();
+  AnchorSet& anchors = net.anchors;
+  if (m_anchorsChangePlaces) {
+    const AnchorSet before = patch != nullptr ? anchors : AnchorSet{};
+    placeAnchors(net);
+    if (patch == nullptr) return;
+    if (!samePlaces(before, anchors)) patch->anchorSet = anchors;
+    for (Index i = 0; i < anchors.count() && !patch->anchorSet; ++i)
+      if (before.stiffness[i] != anchors.stiffness[i] || before.viscosity[i] != anchors.viscosity[i])
+        patch->anchors.push_back({i, anchors.stiffness[i], anchors.viscosity[i]});
     return;
   }
+  const auto put = [&](Index anchor, const AnchorNumbers& numbers) {
+    if (patch != nullptr &&
+        (anchors.stiffness[anchor] != numbers.stiffness || anchors.viscosity[anchor] != numbers.viscosity))
+      patch->anchors.push_back({anchor, numbers.stiffness, numbers.viscosity});
+    anchors.stiffness[anchor] = numbers.stiffness;
+    anchors.viscosity[anchor] = numbers.viscosity;
+  };
+  for (auto it = firstNode; it != touched.end(); ++it) {
+    const Index node = *it - m_places.springs;
+    if (const Index anchor = m_anchorOfNode[static_cast<std::size_t>(node)]; anchor != kNoIndex)
+      put(anchor, {m_anchoring[node], m_anchorViscosity[node]});
+  }
+  const Index firstBand = anchors.count() - static_cast<Index>(m_bands.size());
+  std::vector<Index> bands;
+  for (auto it = firstNode; it != touched.end() && !m_bands.empty(); ++it)
+    for (const Index i : m_bandsOfNode[static_cast<std::size_t>(*it - m_places.springs)]) bands.push_back(i);
+  std::sort(bands.begin(), bands.end());
+  for (const Index i : bands) put(firstBand + i, m_bands[static_cast<std::size_t>(i)].numbers);
+}
+
+/// Tissue's own by their nodes, then the bands.
+void TissueDerivation::placeAnchors(SpringNet& net)
+{
+  AnchorSet& anchors = net.anchors;
   anchors.node.clear();
   for (Index node = 0; node < m_places.nodes; ++node) {
     const bool isHeld = m_anchoring[node] > 0.0;
@@ -307,7 +387,8 @@ void TissueDerivation::deriveAnchors(SpringNet& net)
   for (Index anchor = 0; anchor < ownAnchors; ++anchor) {
     const Index node = anchors.node[static_cast<std::size_t>(anchor)];
     anchors.point.col(anchor) = net.restPosition.col(node);
-    write(anchor, node);
+    anchors.stiffness[anchor] = m_anchoring[node];
+    anchors.viscosity[anchor] = m_anchorViscosity[node];
   }
   if (m_bands.empty()) {
     anchors.bandLength.resize(0);
@@ -318,8 +399,9 @@ void TissueDerivation::deriveAnchors(SpringNet& net)
     const Index anchor = ownAnchors + static_cast<Index>(i);
     anchors.point.col(anchor) = m_bands[i].point;
     anchors.bandLength[anchor] = m_bands[i].length;
+    anchors.stiffness[anchor] = m_bands[i].numbers.stiffness;
+    anchors.viscosity[anchor] = m_bands[i].numbers.viscosity;
   }
-  writeBands();
 }
 
 } // namespace esm

@@ -9,6 +9,7 @@
 #include "core/tissue/region.h"
 #include "core/tissue/tissue_parameters.h"
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -129,8 +130,12 @@ private:
   std::vector<fuzzy::Inference> m_regionInferences;
 };
 
-struct ApplyReport {
-  Index springsChanged = 0, nodesChanged = 0;
+/// What a derivation had to do.
+struct DerivationReport {
+  Index springsChanged = 0, nodesChanged = 0; ///< that were derived
+  std::int64_t placesSeen = 0;                ///< springs and nodes that were looked at to find these
+};
+struct ApplyReport : DerivationReport {
   double minYoungsModulus = 0.0, maxYoungsModulus = 0.0; ///< over springs [Pa]
   double totalMass = 0.0;                                ///< [kg]
 };

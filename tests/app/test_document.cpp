@@ -193,6 +193,54 @@ TEST_F(DocumentTest, RegionChangesOnlySpringsInside)
   EXPECT_LT(inside, after.springCount());
 }
 
+// A slider writes to the net that is there: no array of it moves, what others hold stays as it was, and the patch
+// says exactly what has changed, on undo and redo as well, from the first edit on.
+TEST_F(DocumentTest, AnEditOfTheTissueIsAPatch)
+{
+  document.startRecovered(test::sheetProject(), QString(), true, 0, {}); // its numbers are its tissue's
+  SpringNet follower = *document.net();
+  const auto held = document.net();
+  const double* const place = document.project().net.stiffness.data();
+  const double* const rest = document.project().net.restPosition.data();
+  int patches = 0;
+  QObject::connect(&document, &Document::parametersChanged, [&] {
+    const auto patch = document.lastPatch();
+    ASSERT_TRUE(patch);
+    ASSERT_TRUE(checkPatch(*patch, follower));
+    EXPECT_LE(std::ssize(patch->springs), document.lastApply().springsChanged);
+    patch->applyTo(follower);
+    EXPECT_TRUE((follower.stiffness == document.project().net.stiffness).all());
+    EXPECT_TRUE((follower.mass == document.project().net.mass).all());
+    EXPECT_TRUE((follower.anchors.stiffness == document.project().net.anchors.stiffness).all());
+    ++patches;
+  });
+  const double before = held->stiffness.sum();
+  document.addRegion(ball(document.project(), "A", 0.02));
+  document.setInput(0, 0.3, 4); // of the region
+  document.setInput(0, 0.4, 4);
+  EXPECT_LT(std::ssize(document.lastPatch()->springs), document.project().net.springCount() / 2);
+  EXPECT_GT(std::ssize(document.lastPatch()->springs), 5);
+  while (document.undoStack()->canUndo()) document.undoStack()->undo();
+  while (document.undoStack()->canRedo()) document.undoStack()->redo();
+  EXPECT_EQ(patches, 7);
+  EXPECT_EQ(document.project().net.stiffness.data(), place);
+  EXPECT_EQ(document.project().net.restPosition.data(), rest);
+  EXPECT_EQ(held->stiffness.sum(), before);
+}
+
+// Where numbers come from elsewhere, as on undo to those of a file, nobody can say which: then the whole net counts.
+TEST_F(DocumentTest, ForeignNumbersAreNoPatch)
+{
+  Project project = test::sheetProject();
+  project.net.stiffness *= 1.25;
+  document.start(project, QString());
+  document.setInput(0, 0.8, 1);
+  EXPECT_TRUE(document.lastPatch());
+  document.undoStack()->undo();
+  EXPECT_FALSE(document.lastPatch());
+  EXPECT_TRUE((document.project().net.stiffness == project.net.stiffness).all());
+}
+
 TEST_F(DocumentTest, RefusedTissueChangesNothing)
 {
   const std::string before = json();

@@ -181,6 +181,13 @@ TEST(SceneViewGl, TheEndsOfTheColourMapAppearWhereTheStiffnessIs)
   swapped->stiffness = 10000.0 / net->stiffness;
   view.scene.setParameters(swapped);
   EXPECT_TRUE(sameHue(view.at(view.scene.picture(), {-0.03, -0.04, 0.0}), viridis(1.0)));
+
+  ParameterPatch harder; // the right half, soft since, is now the hardest
+  for (Index s = 0; s < net->springCount(); ++s)
+    if (net->stiffness(s) == 1000.0) harder.springs.push_back({s, SpringLaw::Linear, 1e5, 0.0, 0.0});
+  view.scene.setParameters(harder);
+  EXPECT_TRUE(sameHue(view.at(view.scene.picture(), {-0.03, -0.04, 0.0}), viridis(0.0)));
+  EXPECT_TRUE(sameHue(view.at(view.scene.picture(), {0.03, -0.04, 0.0}), viridis(1.0)));
 }
 
 // The only springs are two that cross in one point of space: where project() says, there is ink.

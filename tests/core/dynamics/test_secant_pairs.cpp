@@ -80,7 +80,6 @@ TEST_F(SecantPairsTest, AreTheDenseFormulaOfTheLastOnes)
   constexpr Eigen::Index kSize = 30;
   const Matrix old = randomPositive(kSize), now = randomPositive(kSize);
   SecantPairs pairs;
-  pairs.prepare(kSize / 3);
   std::vector<std::pair<Vector, Vector>> kept;
   const auto compare = [&] {
     const Vector residual = randomVector(kSize), exact = denseInverse(old, kept) * residual;
@@ -112,7 +111,6 @@ TEST_F(SecantPairsTest, LeadToTheGoalInAsManyStepsAsThereAreUnknowns)
   static_assert(SecantPairs::kMost + 1 >= kSize);
   const Matrix old = randomPositive(kSize), now = randomPositive(kSize);
   SecantPairs pairs;
-  pairs.prepare(kSize / 3);
   const Vector first = randomVector(kSize);
   Vector residual = first;
   for (Eigen::Index i = 0; i < kSize; ++i) {

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/net/net_builder.h"
 #include "tests/core/net/meshes.h"
+#include "tests/support/patch_between.h"
 
 #include <gmock/gmock.h>
 
@@ -117,6 +118,70 @@ TEST(CheckNetGood, anEmptyNetFitsTogether)
   SpringNet net;
   resizeNet(net, 0, 0);
   EXPECT_TRUE(checkNet(net));
+}
+
+// The same words, whether a fault comes with a whole net or with a patch.
+TEST(CheckPatch, SaysWhatCheckNetSays)
+{
+  int count = 0;
+  for (const Fault& fault : kFaults) {
+    const SpringNet good = goodNet();
+    SpringNet bad = good;
+    fault.make(bad);
+    const ParameterPatch patch = patchBetween(good, bad);
+    if (patch.isEmpty()) continue; // of topology or shape
+    ++count;
+    const Status status = checkPatch(patch, good);
+    ASSERT_FALSE(status) << fault.name;
+    EXPECT_EQ(status.error().detail, checkNet(bad).error().detail);
+    EXPECT_EQ(status.error().code, ErrorCode::InvalidValue);
+  }
+  EXPECT_GE(count, 10);
+}
+
+TEST(CheckPatch, RefusesWhoIsNotThereAndListsThatDoNotRise)
+{
+  const SpringNet net = goodNet();
+  const auto detail = [&](const ParameterPatch& patch) {
+    const Status status = checkPatch(patch, net);
+    return status ? std::string() : status.error().detail;
+  };
+  ParameterPatch patch;
+  patch.springs = {{3, SpringLaw::Linear, 1.0, 0.0, 0.0}, {18, SpringLaw::Linear, 1.0, 0.0, 0.0}};
+  EXPECT_THAT(detail(patch), HasSubstr("spring 18, the net has 18"));
+  patch.springs[1].spring = 3;
+  EXPECT_THAT(detail(patch), HasSubstr("spring 3 after 3"));
+  patch.springs.pop_back();
+  EXPECT_EQ(detail(patch), "");
+  patch.nodes = {{-1, 1.0, 0.0}};
+  EXPECT_THAT(detail(patch), HasSubstr("node -1, the net has 8"));
+  patch.nodes.clear();
+  patch.anchors = {{1, 1.0, 0.0}};
+  EXPECT_THAT(detail(patch), HasSubstr("anchor 1, the net has 1"));
+  patch.anchors.clear();
+  patch.bulkModuli = {1.0};
+  EXPECT_THAT(detail(patch), HasSubstr("1 bulk moduli, the net has 0"));
+}
+
+// Two patches in a row are one: the later word counts, and nobody is lost.
+TEST(ParameterPatchList, AppendsInOrder)
+{
+  ParameterPatch first, second;
+  for (const Index s : {1, 4, 7}) first.springs.push_back({s, SpringLaw::Linear, 1.0 * s, 0.0, 0.0});
+  for (const Index s : {0, 4, 9}) second.springs.push_back({s, SpringLaw::Linear, 10.0 * s, 0.0, 0.0});
+  first.nodes = {{2, 3.0, 0.0}};
+  second.anchors = {{0, 5.0, 0.1}};
+  SpringNet one = goodNet(), other = one;
+  first.applyTo(one);
+  second.applyTo(one);
+  first.append(second);
+  EXPECT_EQ(first.springs.size(), 5u);
+  ASSERT_TRUE(checkPatch(first, other));
+  first.applyTo(other);
+  EXPECT_TRUE((one.stiffness == other.stiffness).all());
+  EXPECT_EQ(other.stiffness[4], 40.0);
+  EXPECT_EQ(other.mass[2], 3.0);
+  EXPECT_EQ(other.anchors.stiffness[0], 5.0);
 }
 
 } // namespace

@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/sim_runner.h"
 
+#include "core/runtime/coalesce.h"
 #include "hanging_chain.h"
+#include "tests/support/patch_between.h"
 
 #include <gtest/gtest.h>
 
@@ -11,6 +13,21 @@
 namespace esm {
 
 namespace {
+
+command::PatchParameters patchCommand(const std::vector<ParameterPatch>& patches)
+{
+  command::PatchParameters command;
+  for (const ParameterPatch& patch : patches)
+    command.patches.push_back(std::make_shared<const ParameterPatch>(patch));
+  return command;
+}
+
+ParameterPatch springPatch(Index spring, double stiffness)
+{
+  ParameterPatch patch;
+  patch.springs.push_back({spring, SpringLaw::Linear, stiffness, 0.2, 0.0});
+  return patch;
+}
 
 class SimRunnerTest : public testing::Test {
 protected:
@@ -113,6 +130,64 @@ TEST_F(SimRunnerTest, OtherParametersKeepTheMotion)
   EXPECT_EQ(picture().position.cols(), 6);
 }
 
+// By patches the same picture, the same energies and the same way on as by the whole net.
+TEST_F(SimRunnerTest, APatchIsWhatTheWholeNetIs)
+{
+  SpringNet then = chain(6);
+  then.stiffness[2] = 300.0;
+  then.mass[4] = 0.02;
+  SimSnapshot end[2];
+  for (const bool byPatch : {false, true}) {
+    runner.apply(command::Load{2, chain(6), gravity(), {}});
+    runner.apply(command::Play{});
+    frames(10);
+    if (byPatch)
+      runner.apply(patchCommand({test::patchBetween(chain(6), then)}));
+    else
+      runner.apply(command::SetParameters{then});
+    SimSnapshot& now = end[byPatch];
+    runner.draw(now);
+    const double energy = now.energies.total();
+    frames(10);
+    runner.draw(now);
+    now.energies.kinetic = energy; // for the comparison below
+  }
+  EXPECT_EQ(end[0].position, end[1].position);
+  EXPECT_TRUE((end[0].tension == end[1].tension).all());
+  EXPECT_NEAR(end[0].energies.kinetic, end[1].energies.kinetic, 1e-12 * std::abs(end[0].energies.kinetic));
+}
+
+// In the queue patches that follow each other become one command; none is lost, the last word counts, and one that
+// is refused takes no other along.
+TEST_F(SimRunnerTest, PatchesInARowAreTakenTogether)
+{
+  std::vector<SimCommand> batch;
+  batch.push_back(patchCommand({springPatch(0, 200.0)}));
+  batch.push_back(patchCommand({springPatch(1, 300.0)}));
+  batch.push_back(command::Play{});
+  batch.push_back(patchCommand({springPatch(2, 400.0)}));
+  batch.push_back(patchCommand({springPatch(3, -1.0)}));
+  batch.push_back(patchCommand({springPatch(2, 500.0)}));
+  batch.push_back(patchCommand({springPatch(4, 600.0)}));
+  coalesce(batch);
+  ASSERT_EQ(batch.size(), 3u);
+  EXPECT_EQ(std::get<command::PatchParameters>(batch[0]).patches.size(), 2u);
+  EXPECT_EQ(std::get<command::PatchParameters>(batch[2]).patches.size(), 4u);
+  for (SimCommand& command : batch) runner.apply(std::move(command));
+  EXPECT_NE(picture().message.find("stiffness is -1 N/m"), std::string::npos) << picture().message;
+
+  SimRunner other(60.0, tool, contact); // what they make of the chain
+  SpringNet then = chain(6);
+  then.stiffness << 200.0, 300.0, 500.0, 100.0, 600.0;
+  other.apply(command::Load{1, then, gravity(), {}});
+  other.apply(command::Play{});
+  frames(5);
+  for (int i = 0; i < 5; ++i) other.runFrame();
+  SimSnapshot should;
+  other.draw(should);
+  EXPECT_EQ(picture().position, should.position);
+}
+
 // Time goes on over a net that sleeps, and nothing is copied.
 TEST_F(SimRunnerTest, ANetAtRestKeepsItsPicture)
 {
@@ -128,7 +203,7 @@ TEST_F(SimRunnerTest, ANetAtRestKeepsItsPicture)
   EXPECT_EQ(drawn.tension.size(), 5);
   EXPECT_NEAR(drawn.time, 0.1, 1e-12);
 
-  runner.apply(command::SetParameters{chain(6, 300.0)}); // its springs may bear something else now
+  runner.apply(patchCommand({springPatch(4, 300.0)})); // its springs may bear something else now
   const std::uint64_t changed = picture().revision;
   EXPECT_GT(changed, before);
   EXPECT_EQ(drawn.position, chain(6).restPosition);
@@ -255,7 +330,7 @@ TEST_F(SimRunnerTest, NothingIsFeltWhenTheMotionEnds)
 TEST_F(SimRunnerTest, AnEditUnderTheHandGoesOnWithTheNewStiffness)
 {
   const SpringNet soft = chain(6), hard = chain(6, 400.0);
-  const auto felt = [&](const SpringNet& first, const SpringNet& then) {
+  const auto felt = [&](const SpringNet& first, const SpringNet& then, bool byPatch) {
     runner.apply(command::Load{2, first, {}, {}});
     runner.apply(command::Play{});
     runner.apply(command::Grab{5, soft.restPosition.col(5), 5.0});
@@ -263,7 +338,10 @@ TEST_F(SimRunnerTest, AnEditUnderTheHandGoesOnWithTheNewStiffness)
     moveDevice(soft.restPosition.col(5));
     frames(2);
     const ContactModel before = contact.latest();
-    runner.apply(command::SetParameters{then});
+    if (byPatch)
+      runner.apply(patchCommand({test::patchBetween(first, then)}));
+    else
+      runner.apply(command::SetParameters{then});
     EXPECT_TRUE(contact.latest().active);
     frames(1);
     EXPECT_TRUE(contact.latest().active);
@@ -271,7 +349,9 @@ TEST_F(SimRunnerTest, AnEditUnderTheHandGoesOnWithTheNewStiffness)
     EXPECT_NE(contact.latest().edition, before.edition);
     return contact.latest().stiffness(0, 0);
   };
-  const double edited = felt(soft, hard), fromTheStart = felt(hard, hard), unedited = felt(soft, soft);
+  const double edited = felt(soft, hard, false), patched = felt(soft, hard, true);
+  const double fromTheStart = felt(hard, hard, false), unedited = felt(soft, soft, false);
+  EXPECT_EQ(patched, edited);
   EXPECT_NEAR(edited, fromTheStart, 1e-6 * fromTheStart);
   EXPECT_GT(edited, 2.0 * unedited);
 }
@@ -334,6 +414,7 @@ TEST(SimRunner, WithoutANetCommandsDoNothing)
   runner.apply(command::Grab{0, Eigen::Vector3d::Zero(), 1.0});
   runner.apply(command::Release{});
   runner.apply(command::SetParameters{chain(3)});
+  runner.apply(patchCommand({springPatch(0, 1.0)}));
   runner.apply(command::SetFrameRate{std::numeric_limits<double>::quiet_NaN()});
   EXPECT_FALSE(runner.wantsFrame());
   EXPECT_EQ(runner.framePeriod(), 1.0 / 60.0);

@@ -30,7 +30,8 @@ TEST(StaticCompliance, SpringsInARowAddTheirCompliances)
 {
   const Simulation simulation = simulationOf(chain(4));
   StaticCompliance compliance;
-  const Eigen::Matrix3d c = compliance.at(simulation, only(3));
+  NodeLinks links;
+  const Eigen::Matrix3d c = compliance.at(simulation, only(3), links);
   EXPECT_NEAR(c(0, 0), 0.03, 0.03 * 1e-3);
   EXPECT_GT(c(1, 1), 1.0);
   EXPECT_NEAR(c(0, 1), 0.0, 1e-12);
@@ -40,7 +41,8 @@ TEST(StaticCompliance, AHeldNodeDoesNotGiveWay)
 {
   const Simulation simulation = simulationOf(chain(4));
   StaticCompliance compliance;
-  EXPECT_TRUE(compliance.at(simulation, only(0)).isZero(0.0));
+  NodeLinks links;
+  EXPECT_TRUE(compliance.at(simulation, only(0), links).isZero(0.0));
 }
 
 // The middle of a spring between nodes that give 1/100 and 2/100 m/N: a unit force there is half a newton on
@@ -49,7 +51,8 @@ TEST(StaticCompliance, APointBetweenNodesMovesByTheirMean)
 {
   const Simulation simulation = simulationOf(chain(3));
   StaticCompliance compliance;
-  const Eigen::Matrix3d c = compliance.at(simulation, {{1, 2}, {0.5, 0.5}});
+  NodeLinks links;
+  const Eigen::Matrix3d c = compliance.at(simulation, {{1, 2}, {0.5, 0.5}}, links);
   EXPECT_NEAR(c(0, 0), 0.0125, 0.0125 * 1e-3);
 }
 
@@ -61,7 +64,8 @@ TEST(StaticCompliance, AgreesWithTheNetAtRestUnderAPull)
   net.massDamping.setConstant(5, 5.0);
   Simulation simulation = simulationOf(net);
   StaticCompliance compliance;
-  const double c = compliance.at(simulation, only(4))(0, 0);
+  NodeLinks links;
+  const double c = compliance.at(simulation, only(4), links)(0, 0);
   const ToolSpring tool{4, net.restPosition.col(4) + Eigen::Vector3d(0.004, 0.0, 0.0),
                         Eigen::Vector3d::Zero(), 50.0, 0.0};
   simulation.setTools({&tool, 1});
@@ -100,13 +104,14 @@ TEST(StaticCompliance, LargeNetsAnswerFromTheNeighbourhood)
   // The same answer from the whole, by a sheet of its middle that is small enough.
   const Simulation simulation = simulationOf(net);
   StaticCompliance compliance;
+  NodeLinks links;
   const Index middle = 20 * kColumns + 50;
-  const Eigen::Matrix3d c = compliance.at(simulation, only(middle));
+  const Eigen::Matrix3d c = compliance.at(simulation, only(middle), links);
   // Along x the row answers nearly alone: a chain of 100 N/m on anchors of 2 N/m gives 1/(2 sqrt(k a +
   // a^2/4)).
   const double row = 1.0 / (2.0 * std::sqrt(100.0 * 2.0 + 1.0));
   EXPECT_NEAR(c(0, 0), row, 0.02 * row);
-  EXPECT_EQ(c, compliance.at(simulation, only(middle)));
+  EXPECT_EQ(c, compliance.at(simulation, only(middle), links));
 }
 
 } // namespace esm

@@ -6,6 +6,7 @@
 #include "core/runtime/sim_runner.h"
 
 #include "hanging_chain.h"
+#include "tests/support/patch_between.h"
 
 #include <gtest/gtest.h>
 
@@ -286,7 +287,7 @@ TEST(ToolTip, AnEditUnderTheTipKeepsTheContact)
   SpringNet soft = sheet(), hard = sheet();
   hard.stiffness *= 4.0;
   hard.anchors.stiffness *= 4.0;
-  const auto felt = [&](const SpringNet& first, const SpringNet& then) {
+  const auto felt = [&](const SpringNet& first, const SpringNet& then, bool byPatch = false) {
     TripleBuffer<ToolState> tool;
     TripleBuffer<ContactModel> contact;
     SimRunner runner(60.0, tool, contact);
@@ -302,7 +303,11 @@ TEST(ToolTip, AnEditUnderTheTipKeepsTheContact)
       runner.runFrame();
       if (frame != 30) continue;
       EXPECT_TRUE(contact.latest().active);
-      runner.apply(command::SetParameters{then});
+      if (byPatch)
+        runner.apply(command::PatchParameters{
+          {std::make_shared<const ParameterPatch>(test::patchBetween(first, then))}});
+      else
+        runner.apply(command::SetParameters{then});
       runner.apply(command::Touch{true, kRadius, 2.0}); // what the window says of another limit
       EXPECT_TRUE(contact.latest().active);
     }
@@ -311,6 +316,7 @@ TEST(ToolTip, AnEditUnderTheTipKeepsTheContact)
     return contact.latest().stiffness(2, 2);
   };
   const double edited = felt(soft, hard), fromTheStart = felt(hard, hard), unedited = felt(soft, soft);
+  EXPECT_EQ(felt(soft, hard, true), edited);
   EXPECT_NEAR(edited, fromTheStart, 0.01 * fromTheStart); // it has come to rest to a hundredth
   EXPECT_GT(edited, 2.0 * unedited);
 }

@@ -6,6 +6,7 @@
 
 #include <cstring>
 #include <functional>
+#include <numbers>
 #include <random>
 
 namespace esm {
@@ -44,6 +45,20 @@ void expectSameNet(const SpringNet& a, const SpringNet& b)
   ASSERT_EQ(a.anchors.node, b.anchors.node);
   EXPECT_EQ(a.anchors.point, b.anchors.point);
   EXPECT_EQ(a.law, b.law);
+}
+
+/// A patch names nobody who keeps all his numbers.
+void expectOnlyDifferences(const ParameterPatch& patch, const SpringNet& before)
+{
+  for (const ParameterPatch::Spring& spring : patch.springs)
+    EXPECT_TRUE(before.stiffness[spring.spring] != spring.stiffness ||
+                before.viscosity[spring.spring] != spring.viscosity ||
+                before.lawParameter[spring.spring] != spring.lawParameter ||
+                before.law[static_cast<std::size_t>(spring.spring)] != spring.law);
+  for (const ParameterPatch::Node& node : patch.nodes) EXPECT_NE(before.mass[node.node], node.mass);
+  for (const ParameterPatch::Anchor& anchor : patch.anchors)
+    EXPECT_TRUE(before.anchors.stiffness[anchor.anchor] != anchor.stiffness ||
+                before.anchors.viscosity[anchor.anchor] != anchor.viscosity);
 }
 
 class Dice {
@@ -128,16 +143,24 @@ TEST(TissueDerivation, EqualsTheFullDerivationAfterAnyEdit)
     SpringNet net = organ();
     auto derivation = TissueDerivation::create(model, net);
     ASSERT_TRUE(derivation) << derivation.error().detail;
+    SpringNet follower = net; // hears of the edits by their patches alone
     for (int edit = 0; edit < 150; ++edit) {
       for (int more = dice.below(3); more >= 0; --more) editOnce(model, dice); // one to three at once
       SpringNet fresh = organ();
       const auto full = applyTissue(model, fresh);
-      const auto report = derivation->update(model, net);
-      ASSERT_TRUE(report) << report.error().detail;
+      ParameterPatch patch;
+      const auto updated = derivation->update(model, net, &patch);
+      ASSERT_TRUE(updated) << updated.error().detail;
       expectSameNet(net, fresh);
-      EXPECT_EQ(report->minYoungsModulus, full->minYoungsModulus);
-      EXPECT_EQ(report->maxYoungsModulus, full->maxYoungsModulus);
-      EXPECT_EQ(report->totalMass, full->totalMass);
+      const ApplyReport report = derivation->account(net);
+      EXPECT_EQ(report.minYoungsModulus, full->minYoungsModulus);
+      EXPECT_EQ(report.maxYoungsModulus, full->maxYoungsModulus);
+      EXPECT_EQ(report.totalMass, full->totalMass);
+      const Status good = checkPatch(patch, follower);
+      ASSERT_TRUE(good) << good.error().detail;
+      expectOnlyDifferences(patch, follower);
+      patch.applyTo(follower);
+      expectSameNet(follower, fresh);
       if (HasFailure()) FAIL() << "edit " << edit;
     }
   }
@@ -228,6 +251,61 @@ TEST(TissueDerivation, DerivesNothingForWhatTissueDoesNotSee)
   EXPECT_EQ(derived([](TissueModel& m) { m.regions.erase(m.regions.begin()); }), 0);
   model.regions[0].enabled = false;
   EXPECT_EQ(derived([](TissueModel& m) { m.regions[0].inputs[0] = 0.5; }), 0);
+}
+
+/// A tube of so many rings, 1 mm apart, of 20 nodes each.
+SpringNet tube(Index rings)
+{
+  constexpr Index kAround = 20;
+  Mesh mesh;
+  mesh.position.resize(3, rings * kAround);
+  mesh.triangles.resize(3, 2 * (rings - 1) * kAround);
+  for (Index ring = 0, t = 0; ring < rings; ++ring)
+    for (Index i = 0; i < kAround; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kAround;
+      mesh.position.col(ring * kAround + i) << 0.001 * ring, 0.0032 * std::cos(angle),
+        0.0032 * std::sin(angle);
+      if (ring + 1 == rings) continue;
+      const Index a = ring * kAround + i, b = ring * kAround + (i + 1) % kAround;
+      mesh.triangles.col(t++) << a, b, a + kAround;
+      mesh.triangles.col(t++) << b, b + kAround, a + kAround;
+    }
+  return test::netOf(mesh);
+}
+
+// Counted, not timed: what a slider of one region looks at does not grow with the net around it, nor with the other
+// regions, below and above. A full derivation looks at all.
+TEST(TissueDerivation, ASliderCostsByWhatItTouches)
+{
+  std::int64_t seen[2];
+  Index derived[2];
+  for (const int size : {0, 1}) {
+    SpringNet net = tube(size == 0 ? 200 : 1600);
+    TissueModel model = defaultTissue();
+    for (const double radius :
+         {0.1, 0.005, 9.0}) { // one in the middle; one around all of it, which nearly covers it
+      Region region;
+      region.ellipsoid.centre = {0.1, 0, 0};
+      region.ellipsoid.semiAxes = {radius, 0.02, 0.02};
+      region.inputs = model.inputs;
+      region.falloff = radius < 1.0 ? 0.2 : 1.0;
+      model.regions.push_back(region);
+    }
+    auto derivation = TissueDerivation::create(model, net);
+    ASSERT_TRUE(derivation);
+    EXPECT_GE(derivation->report().placesSeen, net.springCount() + net.nodeCount());
+    model.regions[1].inputs[0] = 0.9;
+    ParameterPatch patch;
+    const auto report = derivation->update(model, net, &patch);
+    ASSERT_TRUE(report);
+    seen[size] = report->placesSeen;
+    derived[size] = report->springsChanged;
+    EXPECT_EQ(std::ssize(patch.springs), report->springsChanged);
+    EXPECT_LE(report->placesSeen, 4 * (report->springsChanged + report->nodesChanged));
+  }
+  EXPECT_GT(derived[0], 400);
+  EXPECT_EQ(derived[0], derived[1]);
+  EXPECT_EQ(seen[0], seen[1]);
 }
 
 // A model that cannot be leaves net and derivation as they were: the next good edit is right again.

@@ -1,0 +1,131 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+
+// A slider from end to end: from the word to the springs that move. Counted work, no time.
+#include "core/runtime/node_hold.h"
+#include "core/runtime/tool_grip.h"
+#include "core/tissue/tissue_derivation.h"
+#include "tests/core/tissue/test_nets.h"
+
+#include <cmath>
+#include <numbers>
+
+namespace esm {
+namespace {
+
+/// An organ of so many rings of 100 nodes, a quarter of a millimetre apart: three springs a node.
+SpringNet organOf(Index rings)
+{
+  constexpr Index kAround = 100;
+  Mesh mesh;
+  mesh.position.resize(3, rings * kAround);
+  mesh.triangles.resize(3, 2 * (rings - 1) * kAround);
+  for (Index ring = 0, t = 0; ring < rings; ++ring)
+    for (Index i = 0; i < kAround; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / kAround;
+      mesh.position.col(ring * kAround + i) << 0.00025 * ring, 0.004 * std::cos(angle),
+        0.004 * std::sin(angle);
+      if (ring + 1 == rings) continue;
+      const Index a = ring * kAround + i, b = ring * kAround + (i + 1) % kAround;
+      mesh.triangles.col(t++) << a, b, a + kAround;
+      mesh.triangles.col(t++) << b, b + kAround, a + kAround;
+    }
+  return test::netOf(mesh);
+}
+
+/// What the moves of one slider cost.
+struct Work {
+  Index springs = 0, touched = 0;
+  std::int64_t derivationSaw = 0, engineSaw = 0, firstSaw = 0, awake = 0;
+  std::size_t bytesSent = 0;
+};
+
+Work moveSlider(Index rings)
+{
+  SpringNet net = organOf(rings);
+  TissueModel model = defaultTissue();
+  Region region; // over 2 % of a hundred thousand springs
+  region.ellipsoid.centre = {0.02, 0, 0};
+  region.ellipsoid.semiAxes = {0.00085, 0.02, 0.02};
+  region.inputs = model.inputs;
+  model.regions.push_back(region);
+  auto derivation = TissueDerivation::create(model, net);
+  SolverSettings settings;
+  settings.tolerance = 1e-2;
+  auto simulation = Simulation::create(net, {}, settings);
+  Work work;
+  work.springs = net.springCount();
+  if (!derivation || !simulation) return work;
+  for (int move = 0; move < 4; ++move) {
+    model.regions[0].inputs[0] = 0.6 + 0.05 * move;
+    ParameterPatch patch;
+    const auto report = derivation->update(model, net, &patch);
+    const auto change = simulation->setParameters(patch);
+    if (!report || !change) return {};
+    work.touched = static_cast<Index>(patch.springs.size());
+    work.derivationSaw = std::max(work.derivationSaw, report->placesSeen);
+    if (move == 0)
+      work.firstSaw = change->springsSeen;
+    else
+      work.engineSaw = std::max(work.engineSaw, change->springsSeen);
+    work.bytesSent = std::max(work.bytesSent, patch.springs.size() * sizeof(patch.springs[0]) +
+                                                patch.nodes.size() * sizeof(patch.nodes[0]) +
+                                                patch.anchors.size() * sizeof(patch.anchors[0]));
+    work.awake = std::max(work.awake, simulation->advance(1.0 / 60.0).nodesAwake);
+    if (!(simulation->net().stiffness == net.stiffness).all()) ADD_FAILURE() << "the engine missed something";
+  }
+  return work;
+}
+
+} // namespace
+
+// A slider that touches 2 % of a net of 100,000 springs costs by these 2,000: what the derivation looks at, what is
+// sent, what the engine looks at, and who wakes. On a net of a third of that size it is the same.
+TEST(Slider, CostsByTheSpringsThatItTouches)
+{
+  const Work large = moveSlider(334), small = moveSlider(112);
+  EXPECT_NEAR(large.springs, 100'000, 200);
+  EXPECT_NEAR(large.touched, 2'000, 200);
+  EXPECT_EQ(large.touched, small.touched);
+  EXPECT_EQ(large.derivationSaw, small.derivationSaw);
+  EXPECT_LE(large.derivationSaw, 4 * large.touched) << "the region's springs and nodes, before and after";
+  EXPECT_EQ(large.engineSaw, small.engineSaw);
+  EXPECT_LE(large.engineSaw, 2 * large.touched) << "to see what differs, and to write it";
+  EXPECT_LE(large.firstSaw, large.springs + 2 * large.touched) << "once, to know where they are";
+  EXPECT_LE(large.bytesSent, 48u * static_cast<std::size_t>(large.touched));
+  EXPECT_LE(large.awake, 4'000) << "the region and some layers around it";
+}
+
+// What a hand may hold with follows a patch as if it had been found anew, also where the fastest node of all becomes
+// slower or a slow one the fastest.
+TEST(Slider, TheHandsHoldFollowsAPatchToTheBit)
+{
+  SpringNet net = organOf(20);
+  TissueModel model = defaultTissue();
+  for (const double x : {0.001, 0.003}) {
+    Region region;
+    region.ellipsoid.centre = {x, 0, 0};
+    region.ellipsoid.semiAxes = {0.0007, 0.02, 0.02};
+    region.inputs = model.inputs;
+    model.regions.push_back(region);
+  }
+  auto derivation = TissueDerivation::create(model, net);
+  ASSERT_TRUE(derivation);
+  NodeHolds holds(net);
+  NodeLinks links;
+  for (int move = 0; move < 8; ++move) {
+    model.regions[static_cast<std::size_t>(move % 2)].inputs[0] =
+      move < 4 ? 0.95 - 0.05 * move : 0.3 + 0.07 * move;
+    ParameterPatch patch;
+    SpringNet before = net;
+    ASSERT_TRUE(derivation->update(model, net, &patch));
+    holds.adapt(net, changeBy(patch, before).nodes, links);
+    const NodeHolds anew(net);
+    for (Index node = 0; node < net.nodeCount(); ++node) {
+      ASSERT_EQ(holds.at(net, node).stiffness, anew.at(net, node).stiffness) << "move " << move;
+      ASSERT_EQ(holds.at(net, node).viscosity, anew.at(net, node).viscosity) << "move " << move;
+    }
+  }
+}
+
+} // namespace esm
