@@ -17,7 +17,7 @@ struct ErrorScale {
   double calm = 0.0;                  ///< since the start or the last event [s]
   double spent = 0.0;                 ///< error that stretches have added and that still lives [m]
   double spentSquare = 0.0;           ///< integral of its square [m^2 s]
-  double beyond = 0.0; ///< error that lives besides, of stretches whose tolerance was given up [m]
+  double beyond = 0.0;        ///< error that lives besides, of stretches whose tolerance was given up [m]
   double latestHeat = 0.0;    ///< of the last two frames [J]
   double latestKinetic = 0.0; ///< the same, integral [J s]
   // Of the last fifth of a second:
