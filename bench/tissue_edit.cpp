@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstring>
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace esm::bench {
@@ -103,9 +104,8 @@ public:
     const auto change = m_patched.setParameters(patch);
     m_patchTimes.push_back(cpuSeconds() - start);
     start = cpuSeconds();
-    SpringNet shared = net;
-    SpringNet sent = shared;
-    const Status taken = m_whole.setParameters(std::move(sent));
+    const auto sent = std::make_unique<SpringNet>(net); // a command holds its own
+    const Status taken = m_whole.setParameters(*sent);
     m_wholeTimes.push_back(cpuSeconds() - start);
     if (!change || !taken) return false;
     m_seen = change->springsSeen;

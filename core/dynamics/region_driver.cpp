@@ -113,7 +113,8 @@ bool RegionDriver::stretch(double target, const Budget& budget, StepReport& repo
 double RegionDriver::livingError() const noexcept
 {
   const ErrorScale& scale = m_driver.errorScale();
-  return std::min(scale.spent, m_settings.tolerance * scale.displacement) + scale.beyond;
+  const double most = m_driver.isRough() ? scale.spent : m_settings.tolerance * scale.displacement;
+  return std::min(scale.spent, most) + scale.beyond;
 }
 
 /// Everything sleeps.

@@ -84,6 +84,8 @@ public:
 
   /// Whether a stretch is one step now, however short.
   bool takesBlocks() const noexcept { return m_byBlocks || m_descents > 0; }
+  /// Whether the last check has found more error than the tolerance allows.
+  bool isRough() const noexcept { return m_roughAtCheck || m_toleranceGivenUp; }
   const std::string& solverName() const noexcept { return m_name; }
   const std::string& why() const noexcept { return m_limitText.empty() ? m_why : m_limitText; }
 
