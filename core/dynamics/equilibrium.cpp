@@ -28,7 +28,7 @@ constexpr double kGradientsLayout = 10.0; ///< the same before the first one at 
 
 void Equilibrium::forget() noexcept
 {
-  m_isLaidOut = m_gradientsFail = m_isKnown = false;
+  m_isLaidOut = m_hasFactor = m_gradientsFail = m_isKnown = false;
 }
 
 /// The pressure of a body couples all of its nodes, which only the factor knows.
@@ -61,6 +61,7 @@ void Equilibrium::layOut(const System& system)
   if (m_isLaidOut) return;
   m_matrix.prepare(system);
   m_isLaidOut = true;
+  m_hasFactor = false;
 }
 
 double Equilibrium::forcesAt(System& system, double time, NodeArray& x, NodeArray& force, StepReport& report)
@@ -87,6 +88,7 @@ bool Equilibrium::solve(System& system, NodeArray& vector)
 {
   m_spent += solveCost(system);
   if (takesFactor(system)) {
+    if (!m_hasFactor) return false; // the place was found by gradients, which have failed since
     m_matrix.solve(vector);
     return true;
   }
@@ -109,8 +111,8 @@ bool Equilibrium::takeStiffness(System& system, bool convex, StepReport& report)
   layOut(system);
   m_matrix.constraintsChanged(system);
   ++report.factorizations;
-  return m_matrix.factor(system, m_place, m_still, {kInertia, 0.0, 1.0}, convex) &&
-         m_matrix.negativePivots() == 0;
+  m_hasFactor = m_matrix.factor(system, m_place, m_still, {kInertia, 0.0, 1.0}, convex);
+  return m_hasFactor && m_matrix.negativePivots() == 0;
 }
 
 /// m_step, by the stiffness at the place. @return false where there is none.

@@ -72,6 +72,7 @@ private:
 
   ImplicitMatrix m_matrix;
   StiffnessCg m_gradients;
+  bool m_hasFactor = false; ///< of the last takeStiffness()
   bool m_isLaidOut = false;
   bool m_gradientsFail = false; ///< they took too long once
   bool m_byFactor = false;      ///< the present search

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/implicit_matrix.h"
 
+#include "core/base/assert.h"
+
 #include "core/dynamics/gradient_sweeps.h"
 
 #include <algorithm>
@@ -239,6 +241,7 @@ ESM_CPU_CLONES void ImplicitMatrix::addSprings(const System& system, const Share
 
 void ImplicitMatrix::solve(NodeArray& vector)
 {
+  ESM_ASSERT(m_hasRoom); // there was a factor()
   for (std::size_t block = 0; block < m_nodeOf.size(); ++block)
     m_vector[block] = m_isFree[block] ? vector[static_cast<std::size_t>(m_nodeOf[block])] : Lanes{0, 0, 0, 0};
   solveBlocks();

@@ -94,6 +94,7 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
 
 bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
 {
+  layOut(m_method, system);    // before it is told anything
   refreshBound(system, state); // stages and predictions keep to what is stable now
   current().setSolveTolerance(1e-12 * m_gauge.extent(), false);
   const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
@@ -145,6 +146,7 @@ bool StepDriver::stretchControlled(System& system, MotionState& state, double en
   m_growth = m_grown;
   m_localError = 0.0;
   if (!m_auto && current().isUncontrolled()) {
+    layOut(m_method, system);
     current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
     const Run result = run(system, state, end, 1, report);
     if (result != Run::Done) return giveUp(system, result, report), false;

@@ -219,7 +219,7 @@ Status checkAnchors(const AnchorSet& anchors, Index nodeCount)
     for (int k = 0; k < 3; ++k)
       if (!std::isfinite(anchors.point(k, i)))
         return badNumber(owner, "point", anchors.point(k, i), "m", "finite");
-    const auto name = [&] { return owner; };
+    const auto name = [&]() -> const std::string& { return owner; };
     if (Status status = checkBed(name, anchors.stiffness[i], anchors.viscosity[i]); !status) return status;
     if (anchors.bandLength.size() > 0 && !notNegative(anchors.bandLength[i]))
       return badNumber(owner, "length of its band", anchors.bandLength[i], "m", ">= 0");
