@@ -3,7 +3,6 @@
 #include "core/dynamics/implicit_matrix.h"
 
 #include "core/base/assert.h"
-
 #include "core/dynamics/gradient_sweeps.h"
 
 #include <algorithm>
