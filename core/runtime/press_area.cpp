@@ -133,7 +133,7 @@ void PressAreaFinder::walk(const SurfacePoint& point, const Eigen::Vector2d& dir
       return;
     }
     ray.length = piece.to;
-    const Index next = m_neighbour[static_cast<std::size_t>(3 * piece.triangle + side)];
+    const Index next = m_neighbour[3 * static_cast<std::size_t>(piece.triangle) + a];
     if (next == kNoIndex || next == from) break;
     from = piece.triangle;
     Piece following;
