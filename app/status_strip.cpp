@@ -180,14 +180,15 @@ void ToleranceNote::refresh()
 {
   setVisible(m_now || m_until >= 0.0);
   const QString until = QLocale().toString(m_until, 'f', 2);
-  const QString words = m_now ? tr("tolerance of %1 % given up, error about %2 %")
-                                  .arg(percent(m_tolerance), aboutPercent(m_toldError))
+  const QString words = m_now ? tr("rough, error about %1 %").arg(aboutPercent(m_toldError))
                               : tr("tolerance given up until t = %1 s").arg(until);
   setTextFormat(Qt::RichText);
   setText(
     QStringLiteral("<span style='color:%1'>⚠</span> %2").arg(signalColours(palette()).warning.name(), words));
   setAccessibleName(words);
-  const QString why = tr("To keep it would have cost too much work: the motion is bounded, but rough.");
+  const QString why =
+    tr("To keep the tolerance of %1 % would have cost too much work: the motion is bounded, but rough.")
+      .arg(percent(m_tolerance));
   setToolTip(why + QLatin1Char('\n') +
              (m_now ? roughCure() : tr("What moves now comes from there. Reset begins anew.")));
 }

@@ -4587,16 +4587,16 @@
 <context>
     <name>esm::ToleranceNote</name>
     <message>
-        <source>tolerance of %1 % given up, error about %2 %</source>
-        <translation>Toleranz von %1 % aufgegeben, Fehler etwa %2 %</translation>
+        <source>rough, error about %1 %</source>
+        <translation>grob, Fehler etwa %1 %</translation>
     </message>
     <message>
         <source>tolerance given up until t = %1 s</source>
         <translation>Toleranz aufgegeben bis t = %1 s</translation>
     </message>
     <message>
-        <source>To keep it would have cost too much work: the motion is bounded, but rough.</source>
-        <translation>Sie zu halten hätte zu viel Arbeit gekostet: Die Bewegung ist beschränkt, aber grob.</translation>
+        <source>To keep the tolerance of %1 % would have cost too much work: the motion is bounded, but rough.</source>
+        <translation>Die Toleranz von %1 % zu halten hätte zu viel Arbeit gekostet: Die Bewegung ist beschränkt, aber grob.</translation>
     </message>
     <message>
         <source>What moves now comes from there. Reset begins anew.</source>

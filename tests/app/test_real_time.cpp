@@ -207,8 +207,8 @@ TEST_F(RealTimeTest, AToleranceThatWasGivenUpIsSaidForAsLongAsItIsSo)
   snapshot.toldError = 0.0432;
   strip.setRun(snapshot);
   EXPECT_FALSE(note->isHidden());
-  EXPECT_TRUE(note->text().contains("tolerance of 1 % given up, error about 4 %"))
-    << qPrintable(note->text());
+  EXPECT_TRUE(note->text().contains("rough, error about 4 %")) << qPrintable(note->text());
+  EXPECT_TRUE(note->toolTip().contains("tolerance of 1 %")) << qPrintable(note->toolTip());
   EXPECT_TRUE(note->toolTip().contains("softer tissue or heavier nodes")) << qPrintable(note->toolTip());
   snapshot.playing = false; // the shape that is seen is as rough as before
   strip.setRun(snapshot);
