@@ -180,8 +180,9 @@ void ToleranceNote::refresh()
 {
   setVisible(m_now || m_until >= 0.0);
   const QString until = QLocale().toString(m_until, 'f', 2);
-  const QString words = m_now ? tr("rough, error about %1 %").arg(aboutPercent(m_toldError))
-                              : tr("tolerance given up until t = %1 s").arg(until);
+  QString words = tr("tolerance given up until t = %1 s").arg(until);
+  if (m_now) // before anything has moved there is no error to speak of
+    words = m_toldError > 0.0 ? tr("rough, error about %1 %").arg(aboutPercent(m_toldError)) : tr("rough");
   setTextFormat(Qt::RichText);
   setText(
     QStringLiteral("<span style='color:%1'>⚠</span> %2").arg(signalColours(palette()).warning.name(), words));

@@ -4587,6 +4587,10 @@
 <context>
     <name>esm::ToleranceNote</name>
     <message>
+        <source>rough</source>
+        <translation>grob</translation>
+    </message>
+    <message>
         <source>rough, error about %1 %</source>
         <translation>grob, Fehler etwa %1 %</translation>
     </message>
