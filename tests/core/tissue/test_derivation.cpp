@@ -6,7 +6,6 @@
 
 #include <cstring>
 #include <functional>
-#include <numbers>
 #include <random>
 
 namespace esm {
@@ -256,21 +255,7 @@ TEST(TissueDerivation, DerivesNothingForWhatTissueDoesNotSee)
 /// A tube of so many rings, 1 mm apart, of 20 nodes each.
 SpringNet tube(Index rings)
 {
-  constexpr Index kAround = 20;
-  Mesh mesh;
-  mesh.position.resize(3, rings * kAround);
-  mesh.triangles.resize(3, 2 * (rings - 1) * kAround);
-  for (Index ring = 0, t = 0; ring < rings; ++ring)
-    for (Index i = 0; i < kAround; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kAround;
-      mesh.position.col(ring * kAround + i) << 0.001 * ring, 0.0032 * std::cos(angle),
-        0.0032 * std::sin(angle);
-      if (ring + 1 == rings) continue;
-      const Index a = ring * kAround + i, b = ring * kAround + (i + 1) % kAround;
-      mesh.triangles.col(t++) << a, b, a + kAround;
-      mesh.triangles.col(t++) << b, b + kAround, a + kAround;
-    }
-  return test::netOf(mesh);
+  return test::netOf(test::tubeMesh(rings, 20, 0.001, 0.0032));
 }
 
 // Counted, not timed: what a slider of one region looks at does not grow with the net around it, nor with the other

@@ -10,7 +10,9 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <map>
+#include <numbers>
 #include <utility>
 #include <vector>
 
@@ -43,6 +45,25 @@ inline Mesh meshOf(const std::vector<Eigen::Vector3d>& vertices,
   for (std::size_t i = 0; i < lines.size(); ++i)
     for (int k = 0; k < 2; ++k)
       mesh.segments(k, static_cast<Eigen::Index>(i)) = lines[i][static_cast<std::size_t>(k)];
+  return mesh;
+}
+
+/// An open tube along x from 0 on: rings of `around` nodes, `apart` [m] from each other.
+inline Mesh tubeMesh(Index rings, Index around, double apart, double radius)
+{
+  Mesh mesh;
+  mesh.position.resize(3, rings * around);
+  mesh.triangles.resize(3, 2 * (rings - 1) * around);
+  for (Index ring = 0, t = 0; ring < rings; ++ring)
+    for (Index i = 0; i < around; ++i) {
+      const double angle = 2.0 * std::numbers::pi * i / around;
+      mesh.position.col(ring * around + i) << apart * ring, radius * std::cos(angle),
+        radius * std::sin(angle);
+      if (ring + 1 == rings) continue;
+      const Index a = ring * around + i, b = ring * around + (i + 1) % around;
+      mesh.triangles.col(t++) << a, b, a + around;
+      mesh.triangles.col(t++) << b, b + around, a + around;
+    }
   return mesh;
 }
 

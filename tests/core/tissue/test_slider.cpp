@@ -7,8 +7,7 @@
 #include "core/tissue/tissue_derivation.h"
 #include "tests/core/tissue/test_nets.h"
 
-#include <cmath>
-#include <numbers>
+#include <algorithm>
 
 namespace esm {
 namespace {
@@ -16,21 +15,7 @@ namespace {
 /// An organ of so many rings of 100 nodes, a quarter of a millimetre apart: three springs a node.
 SpringNet organOf(Index rings)
 {
-  constexpr Index kAround = 100;
-  Mesh mesh;
-  mesh.position.resize(3, rings * kAround);
-  mesh.triangles.resize(3, 2 * (rings - 1) * kAround);
-  for (Index ring = 0, t = 0; ring < rings; ++ring)
-    for (Index i = 0; i < kAround; ++i) {
-      const double angle = 2.0 * std::numbers::pi * i / kAround;
-      mesh.position.col(ring * kAround + i) << 0.00025 * ring, 0.004 * std::cos(angle),
-        0.004 * std::sin(angle);
-      if (ring + 1 == rings) continue;
-      const Index a = ring * kAround + i, b = ring * kAround + (i + 1) % kAround;
-      mesh.triangles.col(t++) << a, b, a + kAround;
-      mesh.triangles.col(t++) << b, b + kAround, a + kAround;
-    }
-  return test::netOf(mesh);
+  return test::netOf(test::tubeMesh(rings, 100, 0.00025, 0.004));
 }
 
 /// What the moves of one slider cost.
