@@ -61,7 +61,6 @@ void Equilibrium::layOut(const System& system)
   if (m_isLaidOut) return;
   m_matrix.prepare(system);
   m_isLaidOut = true;
-  m_hasFactor = false;
 }
 
 double Equilibrium::forcesAt(System& system, double time, NodeArray& x, NodeArray& force, StepReport& report)

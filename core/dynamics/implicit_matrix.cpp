@@ -88,7 +88,6 @@ void ImplicitMatrix::layOut(const System& system)
     m_pairOf[e] = static_cast<Index>(m_pairs.size());
     m_pairs.push_back({a, b});
   }
-  m_spent = 0.0;
   m_isTooLarge = false;
   m_isIterative = m_mayIterate && m_nodeOf.size() > kManyNodes;
   if (!m_isIterative) m_cholesky.analyze(static_cast<Index>(m_nodeOf.size()), m_pairs);

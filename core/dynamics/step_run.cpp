@@ -65,7 +65,6 @@ StepResult StepDriver::runInFrames(System& system, MotionState& state, double en
 StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, std::int64_t steps,
                                 StepReport& report)
 {
-  layOut(m_method, system); // who is chosen needs no room before he runs
   const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
   const std::int64_t allowed = stepsLeft(system, h, report);
   const bool isLimited = allowed < steps;
