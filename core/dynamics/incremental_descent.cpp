@@ -98,7 +98,7 @@ IncrementalDescent::Sums IncrementalDescent::look(System& system, const Goal& go
              m_w.data() + first);
   });
   // The sum of f w; what it leaves in m_force is overwritten.
-  sums.loadWork = goal.h * system.schedule().addForces(goal.end, m_w.data(), m_force.data());
+  sums.loadWork = goal.h * system.addLoads(goal.end, m_w, m_force);
   const Rates rates = system.evaluate(goal.end, y, m_w, m_force, m_damper.data()); // places the supports
   sums.heatPower = rates.heat;
   sums.elastic = system.elasticEnergy(y);

@@ -208,7 +208,7 @@ private:
     }
     if (&rate == &m_layout.classes().front()) {
       for (std::size_t i = 0; i < m_force.size(); ++i) m_force[i] += system.forces().weight(i);
-      rates.work += system.schedule().addForces(t, m_p.data(), m_force.data());
+      rates.work += system.addLoads(t, m_p, m_force);
     }
     for (const Index node : rate.driven) {
       const auto i = static_cast<std::size_t>(node);

@@ -85,7 +85,7 @@ std::vector<Index> RegionDriver::unbalancedNodes()
   Eigen::ArrayXd tension(net.springCount());
   m_body.system.forces().springTensions(motion.x.data(), motion.v.data(), tension.data());
   NodeArray load(motion.x.size(), Lanes{0, 0, 0, 0});
-  m_body.system.schedule().addForces(motion.time, motion.v.data(), load.data());
+  m_body.system.addLoads(motion.time, motion.v, load);
   const double tiny = m_extent * std::max(1e-10 * m_settings.tolerance, 1e-15);
   std::vector<double> yielding(motion.x.size(), 0.0), rounding = yielding; // [N]
   for (Index s = 0; s < net.springCount(); ++s)
@@ -230,7 +230,7 @@ void RegionDriver::gather()
       tool.node = m_cutter.placeOf(tool.node);
       tools.push_back(tool);
     }
-  m_partSystem.setTools(tools, m_partMotion.x);
+  m_partSystem.setTools(tools, m_partMotion.x, m_body.system.toolsSetAt());
 }
 
 /// The part's motion to the body, but not its time.

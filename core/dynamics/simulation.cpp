@@ -89,6 +89,9 @@ struct Simulation::Impl {
             system.forces().gravityEnergy(body.motion.x.data())};
   }
 
+  /// What energies() and the work lack of tools that have moved since they were set.
+  double ledToolEnergy() const noexcept { return body.system.ledToolEnergy(body.motion.time, body.motion.x); }
+
   /// Of what the patch names alone, with the numbers of now.
   Energies energiesOf(const ParameterPatch& patch) const
   {
@@ -267,7 +270,7 @@ void Simulation::setTools(std::span<const ToolSpring> tools)
     ESM_ASSERT(tool.node >= 0 && tool.node < impl.body.net.nodeCount());
   impl.formerTools = impl.body.system.tools(); // a hand moves every frame: no allocation
   // The hand stretches the tool springs.
-  impl.body.motion.work += impl.body.system.setTools(tools, impl.body.motion.x);
+  impl.body.motion.work += impl.body.system.setTools(tools, impl.body.motion.x, impl.body.motion.time);
   impl.driver.toolsChanged(impl.formerTools);
   impl.formerTools.reserve(tools.size());
   impl.forceIsCurrent = false;
@@ -305,12 +308,14 @@ Eigen::Vector3d Simulation::angularMomentum() const
 
 Energies Simulation::energies() const
 {
-  return m_impl->energies();
+  Energies energies = m_impl->energies();
+  energies.elastic += m_impl->ledToolEnergy();
+  return energies;
 }
 
 double Simulation::externalWork() const
 {
-  return m_impl->body.motion.work;
+  return m_impl->body.motion.work + m_impl->ledToolEnergy();
 }
 
 double Simulation::dissipatedEnergy() const
@@ -322,7 +327,7 @@ EnergyReport Simulation::energyReport() const
 {
   m_impl->driver.closeLoss();
   const MotionState& motion = m_impl->body.motion;
-  return {m_impl->initial, energies(), motion.work, motion.heat, motion.loss, motion.restored};
+  return {m_impl->initial, energies(), externalWork(), motion.heat, motion.loss, motion.restored};
 }
 
 Eigen::Vector3d Simulation::reaction(Index node) const
@@ -361,7 +366,8 @@ double Simulation::errorGrowthPasses() const noexcept
 
 Eigen::Vector3d Simulation::toolForce(std::size_t tool) const
 {
-  return m_impl->body.system.toolForce(tool, m_impl->body.motion.x, m_impl->body.motion.v);
+  const MotionState& motion = m_impl->body.motion;
+  return m_impl->body.system.toolForce(tool, motion.time, motion.x, motion.v);
 }
 
 void Simulation::springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const

@@ -50,10 +50,11 @@ bool System::updateConstraints() noexcept
   return changed;
 }
 
-double System::setTools(std::span<const ToolSpring> tools, const NodeArray& x)
+double System::setTools(std::span<const ToolSpring> tools, const NodeArray& x, double time)
 {
   const double before = toolEnergy(x);
   m_tools.assign(tools.begin(), tools.end());
+  m_toolsSetAt = time;
   return toolEnergy(x) - before;
 }
 
@@ -89,7 +90,7 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
                                       placesFirst ? NodeSweep{} : before, late);
   springsEvaluated += m_forces.activeSprings();
   if (m_frame != nullptr) advanceNodes(force.size(), 1.0, force.data(), m_frame, force.data());
-  rates.work = m_schedule.addForces(t, v.data(), force.data());
+  rates.work = addLoads(t, v, force);
   for (std::size_t i = 0; i < m_tools.size(); ++i) {
     const ToolSpring& tool = m_tools[i];
     const auto node = static_cast<std::size_t>(tool.node);
@@ -105,6 +106,19 @@ Rates System::evaluate(double t, NodeArray& x, NodeArray& v, NodeArray& force, L
       rates.work -= dot(force[i], v[i]);
     }
   return rates;
+}
+
+double System::addLoads(double t, const NodeArray& v, NodeArray& force) const noexcept
+{
+  double power = m_schedule.addForces(t, v.data(), force.data());
+  for (const ToolSpring& tool : m_tools) {
+    if (!tool.isLed()) continue;
+    const auto node = static_cast<std::size_t>(tool.node);
+    const Lanes lead = toLanes(leadOf(tool, t));
+    force[node] += lead;
+    power += dot(lead, v[node]);
+  }
+  return power;
 }
 
 ESM_CPU_CLONES void advanceNodes(std::size_t count, double s, const Lanes* from, const Lanes* rate,
@@ -174,8 +188,9 @@ double System::loadPower(double t, const NodeArray& v) const noexcept
 {
   double power = m_schedule.power(t, v.data());
   for (const ToolSpring& tool : m_tools) {
-    const Eigen::Vector3d slip = tool.targetVelocity - toVector(v[static_cast<std::size_t>(tool.node)]);
-    power += tool.viscosity * slip.dot(tool.targetVelocity);
+    const Eigen::Vector3d velocity = toVector(v[static_cast<std::size_t>(tool.node)]);
+    power += tool.viscosity * (tool.targetVelocity - velocity).dot(tool.targetVelocity);
+    if (tool.isLed()) power += leadOf(tool, t).dot(velocity);
   }
   return power;
 }
@@ -232,6 +247,25 @@ Eigen::Vector3d System::toolForce(std::size_t tool, const NodeArray& x, const No
   const auto node = static_cast<std::size_t>(spring.node);
   return spring.stiffness * (spring.target - toVector(x[node])) +
          spring.viscosity * (spring.targetVelocity - toVector(v[node]));
+}
+
+Eigen::Vector3d System::toolForce(std::size_t tool, double t, const NodeArray& x,
+                                  const NodeArray& v) const noexcept
+{
+  const Eigen::Vector3d force = toolForce(tool, x, v);
+  return m_tools[tool].isLed() ? Eigen::Vector3d(force + leadOf(m_tools[tool], t)) : force;
+}
+
+double System::ledToolEnergy(double t, const NodeArray& x) const noexcept
+{
+  double energy = 0.0;
+  for (const ToolSpring& tool : m_tools) {
+    if (!tool.isLed()) continue;
+    const Eigen::Vector3d way = (t - m_toolsSetAt) * tool.targetVelocity;
+    const Eigen::Vector3d middle = tool.target + 0.5 * way - toVector(x[static_cast<std::size_t>(tool.node)]);
+    energy += tool.stiffness * way.dot(middle);
+  }
+  return energy;
 }
 
 } // namespace esm

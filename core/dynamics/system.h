@@ -72,8 +72,13 @@ public:
                 [&](std::size_t i) noexcept { parts[i] = sweep(ranges.first(i), ranges.size(i)); });
     return std::accumulate(parts, parts + ranges.count(), 0.0);
   }
+  /// Springs towards where the targets are at `time`. What a target moves beyond that is a force that grows with
+  /// time: a load, so that all energies are those of springs that stay, whatever the method.
   /// @return the energy that the exchange adds to the tool springs at positions x [J].
-  double setTools(std::span<const ToolSpring> tools, const NodeArray& x);
+  double setTools(std::span<const ToolSpring> tools, const NodeArray& x, double time);
+  double toolsSetAt() const noexcept { return m_toolsSetAt; } ///< [s]
+  /// Adds the forces that depend on time alone, of loads and of tools that move. @return their power [W].
+  double addLoads(double t, const NodeArray& v, NodeArray& force) const noexcept;
 
   std::size_t nodeCount() const noexcept { return m_mass.size(); }
   /// Nodes of a net from which on room for what may never be done is not made beforehand, nor kept in between: its
@@ -128,7 +133,12 @@ public:
   double elasticEnergy(const NodeArray& x) const noexcept; ///< springs, anchors, tools [J]
   double weightEnergy(const NodeArray& x) const noexcept;  ///< and of the frame's forces [J]
   double storedEnergy(const NodeArray& x) const noexcept;  ///< both [J]
+  /// Of a tool as it was set; what it has moved since is a load.
   Eigen::Vector3d toolForce(std::size_t tool, const NodeArray& x, const NodeArray& v) const noexcept;
+  Eigen::Vector3d toolForce(std::size_t tool, double t, const NodeArray& x,
+                            const NodeArray& v) const noexcept; ///< all of it
+  /// Of the springs to where the targets are at t, beyond what elasticEnergy() counts [J].
+  double ledToolEnergy(double t, const NodeArray& x) const noexcept;
 
   std::int64_t springsEvaluated = 0; ///< since the caller set it to 0
   /// Work of implicit solvers besides force passes, in spring evaluations; and how much of both there may be.
@@ -142,6 +152,11 @@ public:
 
 private:
   double toolEnergy(const NodeArray& x) const noexcept;
+  /// Of the spring, for what the target has moved [N].
+  Eigen::Vector3d leadOf(const ToolSpring& tool, double t) const noexcept
+  {
+    return tool.stiffness * (t - m_toolsSetAt) * tool.targetVelocity;
+  }
   bool updateConstraints() noexcept; ///< whether anything changed
 
   ForceModel m_forces;
@@ -149,6 +164,7 @@ private:
   const Lanes* m_frame = nullptr;
   LoadSchedule m_schedule;
   std::vector<ToolSpring> m_tools;
+  double m_toolsSetAt = 0.0;
   std::vector<double> m_mass, m_inverseMass;
   double m_totalMass = 0.0;
   std::vector<std::uint8_t> m_fixed;

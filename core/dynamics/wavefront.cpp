@@ -216,7 +216,7 @@ private:
   {
     for (std::size_t i = 0; i < m_outside.size(); ++i) m_outside[i] = system.forces().weight(i);
     system.forces().pressure().addForces(m_x.data(), m_outside.data());
-    m_outsidePower = system.schedule().addForces(t, m_v.data(), m_outside.data());
+    m_outsidePower = system.addLoads(t, m_v, m_outside);
     m_outsideHeat = 0.0;
     for (std::size_t k = 0; k < system.tools().size(); ++k) {
       const ToolSpring& tool = system.tools()[k];

@@ -50,6 +50,11 @@ struct ToolSpring {
   Eigen::Vector3d targetVelocity = Eigen::Vector3d::Zero(); ///< [m/s]
   double stiffness = 0.0;                                   ///< [N/m]
   double viscosity = 0.0;                                   ///< [N s/m]
+  /// Whether the target itself goes on with its velocity, from Simulation::setTools() to the next one. Else it stays,
+  /// and the velocity is the damper's alone.
+  bool moves = false;
+
+  bool isLed() const noexcept { return moves && !targetVelocity.isZero(0.0); }
 };
 
 } // namespace esm

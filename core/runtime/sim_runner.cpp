@@ -200,12 +200,13 @@ void SimRunner::carryOut(const command::Grab& grab)
   if (m_contactActive) closeScene();
   m_grip.emplace(m_simulation->net(), m_simulation->state().position, grab.node, grab.radius, grab.target,
                  grab.maxForce);
+  m_hand = m_grip->target();
   m_told.begin(m_simulation->state().position);
 }
 
 void SimRunner::carryOut(const command::MoveGrab& move)
 {
-  if (m_grip && !m_followDevice) m_grip->moveTo(move.target, Eigen::Vector3d::Zero());
+  if (m_grip && !m_followDevice && move.target.allFinite()) m_hand = move.target;
 }
 
 void SimRunner::carryOut(command::Release)
@@ -247,8 +248,9 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
 {
   if (!wantsFrame()) return 0.0;
   m_stepPending = false;
-  if (m_grip && !deviceLeads()) pull();
-  const StepReport report = deviceLeads() ? advanceLed(enough) : advance(m_period, enough);
+  const StepReport report = deviceLeads() ? advanceLed(enough)
+                            : m_grip      ? advanceHeld(m_hand, enough)
+                                          : advance(m_period, enough);
   judge(report);
   if (report.nothingMoved()) {
     keepMoment();
@@ -277,6 +279,16 @@ bool SimRunner::deviceLeads()
   return (m_grip || m_tip) && m_followDevice && m_tool.latest().sequence != 0;
 }
 
+/// What the hand holds goes evenly to where it is now. A frame that was broken off has left it behind.
+StepReport SimRunner::advanceHeld(const Eigen::Vector3d& hand, const std::function<bool()>& enough)
+{
+  m_grip->leadTo(hand, m_period);
+  pull();
+  const StepReport report = advance(m_period, enough);
+  m_grip->endLead(report.simulatedTime);
+  return report;
+}
+
 /// Along the way that the hand went since the last frame, a piece at a time: led in one leap, light tissue
 /// would ring, and be felt in whatever phase of it the frame ends. A frame that was broken off has left the
 /// hand behind; then the leap is what catches up.
@@ -286,6 +298,12 @@ StepReport SimRunner::advanceLed(const std::function<bool()>& enough)
   const Eigen::Vector3d from = m_grip ? m_grip->target() : m_tip->hand(), way = tool.position - from;
   const bool leaps =
     !m_handIsThere || way.norm() > kFastestHand * m_period || (deviceTouches() && !m_tip->isLed());
+  m_hand = tool.position; // goes on from there when the device no longer leads
+  if (m_grip && !leaps) {
+    const StepReport report = advanceHeld(tool.position, enough);
+    m_handIsThere = report.good() && !report.interrupted;
+    return report;
+  }
   const bool isFree = deviceTouches() && m_tip->gap() > way.norm();
   const int pieces = leaps || isFree ? 1 : static_cast<int>(std::ceil(m_period / kLeadTime));
   m_handIsThere = false;

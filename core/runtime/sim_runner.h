@@ -73,6 +73,7 @@ private:
   Stability stability() const;
   bool deviceTouches() const noexcept { return m_tip && m_followDevice && !m_grip; }
   bool deviceLeads();
+  StepReport advanceHeld(const Eigen::Vector3d& hand, const std::function<bool()>& enough);
   StepReport advanceLed(const std::function<bool()>& enough);
   void moveTool(const Eigen::Vector3d& hand, const Eigen::Vector3d& velocity);
   void pull();
@@ -91,6 +92,7 @@ private:
   TripleBuffer<ContactModel>& m_contact;
   std::optional<Simulation> m_simulation;
   std::optional<ToolGrip> m_grip;
+  Eigen::Vector3d m_hand = Eigen::Vector3d::Zero(); ///< that m_grip is led to [m]
   std::optional<ToolTip> m_tip;
   std::optional<command::Touch> m_touch; ///< wanted, for nets to come too
   NodeLinks m_links;

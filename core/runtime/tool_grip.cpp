@@ -98,6 +98,23 @@ void ToolGrip::moveTo(const Eigen::Vector3d& target, const Eigen::Vector3d& velo
   if (!target.allFinite() || !velocity.allFinite()) return;
   m_target = target;
   m_targetVelocity = velocity;
+  m_leadTime = 0.0;
+}
+
+void ToolGrip::leadTo(const Eigen::Vector3d& target, double time)
+{
+  if (!target.allFinite()) return moveTo(m_target, Eigen::Vector3d::Zero());
+  moveTo(m_target, (target - m_target) / time);
+  m_goal = target;
+  m_leadTime = time;
+}
+
+void ToolGrip::endLead(double time)
+{
+  if (m_leadTime == 0.0) return;
+  const bool isWhole = time >= m_leadTime * (1.0 - 1e-9);
+  m_target = isWhole ? m_goal : Eigen::Vector3d(m_target + time * m_targetVelocity);
+  m_leadTime = 0.0;
 }
 
 Eigen::Vector3d ToolGrip::apart(const Held& held, const NetState& state) const
@@ -135,7 +152,10 @@ std::span<const ToolSpring> ToolGrip::springs(const NetState& state)
     m_springs.clear();
     for (const Held& held : m_held) m_springs.push_back(spring(held, led, state));
   }
-  for (ToolSpring& spring : m_springs) spring.targetVelocity = m_targetVelocity;
+  for (ToolSpring& spring : m_springs) {
+    spring.targetVelocity = m_targetVelocity;
+    spring.moves = m_leadTime > 0.0 && !led.isLimited(); // at the limit the pull stays what it is
+  }
   return m_springs;
 }
 

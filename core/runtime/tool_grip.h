@@ -36,7 +36,11 @@ public:
   /// Takes the stiffness anew after the net's parameters have changed: anywhere, or around some nodes.
   void adapt(const SpringNet& net);
   void adapt(const SpringNet& net, std::span<const Index> nodes, NodeLinks& links);
-  void moveTo(const Eigen::Vector3d& target, const Eigen::Vector3d& velocity); ///< non-finite: stays
+  void moveTo(const Eigen::Vector3d& target, const Eigen::Vector3d& velocity); ///< at once; non-finite: stays
+  /// Evenly, over the coming `time` [s] > 0: a hand that leaped from frame to frame would make waves, which cost
+  /// steps and are no part of its motion.
+  void leadTo(const Eigen::Vector3d& target, double time);
+  void endLead(double time); ///< after as much of it [s]
 
   Index node() const noexcept { return m_node; }
   const Eigen::Vector3d& target() const noexcept { return m_target; }
@@ -77,6 +81,8 @@ private:
   Index m_node;
   Eigen::Vector3d m_target;
   Eigen::Vector3d m_targetVelocity = Eigen::Vector3d::Zero();
+  Eigen::Vector3d m_goal = Eigen::Vector3d::Zero(); ///< of the lead [m]
+  double m_leadTime = 0.0;                          ///< [s]; 0: not led
   double m_maxForce;
   double m_stiffness = 0.0, m_viscosity = 0.0; ///< sums
   NodeHolds m_holds;

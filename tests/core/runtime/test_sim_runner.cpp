@@ -273,6 +273,37 @@ TEST_F(SimRunnerTest, AGrabbedNodeGoesToItsTargetAndTheForceKeepsItsLimit)
   EXPECT_TRUE(picture().toolForce.isZero(0.0));
 }
 
+// A hand that moves evenly is the same hand at any rate of frames. One that leaped from frame to frame would be ahead
+// by half of one on average, which is a tenth of the way after 5 of 60 a second.
+TEST(SimRunnerHand, AnEvenMotionIsTheSameAtAnyFrameRate)
+{
+  Eigen::Matrix3Xd coarse;
+  for (const int part : {1, 8}) {
+    TripleBuffer<ToolState> tool;
+    TripleBuffer<ContactModel> contact;
+    SimRunner runner(60.0 * part, tool, contact);
+    runner.apply(command::SetQuality{QualityPlan::clockOnly()});
+    SolverSettings settings;
+    settings.tolerance = 1e-4;
+    const SpringNet net = chain(8);
+    runner.apply(command::Load{1, net, {}, settings});
+    runner.apply(command::Play{});
+    const Eigen::Vector3d start = net.restPosition.col(4);
+    runner.apply(command::Grab{4, start, 5.0});
+    SimSnapshot picture;
+    for (int frame = 1; frame <= 5 * part; ++frame) {
+      runner.apply(command::MoveGrab{start + Eigen::Vector3d(0.0, 0.002 * frame / part, 0.0)});
+      runner.runFrame();
+    }
+    runner.draw(picture);
+    if (part == 1) coarse = picture.position;
+    const double moved = (picture.position - net.restPosition).norm();
+    EXPECT_GT(moved, 0.004);
+    EXPECT_LT((picture.position - coarse).norm(), 2e-3 * moved)
+      << "both within 1e-4 of the motion, and of its past";
+  }
+}
+
 TEST_F(SimRunnerTest, NodesOfAnotherNetCannotBeGrabbed)
 {
   for (const Index node : {-1, 6, 100000}) {

@@ -72,6 +72,30 @@ TEST(ToolGrip, FixedNodesAreLeftOut)
   EXPECT_EQ(onFixed.point().node, std::vector<Index>{0});
 }
 
+// Where a frame was broken off the hand is as far as it has come; where it ended, exactly at its place.
+TEST(ToolGrip, ALedHandIsWhereTimeHasBroughtIt)
+{
+  const SpringNet net = chain(3);
+  ToolGrip grip = gripOn(net, {0, 0, 0});
+  const Eigen::Vector3d begin = grip.target(), goal = begin + Eigen::Vector3d(1e-4, 2e-4, 0.0);
+  grip.leadTo(goal, 0.1);
+  for (const ToolSpring& spring : grip.springs(atRest(net))) {
+    EXPECT_TRUE(spring.isLed());
+    EXPECT_EQ(spring.target, begin) << "from where it is";
+    EXPECT_TRUE(spring.targetVelocity.isApprox((goal - begin) / 0.1, 1e-12));
+  }
+  grip.endLead(0.025);
+  EXPECT_TRUE(grip.target().isApprox(begin + 0.25 * (goal - begin), 1e-12));
+  grip.leadTo(goal, 0.1);
+  grip.endLead(0.1);
+  EXPECT_EQ(grip.target(), goal);
+  grip.leadTo(goal, 0.1);
+  for (const ToolSpring& spring : grip.springs(atRest(net))) EXPECT_FALSE(spring.isLed()) << "a hand at rest";
+  grip.leadTo({0.0, std::nan(""), 0.0}, 0.1);
+  grip.endLead(0.1);
+  EXPECT_EQ(grip.target(), goal);
+}
+
 TEST(ToolGrip, FarHandsPullWithTheLimitAndTheSpringsOnlySoften)
 {
   const SpringNet net = chain(7);
