@@ -32,9 +32,9 @@ constexpr KnownSentence kClauses[] = {
    QT_TRANSLATE_NOOP("esm::Reason",
                      "as no step was both good and affordable, it takes damped steps that gain no energy: "
                      "lower the stiffness or the loads, raise the masses, or allow more effort")},
-  {"to keep time, one damped step is taken for each frame, whose error is some per cent",
+  {"to keep time, it takes a few damped steps for each frame, whose error is told",
    QT_TRANSLATE_NOOP("esm::Reason",
-                     "to keep time, one damped step is taken for each frame, whose error is some per cent")},
+                     "to keep time, it takes a few damped steps for each frame, whose error is told")},
   {R"(numbers became infinite \(stiffest at node (\d+)\))",
    QT_TRANSLATE_NOOP("esm::Reason", "numbers became infinite (stiffest at node %1)")},
   {"numbers became infinite", QT_TRANSLATE_NOOP("esm::Reason", "numbers became infinite")},

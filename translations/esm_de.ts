@@ -3240,8 +3240,8 @@
         <translation>sie tun sie allein, und der Rest die seinen</translation>
     </message>
     <message>
-        <source>to keep time, one damped step is taken for each frame, whose error is some per cent</source>
-        <translation>um mit der Zeit Schritt zu halten, wird für jedes Bild ein gedämpfter Schritt getan, dessen Fehler einige Prozent beträgt</translation>
+        <source>to keep time, it takes a few damped steps for each frame, whose error is told</source>
+        <translation>um mit der Zeit Schritt zu halten, werden für jedes Bild wenige gedämpfte Schritte getan, deren Fehler angezeigt wird</translation>
     </message>
 </context>
 <context>

@@ -105,7 +105,7 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
     }
   }
   sayRough(system, m_blocks,
-           "; to keep time, one damped step is taken for each frame, whose error is some per cent");
+           "; to keep time, it takes a few damped steps for each frame, whose error is told");
   return result;
 }
 
