@@ -240,7 +240,7 @@ bool StepDriver::accept(System& system, const MotionState& state, std::int64_t s
   if (!sane || !(isFine || atFloor || isLast)) return false;
   m_roughAtCheck = !isFine;
   report.rough = report.rough || m_roughAtCheck;
-  if (m_roughAtCheck) sayToleranceGivenUp(system);
+  if (m_roughAtCheck) sayToleranceGivenUp();
   const double since = (m_start.time - m_checkedTime) / kFrame; // stretches
   const double waited = std::clamp(since / kWaitedPerCheck, 1.0, static_cast<double>(kLongestProbeGap));
   m_checkedTime = m_start.time;
@@ -374,7 +374,7 @@ double StepDriver::beginOnset(double length, double count) noexcept
 /// Before each stretch: doubles its length, looks at each, and ends the onset with what had been measured
 /// before. If that was nothing, other methods are given the benefit of the guess again: what they seemed to
 /// err in the onset kept tubes on a dear method for good, three hundred times below what it might err.
-void StepDriver::continueOnset(System& system)
+void StepDriver::continueOnset()
 {
   if (m_onset.longest <= 0.0) return;
   m_onset.longest *= 2.0;
@@ -395,7 +395,7 @@ void StepDriver::continueOnset(System& system)
   if (m_method == m_onset.method) return;
   use(m_onset.method);
   m_candidates[m_method].isMeasured = true; // see above
-  explain(system);
+  explain();
 }
 
 /// What of the local errors of a check's first run is left at its end. Fast waves lose most of theirs on the

@@ -189,7 +189,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
     setBound(system, state);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
   if (!m_byBlocks) layOut(m_method, system); // nothing is, after another cut
-  explain(system);
+  explain();
 }
 
 void StepDriver::setAccuracy(const System& system, double tolerance, double effort)
@@ -212,12 +212,12 @@ void StepDriver::setAccuracy(const System& system, double tolerance, double effo
   m_roughAtCheck = false;
   if (m_auto && competes(m_candidates[m_method]) && !isPayable(m_method, system)) {
     use(cheapestExplicit(system, 1.0));
-    explain(system);
+    explain();
   }
   if (!m_toleranceGivenUp) return;
   giveToleranceUp(system, false); // the floor is of the former effort
   giveToleranceUp(system, toleranceIsTooDear(system));
-  explain(system);
+  explain();
 }
 
 /// Unless that is done.
@@ -337,7 +337,7 @@ void StepDriver::choose(System& system, const MotionState&)
     if (m_toleranceGivenUp) m_candidates[m_implicit].accurateStep = kFrame / kBoundedGuess;
   }
   use(m_method);
-  explain(system);
+  explain();
 }
 
 /// Of what the present method costs, below which another one must be. What a jerk asks for is soon over in a
@@ -381,7 +381,7 @@ void StepDriver::reconsider(System& system, std::optional<Method> proven)
     m_candidates[m_method].isMeasured = true;
     m_untilCheck = m_checkGap = 2;
   }
-  explain(system);
+  explain();
 }
 
 void StepDriver::giveToleranceUp(const System& system, bool yes)

@@ -58,7 +58,7 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
       giveUp(system, Run::Limit, report);
       break;
     }
-    continueOnset(system);
+    continueOnset();
     const bool byBlocks = takesBlocks() && mayTakeBlocks(system); // these have checks of their own
     const double longest = m_onset.longest > 0.0            ? m_onset.longest
                            : m_untilCheck <= 0 && !byBlocks ? longestCheck()
@@ -273,7 +273,7 @@ bool StepDriver::fallBackToLeapfrog(System& system, double length)
   use(m_leapfrog);
   m_candidates[m_leapfrog].accurateStep = explicitLimit();
   m_settled = 4;
-  explain(system);
+  explain();
   return true;
 }
 
@@ -346,7 +346,7 @@ void StepDriver::retreat(System& system, MotionState& state, int attempt, double
   if (m_auto && m_method != m_implicit && attempt >= 4) {
     use(m_implicit);
     m_settled = 64;
-    explain(system);
+    explain();
   }
   current().restart();
 }
@@ -363,6 +363,9 @@ void StepDriver::keep(const System& system, const MotionState& state, double err
 void StepDriver::setBound(const System& system, const MotionState& state)
 {
   m_mode = m_bound.compute(system, state.x, state.v);
+  m_stiffest = {};
+  if (m_mode.node != kNoIndex)
+    m_stiffest = {nameOf(m_mode.node), system.mass()[static_cast<std::size_t>(m_mode.node)]};
   m_sinceBound = 0.0;
   m_boundPatience = 1.0;
   m_fewHoldAll = m_auto && !StiffNodes::find(system).empty();

@@ -245,19 +245,19 @@ private:
   void giveToleranceUp(const System& system, bool yes);
   void rememberBeforeOnset();
   double beginOnset(double length, double count) noexcept;
-  void continueOnset(System& system);
+  void continueOnset();
   double budget(const MotionState& state, double length) const noexcept;
   double expectedError(const MotionState& state) const noexcept;
   double floorStep() const noexcept; ///< accuracy is not pursued below it [s]; 0 = always pursued
-  void sayToleranceGivenUp(const System& system);
-  void sayRough(const System& system, Method method, const char* why);
+  void sayToleranceGivenUp();
+  void sayRough(Method method, const char* why);
   void keep(const System& system, const MotionState& state, double error, double beyond = 0.0) noexcept;
   Index nameOf(Index node) const noexcept; ///< its place in the whole net
   void giveUp(const System& system, Run failure, StepReport& report);
   void comeDown() noexcept;
   void findBodies(const System& system, const MotionState& state);
   void forget() noexcept;
-  void explain(const System& system);
+  void explain();
 
   SolverSettings m_settings;
   double m_firstTolerance, m_firstEffort; ///< as wanted, see isPayable()
@@ -272,6 +272,11 @@ private:
   FreeBodies m_bodies;
   StepBound m_bound;
   FastestMode m_mode;
+  struct Stiffest {
+    Index node = kNoIndex; ///< in the whole net
+    double mass = 0.0;     ///< [kg]
+  };
+  Stiffest m_stiffest; ///< as m_mode was found; its node is a place in a part that may have changed since
   double m_sinceBound = 0.0;    ///< work since m_mode was found, see refreshBound() [force passes]
   double m_boundPatience = 1.0; ///< how much longer than usual it may be
   bool m_fewHoldAll = false;    ///< a few nodes ask for the small steps, see StiffNodes

@@ -22,28 +22,28 @@ Index StepDriver::nameOf(Index node) const noexcept
   return m_names.empty() ? node : m_names[static_cast<std::size_t>(node)];
 }
 
-void StepDriver::sayToleranceGivenUp(const System& system)
+void StepDriver::sayToleranceGivenUp()
 {
-  explain(system);
+  explain();
   m_why += "; the tolerance would cost too many steps and may not hold";
 }
 
-void StepDriver::sayRough(const System& system, Method method, const char* why)
+void StepDriver::sayRough(Method method, const char* why)
 {
-  explain(system);
+  explain();
   m_name = integratorTable()[method].name;
   m_why += why;
 }
 
-void StepDriver::explain(const System& system)
+void StepDriver::explain()
 {
   m_name = integratorTable()[m_method].name;
   const double step = explicitLimit();
-  const bool bounded = std::isfinite(step) && m_mode.node != kNoIndex;
-  const std::string need = bounded ? "springs at node " + std::to_string(nameOf(m_mode.node)) + " (" +
+  const bool bounded = std::isfinite(step) && m_stiffest.node != kNoIndex;
+  const std::string need = bounded ? "springs at node " + std::to_string(m_stiffest.node) + " (" +
                                        formatDouble(m_mode.springStiffness, 3) + " N/m on " +
-                                       formatDouble(system.mass()[static_cast<std::size_t>(m_mode.node)], 3) +
-                                       " kg) need explicit steps of " + microseconds(step)
+                                       formatDouble(m_stiffest.mass, 3) + " kg) need explicit steps of " +
+                                       microseconds(step)
                                    : "no spring limits the step";
   if (!m_auto)
     m_why = m_name + " as asked; " + need;
@@ -62,7 +62,7 @@ void StepDriver::explain(const System& system)
 void StepDriver::giveUp(const System& system, Run failure, StepReport& report)
 {
   const std::string place =
-    m_mode.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(nameOf(m_mode.node)) + ")";
+    m_stiffest.node == kNoIndex ? "" : " (stiffest at node " + std::to_string(m_stiffest.node) + ")";
   if (failure == Run::Limit) {
     report.stepLimit = true;
     if (system.isInterrupted()) {

@@ -58,7 +58,7 @@ StepDriver::Run StepDriver::stretchByDescent(System& system, MotionState& state,
   const double affordable = 0.5 * effort(system) * length / kFrame / stepCost;
   const auto steps = static_cast<std::int64_t>(std::clamp(affordable, 1.0, kMostDescentSteps));
   const Run result = runRoughly(m_descent, system, state, end, steps, report);
-  sayRough(system, m_descent,
+  sayRough(m_descent,
            "; as no step was both good and affordable, it takes damped steps that gain no energy: lower the "
            "stiffness or the loads, raise the masses, or allow more effort");
   return result;
@@ -104,8 +104,7 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
       report.rejectedSteps += 2 * steps;
     }
   }
-  sayRough(system, m_blocks,
-           "; to keep time, it takes a few damped steps for each frame, whose error is told");
+  sayRough(m_blocks, "; to keep time, it takes a few damped steps for each frame, whose error is told");
   return result;
 }
 

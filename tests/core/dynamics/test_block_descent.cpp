@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // The step that keeps time under a hand: its matrix, its laws, and that `auto` takes it when the clock asks.
+#include "core/base/text_number.h"
 #include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/step_gradients.h"
 #include "tests/core/dynamics/skip_nets.h"
@@ -9,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <regex>
 
 namespace esm::test {
 namespace {
@@ -124,7 +126,7 @@ TEST(BlockDescent, GradientsSolveTheMatrixOfTheStep)
     tool.node = 30;
     tool.stiffness = 50.0;
     tool.viscosity = 1.0;
-    system.setTools({&tool, 1}, motion.x);
+    system.setTools({&tool, 1}, motion.x, motion.time);
     const double h = 0.05;
     ImplicitMatrix factored;
     factored.prepare(system);
@@ -210,6 +212,49 @@ TEST(BlockDescent, KeepsTimeFromTheFirstFrameOn)
   simulation.setTools({&away, 1});
   ASSERT_TRUE(simulation.advance(kFrameTime).good());
   EXPECT_NE(simulation.solverName(), "block-descent");
+}
+
+// While the part that moves grows, steps by blocks keep the bound that is known. The node that it names stays that node,
+// though it has another place in another part: all that is said of it is of one node of the net.
+TEST(BlockDescent, TheStiffestNodeIsTheSameInAnyPart)
+{
+  SpringNet net = sheet(160, 2e-3, 4e3);
+  net.viscosity.setConstant(0.05);
+  const Eigen::Matrix3Xd points = net.restPosition;
+  for (Index i = 0; i < net.nodeCount(); ++i) {
+    net.mass[i] = 1e-5 * (1.0 + 0.3 * std::sin(1.7 * i));
+    addAnchor(net, i, points.col(i), 30.0, 0.3);
+  }
+  for (Index s = 0; s < net.springCount(); ++s) net.stiffness[s] *= 1.0 + 0.3 * std::sin(2.3 * s);
+  SolverSettings settings = onTheClock();
+  settings.effort *= 0.1;
+  Simulation simulation = simulate(net, {}, settings);
+  Index said = 0, awake = 0, changed = 0;
+  for (int frame = 1; frame <= 25; ++frame) {
+    ToolSpring hand;
+    hand.node = (frame <= 12 ? 40 : 120) * 160 + 80;
+    hand.target = net.restPosition.col(hand.node) + Eigen::Vector3d(0, 0, 2e-5 * frame);
+    hand.stiffness = 200.0;
+    simulation.setTools({&hand, 1});
+    const StepReport report = simulation.advance(kFrameTime);
+    ASSERT_TRUE(report.good()) << simulation.why();
+    changed += report.nodesAwake != awake && simulation.solverName() != "leapfrog";
+    awake = static_cast<Index>(report.nodesAwake);
+    std::smatch match;
+    const std::string why = simulation.why();
+    if (!std::regex_search(why, match, std::regex(R"(springs at node (\d+) \((\S+) N/m on (\S+) kg\))")))
+      continue;
+    ++said;
+    const Index node = static_cast<Index>(parseInteger(match[1].str()).value_or(-1));
+    ASSERT_TRUE(node >= 0 && node < net.nodeCount()) << why;
+    EXPECT_EQ(match[3].str(), formatDouble(net.mass[node], 3)) << why;
+    double stiffness = node == hand.node ? 30.0 + hand.stiffness : 30.0;
+    for (Index s = 0; s < net.springCount(); ++s)
+      if (net.ends(0, s) == node || net.ends(1, s) == node) stiffness += net.stiffness[s];
+    EXPECT_NEAR(parseDouble(match[2].str()).value_or(0.0), stiffness, 0.02 * stiffness) << why;
+  }
+  EXPECT_GT(said, 20);
+  EXPECT_GT(changed, 1) << "or the test tells nothing";
 }
 
 // And what it shows is near: a hand that lifts the middle in a third of a second, against a fine run. The

@@ -181,7 +181,7 @@ TEST(Equilibrium, IsKnownAsLongAsForcesBalanceThere)
   EXPECT_TRUE(search.equilibrium.holds(search.system, 1.0, search.report));
   EXPECT_EQ(search.report.springsEvaluated, before + 1);
   const ToolSpring tool{1, {0, 0.1, -1}, {0, 0, 0}, 1e-3, 0.0};
-  search.system.setTools({&tool, 1}, search.motion.x);
+  search.system.setTools({&tool, 1}, search.motion.x, search.motion.time);
   EXPECT_FALSE(search.equilibrium.holds(search.system, 1.0, search.report));
   EXPECT_FALSE(search.equilibrium.isKnown());
 }

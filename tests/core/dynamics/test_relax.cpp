@@ -242,7 +242,7 @@ TEST(Relax, FollowsToolsReleasesAndSlackThreads)
   relaxation.method().constraintsChanged(relaxation.system());
   const ToolSpring tool{
     20, toVector(relaxation.state.x[20]) + Eigen::Vector3d(0, 0, 0.02), {0, 0, 0}, 80.0, 0.0};
-  relaxation.system().setTools({&tool, 1}, relaxation.state.x);
+  relaxation.system().setTools({&tool, 1}, relaxation.state.x, relaxation.state.time);
   relaxation.method().prepare(relaxation.system());
   ASSERT_EQ(relaxation.step(0.5), StepResult::Done);
   EXPECT_LT(relaxation.unbalance(), 1e-8);
