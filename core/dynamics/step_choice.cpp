@@ -159,6 +159,7 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
 {
   m_unseen.isOpen = false; // under other forces
   if (!system.tools().empty()) m_gauge.markDriven();
+  followHand(system);
   if (sameNodes) { // a moving hand: the checks go on in their rhythm
     for (Candidate& candidate : m_candidates)
       if (candidate.prepared) candidate.integrator->toolsMoved();
@@ -183,6 +184,7 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_loss.prepare(system);
   m_unseen.isOpen = false;
   // Who keeps time goes on by blocks, until the usual look at the bound tells more.
+  m_boundIsOld = m_byBlocks;
   if (m_byBlocks)
     weighSteps(system);
   else

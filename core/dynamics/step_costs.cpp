@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
@@ -108,18 +109,41 @@ bool StepDriver::paysOff(double saving, double price) const noexcept
   return saving * (knownEnd(m_start.time) - m_start.time) / kFrame >= price;
 }
 
-/// A small net's factor costs less than a frame, and implicit steps err less.
+/// A small net's factor costs less than a frame, and implicit steps err less: but not than what a hand leads, which
+/// hardly swings.
 bool StepDriver::mayTakeBlocks(const System& system) const noexcept
 {
   constexpr std::size_t kFewNodes = 500;
-  return m_auto && m_settings.keepsTime && system.nodeCount() > kFewNodes;
+  const bool isLed = m_handLeads && m_blocksSuffice;
+  return m_auto && m_settings.keepsTime && (isLed || system.nodeCount() > kFewNodes);
 }
 
-/// What a net that keeps time is moved by depends on what plain steps cost, of which the rest is a multiple.
+/// What a net that keeps time is moved by depends on what plain steps cost, of which the rest is a multiple. Where a
+/// hand leads it, blocks cost less whatever these do, as long as their error is within the tolerance.
 bool StepDriver::wantsBlocks(const System& system, double plainCost) const noexcept
 {
   constexpr double kBack = 0.7; // of the effort, below which plain steps return
-  return mayTakeBlocks(system) && plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
+  if (!mayTakeBlocks(system)) return false;
+  return (m_handLeads && m_blocksSuffice) || plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
+}
+
+/// Whether what blocks are told to err is no more than may be.
+bool StepDriver::areBlocksWithin() const noexcept
+{
+  const ErrorScale& scale = m_gauge.scale();
+  return scale.beyond <= m_settings.tolerance * scale.displacement;
+}
+
+/// What moves the net keeps leading it while it stays, until it lets go.
+void StepDriver::followHand(const System& system)
+{
+  const std::vector<ToolSpring>& tools = system.tools();
+  const auto moves = [](const ToolSpring& tool) { return tool.isLed(); };
+  const bool leads = !tools.empty() && (m_handLeads || std::any_of(tools.begin(), tools.end(), moves));
+  if (std::exchange(m_handLeads, leads) == leads || !m_settings.keepsTime) return;
+  m_blocksSuffice = m_settings.tolerance >= kLooseTolerance;
+  m_untilRoughCheck = kSecondBlock;
+  weighLeastCost(system);
 }
 
 /// The time was over before the frame was: the next one, two, four, ... stretches take what always gets on.

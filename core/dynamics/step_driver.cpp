@@ -363,6 +363,7 @@ void StepDriver::keep(const System& system, const MotionState& state, double err
 void StepDriver::setBound(const System& system, const MotionState& state)
 {
   m_mode = m_bound.compute(system, state.x, state.v);
+  m_boundIsOld = false;
   m_stiffest = {};
   if (m_mode.node != kNoIndex)
     m_stiffest = {nameOf(m_mode.node), system.mass()[static_cast<std::size_t>(m_mode.node)]};
@@ -389,6 +390,7 @@ void StepDriver::refreshBound(const System& system, const MotionState& state)
   constexpr double kNew = 0.01;    // a larger change of the limits
   constexpr double kLongest = 4.0; // of the usual patience
   const double patience = m_method == m_implicit ? 32.0 : system.forces().isNonlinear() ? 384.0 : 768.0;
+  if (m_boundIsOld && !takesBlocks()) return setBound(system, state);
   if (m_sinceBound < m_boundPatience * patience) return;
   const FastestMode before = m_mode;
   const double longer = std::min(2.0 * m_boundPatience, kLongest);

@@ -176,6 +176,8 @@ private:
   void refreshBound(const System& system, const MotionState& state);
   double passesOf(const System& system, double step);
   bool mayTakeBlocks(const System& system) const noexcept;
+  bool areBlocksWithin() const noexcept;
+  void followHand(const System& system);
   bool wantsBlocks(const System& system, double plainCost) const noexcept;
   void weighLeastCost(const System& system);
   double explicitLimit() const noexcept;
@@ -279,10 +281,13 @@ private:
   Stiffest m_stiffest; ///< as m_mode was found; its node is a place in a part that may have changed since
   double m_sinceBound = 0.0;    ///< work since m_mode was found, see refreshBound() [force passes]
   double m_boundPatience = 1.0; ///< how much longer than usual it may be
+  bool m_boundIsOld = false;    ///< of another part of the net; blocks need none
   bool m_fewHoldAll = false;    ///< a few nodes ask for the small steps, see StiffNodes
   bool m_toleranceGivenUp = false;
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that
   bool m_byBlocks = false;              ///< the clock wants them now
+  bool m_handLeads = false;             ///< tools that move hold the net, see ToolSpring
+  bool m_blocksSuffice = true;          ///< for their motion, as far as checks have told
   double m_leastCost = 0.0;             ///< of a frame, whatever the tolerance [spring evaluations]
   double m_floorStep = 0.0;             ///< smallest implicit step while the tolerance is given up [s]
   double m_grown = 0.0, m_growth = 0.0; ///< energy that appeared up to the present stretch, up to its end [J]

@@ -79,6 +79,7 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
   const auto steps = static_cast<std::int64_t>(std::clamp(0.5 * affordable / stepCost, 1.0, most));
   state.loss += closeLoss(system, state);
   const double lost = state.loss;
+  const bool wasRough = report.rough;
   const ErrorScale scale = m_gauge.scale();
   const auto run = [&](int finer) {
     system.workLimit = std::min(m_mostWork, system.workDone() + finer * affordable);
@@ -98,12 +99,15 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
       m_gauge.setScale(scale);
       keep(system, state, expectedError(state), m_roughOverLocal * m_roughLocal);
       report.rejectedSteps += steps;
-    } else { // that was for nothing
+      m_blocksSuffice = m_blocksSuffice && areBlocksWithin();
+      if (!m_blocksSuffice) weighLeastCost(system); // where plain steps can be paid for, they err less
+    } else {                                        // that was for nothing
       state = coarse;
       m_gauge.setScale(coarseScale);
       report.rejectedSteps += 2 * steps;
     }
   }
+  report.rough = wasRough || !areBlocksWithin();
   sayRough(m_blocks, "; to keep time, it takes a few damped steps for each frame, whose error is told");
   return result;
 }
