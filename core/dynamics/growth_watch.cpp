@@ -104,6 +104,7 @@ void GrowthWatch::start()
   const double scale = kSmall * m_extent / size();
   for (Lanes& v : m_v) v *= scale;
   m_size = m_least = 0.0;
+  m_frames = 0;
   m_hasStart = std::isfinite(scale);
 }
 
@@ -127,6 +128,26 @@ bool GrowthWatch::run(MotionState& state, double end, double step)
       return false;
   }
   return true;
+}
+
+/// Whether the difference has grown no faster than with the square of the frames that were followed, since it
+/// was at its least. Marks stand at powers of two of them, so the former one at a half to a quarter of the way.
+bool GrowthWatch::onlyDrifts() noexcept
+{
+  constexpr double kPower = 2.0;
+  if (m_frames == 0 || m_size < m_least) {
+    m_least = std::min(m_least, m_size);
+    m_frames = m_mark = 1;
+    m_mostSoFar = m_mostAtMark = m_mostAtFormerMark = m_least;
+    return true;
+  }
+  if (++m_frames >= 2 * m_mark) {
+    m_mark *= 2;
+    m_mostAtFormerMark = std::exchange(m_mostAtMark, m_mostSoFar);
+  }
+  m_mostSoFar = std::max(m_mostSoFar, m_size);
+  const double share = 2.0 * m_frames / m_mark; // of now over the former mark
+  return m_size - m_mostAtFormerMark <= kPower * std::log(share);
 }
 
 void GrowthWatch::carryOn(const MotionState& motion)
@@ -155,8 +176,9 @@ void GrowthWatch::carryOn(const MotionState& motion)
     return;
   }
   m_size += std::log(now / target);
-  m_least = std::min(m_least, m_size);
-  if (const double growth = std::exp(std::min(m_size - m_least, kGrownEnough)); growth > m_largest) {
+  const bool drifts = onlyDrifts();
+  if (const double growth = std::exp(std::min(m_size - m_least, kGrownEnough));
+      !drifts && growth > m_largest) {
     m_largest = growth;
     m_time = motion.time;
   }
