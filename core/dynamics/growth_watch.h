@@ -10,8 +10,10 @@ namespace esm {
 /// Looks whether a motion multiplies small errors. Nets with a positive stiffness do not, so now and then
 /// some products with it are asked (StiffnessCg::givesWay()). Where a net gives way, and a frame later or at a
 /// later look does so once more, a small difference in that pattern is followed for some frames: two
-/// neighbours, from where the motion is at the start of each frame, by plain steps at their limit, and their
-/// difference is carried over. What it grows by from any time to any later one is what becomes of an error.
+/// neighbours, from where the motion is at the start of each frame, by plain steps at their limit (finer ones
+/// without dampers), and their difference is carried over. What it grows by from any time to any later one, as
+/// long as no frame was left out between them, is what becomes of an error: laid onto another phase of the
+/// motion a difference would grow anew, and each time multiply what drifts.
 /// Where it does not, the next frames are not followed until the work since then has paid for it; looks cost
 /// a seventieth of the work. A phase or a place that drifts grows in proportion to time, without end, and
 /// multiplies nothing: what counts must have come faster than that.
