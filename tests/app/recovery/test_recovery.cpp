@@ -150,7 +150,8 @@ TEST_F(RecoveryTest, RecoveredStepsCanBeUndoneAndRedone)
   document().rename("dropped");
   document().undoStack()->undo(); // and never redone
   document().setFixed({0, 3}, true), note();
-  document().importModel({"other", {}, test::sheetProject(5).net, {}}, true), note();
+  ASSERT_TRUE(document().importModel({"other", {}, test::sheetProject(5).net, {}}, true));
+  note();
   document().setInput(0, 0.2, 7);
   document().setInput(0, 0.3, 7), note(); // one gesture, one step
   document().undoStack()->undo();
