@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/error_gauge.h"
 
+#include "core/dynamics/frame.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -203,12 +205,12 @@ double ErrorGauge::presentScale(const MotionState& state) const noexcept
 }
 
 /// What will have been the mean square of displacement at the end, over the square that allowance() reckons
-/// with: less than 1 only where the forces will be gone before a known end and the motion fades. Of struck organs
+/// with: less than 1 only where all forces are gone within the first frame, the end is known and the motion fades. Of struck organs
 /// it had been a fifth in length, so that they erred up to nine tolerances.
 double ErrorGauge::meanShare(const MotionState& state, double left) const noexcept
 {
   const double time = state.time;
-  if (!std::isfinite(m_quiet) || !std::isfinite(expectedEnd(time))) return 1.0;
+  if (!(m_quiet <= kFrame) || !std::isfinite(expectedEnd(time))) return 1.0;
   const double now = std::max(presentScale(state), floor());
   const double driven = std::clamp(m_quiet - time, 0.0, left), life = lifetime();
   const double fading =

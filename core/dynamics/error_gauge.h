@@ -74,8 +74,8 @@ public:
   void markEvent() noexcept { m_scale.calm = 0.0; }
   /// When nodes that are held now will be let go, infinity if not: until then less may be spent.
   void expectRelease(double time) noexcept { m_release = time; }
-  /// When the last force is gone, infinity if one stays: from then on the net only swings out, and what it
-  /// still moves counts in the mean up to a known end, not what it moves now.
+  /// When the last force is gone, infinity if one stays. Within the first frame that is a blow, after which the
+  /// net only swings out: what it still moves counts in the mean up to a known end, not what it moves now.
   void expectQuiet(double time) noexcept { m_quiet = time; }
   bool awaitsRelease(double time) const noexcept { return m_release < expectedEnd(time); }
 
