@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QLocale>
+#include <QPainter>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -17,15 +18,24 @@ namespace {
 
 constexpr QSize kPicture(160, 100);
 
-/// An empty place where there is no picture, so that the texts stand in line.
-QIcon pictureOf(const FoundJournal& journal)
+/// A frame that says so where there is no picture.
+QPixmap noPicture(const QWidget& list)
 {
-  QPixmap picture(QString::fromStdString((journal.folder / kJournalPicture).string()));
-  if (picture.isNull()) {
-    picture = QPixmap(kPicture);
-    picture.fill(Qt::transparent);
-  }
-  return QIcon(picture);
+  QPixmap picture(kPicture);
+  picture.fill(list.palette().color(QPalette::AlternateBase));
+  QPainter painter(&picture);
+  painter.setPen(list.palette().color(QPalette::Disabled, QPalette::Text));
+  painter.setFont(list.font());
+  const QRect frame = picture.rect().adjusted(0, 0, -1, -1);
+  painter.drawRect(frame);
+  painter.drawText(frame, Qt::AlignCenter | Qt::TextWordWrap, RecoveryDialog::tr("no picture yet"));
+  return picture;
+}
+
+QIcon pictureOf(const FoundJournal& journal, const QWidget& list)
+{
+  const QPixmap picture(QString::fromStdString((journal.folder / kJournalPicture).string()));
+  return QIcon(picture.isNull() ? noPicture(list) : picture);
 }
 
 } // namespace
@@ -88,7 +98,7 @@ void RecoveryDialog::addRow(const FoundJournal& journal)
   QStringList lines{journalName(journal), stepsText(journal.steps, journal.path.empty(), journal.hasDraft),
                     QLocale().toString(time, QLocale::ShortFormat)};
   if (!path.isEmpty()) lines << path;
-  auto* item = new QListWidgetItem(pictureOf(journal), lines.join(QLatin1Char('\n')), m_list);
+  auto* item = new QListWidgetItem(pictureOf(journal, *m_list), lines.join(QLatin1Char('\n')), m_list);
   item->setToolTip(path);
 }
 

@@ -133,6 +133,23 @@ bool sayGrowth(const SimulateOptions& options, const RunSummary& summary, double
   return false;
 }
 
+/// What happened, where, and what helps.
+void sayRough(const SimulateOptions& options, const RunSummary& summary, double tolerance)
+{
+  const std::string frames = std::to_string(summary.roughFrames) + " of " +
+                             std::to_string(std::max(summary.frames - 1, summary.roughFrames)) + " frames";
+  const std::string cause = summary.suddenMotion.empty()
+                              ? summary.roughReason
+                              : summary.suddenMotion + ", and " + summary.roughReason;
+  const std::string help =
+    summary.suddenMotion.empty()
+      ? "a larger --tolerance or more --work may keep it, as softer springs and heavier nodes do"
+      : "spread that motion over more time, or take a larger --tolerance";
+  say(options.file + ": the tolerance of " + formatDouble(tolerance, 3) + " was given up in " + frames +
+      ", first in the one that ends at " + formatDouble(summary.roughTime, 3) + " s: " + cause +
+      ". The motion is bounded, but rough there: " + help + "; --accept-rough takes it as it is");
+}
+
 Exit simulate(const SimulateOptions& options)
 {
   Result<Project> project = loadProject(options.file);
@@ -164,9 +181,7 @@ Exit simulate(const SimulateOptions& options)
     say(options.file + ": stopped after " + std::to_string(summary->frames) + " frames, at " +
         formatDouble(summary->steps.simulatedTime, 3) + " s: " + summary->reason);
   const double tolerance = project->simulation.solver.tolerance;
-  if (summary->steps.rough)
-    say(options.file + ": the tolerance of " + formatDouble(tolerance, 3) +
-        " was given up where keeping it cost too much work; the motion is bounded, but rough");
+  if (summary->steps.rough) sayRough(options, *summary, tolerance);
   const bool isAccountedFor = !good || sayEnergy(options, *summary, tolerance);
   const bool isVerified = !good || sayVerification(options, *summary, tolerance);
   const bool isCredible = !good || sayGrowth(options, *summary, tolerance);

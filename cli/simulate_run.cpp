@@ -20,6 +20,26 @@ namespace esm::cli {
 
 namespace {
 
+/// A prescribed motion that goes further than the net is large in less than a hundredth of a frame, up to `time`.
+std::string suddenMotion(const SpringNet& net, const Loads& loads, double time)
+{
+  constexpr double kSudden = 0.01 / 60.0; // [s]
+  const double extent =
+    (net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff()).norm();
+  for (const PrescribedMotion& motion : loads.motions) {
+    const VectorCurve& curve = motion.displacement;
+    for (std::size_t i = 1; i < curve.time.size() && curve.time[i - 1] < time && !motion.nodes.empty(); ++i) {
+      const double lasts = curve.time[i] - curve.time[i - 1];
+      const auto at = static_cast<Eigen::Index>(i);
+      const double way = (curve.value.col(at) - curve.value.col(at - 1)).norm();
+      if (lasts < kSudden && way > extent)
+        return "node " + std::to_string(motion.nodes.front()) + " is moved by " + formatDouble(way, 3) +
+               " m within " + formatDouble(lasts, 3) + " s at " + formatDouble(curve.time[i - 1], 3) + " s";
+    }
+  }
+  return {};
+}
+
 /// Adds the processor time that passes in its life to `seconds`.
 class ProcessorClock {
 public:
@@ -215,6 +235,11 @@ Status Runner::compute(Run& run, SpringNet net, SolverSettings solver, const std
     const double time = static_cast<double>(summary.frames) / settings.frameRate;
     const StepReport step = timed([&] { return simulation.advance(time - simulation.state().time); });
     summary.steps.add(step);
+    if (step.rough && summary.roughFrames++ == 0) {
+      summary.roughTime = time;
+      summary.roughReason = simulation.why();
+      summary.suddenMotion = suddenMotion(simulation.net(), m_project.loads, time);
+    }
     summary.largestForce = std::max(summary.largestForce, step.largestForce);
     awake += static_cast<double>(step.nodesAwake);
     summary.nodesAwake = awake / static_cast<double>(summary.frames);

@@ -39,6 +39,10 @@ struct RunSummary {
   double errorGrowth = 1.0,
          errorGrowthTime = 0.0; ///< see Simulation; not looked for in runs that are verified
   std::string solver, reason;
+  long long roughFrames = 0;                ///< in which the tolerance was given up
+  double roughTime = 0.0;                   ///< end of the first of them [s]
+  std::string roughReason;                  ///< then
+  std::string suddenMotion;                 ///< that had come by then and that no step follows; empty: none
   std::optional<Verification> verification; ///< if asked for
 };
 

@@ -3496,6 +3496,10 @@
         <translation>eine Regel in Arbeit</translation>
     </message>
     <message>
+        <source>no picture yet</source>
+        <translation>noch kein Bild</translation>
+    </message>
+    <message>
         <source>Recover unsaved work</source>
         <translation>Nicht gespeicherte Arbeit wiederherstellen</translation>
     </message>

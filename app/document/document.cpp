@@ -4,6 +4,7 @@
 
 #include "app/document/append_net.h"
 #include "app/document/model_commands.h"
+#include "app/document/recovered_steps.h"
 #include "app/document/region_commands.h"
 #include "app/document/tissue_commands.h"
 #include "core/base/assert.h"
@@ -52,33 +53,58 @@ QString Document::displayName() const
 
 void Document::start(Project project, const QString& path)
 {
-  begin(std::move(project), path, false, 0, {}); // until an edit, the file's own numbers hold
+  begin(std::move(project), path); // until an edit, the file's own numbers hold
 }
 
-void Document::startRecovered(Project project, const QString& path, bool derived, int steps, RuleDraft draft)
+void Document::startRecovered(const RecoveredWork& work, const QString& path)
 {
-  begin(std::move(project), path, derived, steps, std::move(draft));
+  begin(work.project, path, &work);
   if (!path.isEmpty()) m_file = identityOf(path.toStdString()); // who recovers has compared it
 }
 
-void Document::begin(Project project, const QString& path, bool derived, int steps, RuleDraft draft)
+void Document::begin(Project project, const QString& path, const RecoveredWork* work)
 {
   emit projectLeft();
   m_project = std::move(project);
-  netWritten(derived);
+  netWritten(work != nullptr && work->netDerived);
   m_netNumber = ++m_netNumbers;
   m_path = path;
   m_file.reset();
   m_target = -1;
-  m_stepsRecovered = steps;
   m_undo.clear();
   m_savedRules = m_project.tissue.rules;
-  replaceDraft(std::move(draft)); // what was typed about the former rules is no part of the coming ones
+  m_stepsRecovered = m_stepsBefore = 0;
+  if (work != nullptr) {
+    const bool knowsSaved = work->history.saved && !work->fileChanged;
+    if (!knowsSaved) m_stepsRecovered = work->steps;
+    takeHistory(work->history, knowsSaved);
+  }
+  replaceDraft(work != nullptr ? work->draft : RuleDraft()); // what was typed about the former rules is gone
   emit ruleBaseChanged(); // first: who hears of the new project asks what its rules say, not the former ones
   emit ruleBaseSaved();
   emit inputsChanged();
   emit projectReset();
   emit titleChanged();
+}
+
+/// Puts the steps of a process that was lost on the stack. The document is as they have left it.
+void Document::takeHistory(const RecoveredHistory& history, bool knowsSaved)
+{
+  if (history.states.empty()) return;
+  auto all = std::make_shared<RecoveredStates>();
+  all->states = history.states;
+  const auto present = static_cast<std::size_t>(history.present);
+  for (const RecoveredState& state : all->states)
+    if (!all->netNumbers.contains(state.copy))
+      all->netNumbers[state.copy] = state.copy == all->states[present].copy ? m_netNumber : ++m_netNumbers;
+  for (std::size_t to = 1; to < all->states.size(); ++to)
+    m_undo.push(new RecoveredStepCommand(*this, all, to));
+  m_stepsBefore = history.first;
+  m_undo.setIndex(knowsSaved ? *history.saved : history.present);
+  m_undo.setClean();
+  m_undo.setIndex(history.present);
+  if (knowsSaved) m_savedRules = all->states[static_cast<std::size_t>(*history.saved)].project.tissue.rules;
+  all->isQuiet = false;
 }
 
 static std::filesystem::path folderOf(const QString& file)

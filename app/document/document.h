@@ -20,6 +20,8 @@
 namespace esm {
 
 class TissueCommand;
+struct RecoveredWork;
+struct RecoveredHistory;
 
 /// The tissue's numbers beside rules, inputs and regions.
 struct TissueSettings {
@@ -62,9 +64,10 @@ public:
   int stepsAfterSave() const; ///< done, undone or redone: what a crash would cost
 
   void start(Project project, const QString& path); ///< replaces everything; the undo stack is emptied
-  /// The same with work that was not saved: so many steps, and a rule that was being written.
-  /// @param derived the net's parameters are what applyTissue() gives.
-  void startRecovered(Project project, const QString& path, bool derived, int steps, RuleDraft draft);
+  /// The same with work that was not saved, its steps to undo and redo, and a rule that was being written.
+  void startRecovered(const RecoveredWork& work, const QString& path);
+  /// Steps before those on the undo stack, which an earlier process has counted (JournalState::undoIndex).
+  int stepsBeforeUndo() const noexcept { return m_stepsBefore; }
   Status open(const QString& path);   ///< on error everything is as before
   Status saveAs(const QString& path); ///< atomic; the former file stays as .bak
   /// Whether somebody else has written the file since it was opened or saved: saving would lose that.
@@ -147,7 +150,8 @@ private:
   bool isPrepared() const { return m_preparedField.has_value(); }
   void derivePrepared();
   void putNet(std::shared_ptr<const SpringNet> net, bool derived);
-  void begin(Project project, const QString& path, bool derived, int steps, RuleDraft draft);
+  void begin(Project project, const QString& path, const RecoveredWork* work = nullptr);
+  void takeHistory(const RecoveredHistory& history, bool knowsSaved);
   void countSteps(int index);
   void netWritten(bool derived);
   void keepTargetInRange();
@@ -170,9 +174,10 @@ private:
   QUndoStack m_undo;
   QString m_path;
   std::optional<FileIdentity> m_file; ///< at m_path, as it was opened or saved
-  int m_stepsRecovered = 0;           ///< not saved by the process that was lost
-  int m_steps = 0;                    ///< after the last save, as far as the undo stack can tell
-  int m_lostSteps = 0, m_lostAt = 0;  ///< when the saved state left the undo stack: its distance, the index
+  int m_stepsRecovered = 0;           ///< not saved by the process that was lost, where they cannot be undone
+  int m_stepsBefore = 0;
+  int m_steps = 0;                   ///< after the last save, as far as the undo stack can tell
+  int m_lostSteps = 0, m_lostAt = 0; ///< when the saved state left the undo stack: its distance, the index
   int m_target = -1;
   Language m_language = Language::English;
 };

@@ -16,7 +16,7 @@ void DocumentCommand::netReplaced(bool derived)
   m_document->netWritten(derived);
 }
 
-void TissueCommand::derive()
+void DocumentCommand::derive()
 {
   Document& target = document();
   if (!target.isPrepared())
@@ -25,6 +25,18 @@ void TissueCommand::derive()
       return;
     }
   target.derivePrepared();
+}
+
+void DocumentCommand::announceTissue(const TissueModel& former)
+{
+  Document& target = document();
+  const TissueModel& now = target.project().tissue;
+  const bool otherRules = former.rules != now.rules, otherRegions = former.regions != now.regions;
+  const bool otherNumbers = settingsOf(former) != settingsOf(now);
+  if (otherRules) emit target.ruleBaseChanged();
+  if (otherRegions) emit target.regionsChanged();
+  if (otherRules || otherRegions || otherNumbers || former.inputs != now.inputs) emit target.inputsChanged();
+  if (otherNumbers) emit target.tissueSettingsChanged();
 }
 
 void TissueCommand::redo()

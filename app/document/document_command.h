@@ -26,6 +26,8 @@ protected:
   void setNetNumber(std::uint64_t number) { m_document->m_netNumber = number; }
   void setTarget(int region) { m_document->setInputTarget(region); }
   void keepTargetInRange() { m_document->keepTargetInRange(); }
+  void derive();                                  ///< gives the springs what the project's tissue says now
+  void announceTissue(const TissueModel& former); ///< says what differs from it now
 
 private:
   Document* m_document;
@@ -49,7 +51,6 @@ protected:
   bool isUndoneByTissue() const { return m_before == nullptr; }
 
 private:
-  void derive();                             ///< gives the springs what the project's tissue says now
   std::shared_ptr<const SpringNet> m_before; ///< null: deriving gives the same
 };
 

@@ -30,14 +30,7 @@ void SetModelCommand::put(const ModelPart& part)
   target.parametersFromTissue = part.parametersFromTissue;
   putNet(part.net, part.derived);
   setNetNumber(part.netNumber);
-  const bool otherRules = former.rules != part.tissue.rules,
-             otherRegions = former.regions != part.tissue.regions;
-  const bool otherNumbers = settingsOf(former) != settingsOf(part.tissue);
-  if (otherRules) emit document().ruleBaseChanged();
-  if (otherRegions) emit document().regionsChanged();
-  if (otherRules || otherRegions || otherNumbers || former.inputs != part.tissue.inputs)
-    emit document().inputsChanged();
-  if (otherNumbers) emit document().tissueSettingsChanged();
+  announceTissue(former);
   emit document().netChanged();
   emit document().modelReplaced();
   emit document().titleChanged();

@@ -9,7 +9,6 @@ namespace esm {
 namespace {
 
 constexpr int kTypingPause = 200;    // [ms] a rule that is typed changes with every key
-constexpr int kFirstPicture = 3000;  // [ms]
 constexpr int kPicturePause = 30000; // [ms]
 constexpr QSize kPictureSize(320, 200);
 
@@ -61,6 +60,11 @@ JournalState Recovery::state() const
   now.net = [this] { return m_document->net(); };
   now.steps = m_document->stepsAfterSave();
   now.draft = m_document->ruleDraft();
+  const QUndoStack& undo = *m_document->undoStack();
+  now.undoIndex = m_document->stepsBeforeUndo() + undo.index();
+  now.undoCount = m_document->stepsBeforeUndo() + undo.count();
+  now.undoText = undo.undoText().toStdString();
+  now.redoText = undo.redoText().toStdString();
   return now;
 }
 
@@ -68,16 +72,16 @@ void Recovery::begin()
 {
   m_typing.stop();
   m_pause.stop();
+  m_hasPicture = false;
   m_journal.start(state(), m_document->path().toStdString());
 }
 
 void Recovery::record()
 {
   m_typing.stop();
-  const bool wasKept = m_journal.isKept();
   m_journal.record(state());
   m_cell = m_document->ruleDraft().cell;
-  if (m_journal.isKept() && !m_pause.isActive()) m_pause.start(wasKept ? kPicturePause : kFirstPicture);
+  if (m_journal.isKept() && !m_pause.isActive()) m_pause.start(m_hasPicture ? kPicturePause : kFirstPicture);
 }
 
 void Recovery::letGo()
@@ -92,7 +96,7 @@ Result<RecoveredWork> Recovery::recover(FoundJournal&& found)
   Result<RecoveredWork> work = readJournal(found);
   if (!work) return work;
   const QString path = work->fileChanged ? QString() : QString::fromStdString(work->path);
-  m_document->startRecovered(work->project, path, work->netDerived, work->steps, work->draft);
+  m_document->startRecovered(*work, path);
   if (const Status adopted = m_journal.adopt(std::move(found), *work, state()); !adopted)
     emit failed(adopted.error());
   return work;
@@ -113,6 +117,7 @@ void Recovery::takePicture()
   QBuffer buffer(&bytes);
   picture.scaled(kPictureSize, Qt::KeepAspectRatio, Qt::SmoothTransformation).save(&buffer, "PNG");
   m_journal.setPicture(bytes.toStdString());
+  m_hasPicture = true;
 }
 
 } // namespace esm

@@ -17,6 +17,7 @@ namespace esm {
 class Recovery : public QObject {
   Q_OBJECT
 public:
+  static constexpr int kFirstPicture = 200; ///< after the first step [ms]: the view has drawn it by then
   /// @param document not owned, outlives this.
   Recovery(Document* document, const std::filesystem::path& folder, QObject* parent = nullptr);
   ~Recovery() override;
@@ -45,10 +46,11 @@ private:
   std::filesystem::path m_folder;
   Journal m_journal;
   std::function<QImage()> m_picture;
-  QTimer m_typing;     ///< a rule that is typed is written five times a second
-  QTimer m_pause;      ///< until the next picture
-  std::string m_cell;  ///< of the draft, when it was last written
-  bool m_away = false; ///< the document is between two projects
+  QTimer m_typing;           ///< a rule that is typed is written five times a second
+  QTimer m_pause;            ///< until the next picture
+  std::string m_cell;        ///< of the draft, when it was last written
+  bool m_hasPicture = false; ///< the journal has one
+  bool m_away = false;       ///< the document is between two projects
 };
 
 } // namespace esm

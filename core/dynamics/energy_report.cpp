@@ -18,6 +18,11 @@ double EnergyReport::residual() const noexcept
   return (atStart.kinetic - atEnd.kinetic) + stored + work + restored - heat - loss;
 }
 
+double EnergyReport::appeared() const noexcept
+{
+  return -residual() - heat - loss;
+}
+
 double EnergyReport::largestTerm() const noexcept
 {
   double largest = std::max({std::abs(work), std::abs(heat), std::abs(loss), std::abs(restored)});
@@ -33,7 +38,9 @@ bool EnergyReport::hasAdded(double tolerance) const noexcept
   constexpr double kOfHeat = 0.5;
   EnergyReport others = *this;
   others.heat = others.loss = 0.0;
-  return !(-loss <= kOfHeat * std::abs(heat) + 2.0 * std::max(tolerance, kSummed) * others.largestTerm());
+  const double share = std::max(tolerance, kSummed);
+  return !(-loss <= kOfHeat * std::abs(heat) + 2.0 * share * others.largestTerm() &&
+           appeared() <= share * largestTerm());
 }
 
 bool EnergyReport::isKept(double tolerance) const noexcept

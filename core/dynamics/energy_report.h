@@ -25,8 +25,10 @@ struct EnergyReport {
 
   double residual() const noexcept;
   double largestTerm() const noexcept;
+  double appeared() const noexcept; ///< that nobody has put in, less what has become heat [J]
   /// Whether the method itself has added energy, or booked heat that nothing had to give: more than twice this
-  /// share of the largest of all other terms, beyond half of the heat.
+  /// share of the largest of all other terms, beyond half of the heat; or whether there is more in the end than
+  /// was put in, by more than this share of the largest term.
   bool hasAdded(double tolerance) const noexcept;
   /// Whether the residual is at most this share of the largest term, or rounding, and the method has not added.
   bool isKept(double tolerance) const noexcept;

@@ -74,6 +74,9 @@ public:
   void markEvent() noexcept { m_scale.calm = 0.0; }
   /// When nodes that are held now will be let go, infinity if not: until then less may be spent.
   void expectRelease(double time) noexcept { m_release = time; }
+  /// When the last force is gone, infinity if one stays. Within the first frame that is a blow, after which the
+  /// net only swings out: what it still moves counts in the mean up to a known end, not what it moves now.
+  void expectQuiet(double time) noexcept { m_quiet = time; }
   bool awaitsRelease(double time) const noexcept { return m_release < expectedEnd(time); }
 
   double extent() const noexcept { return m_extent; }       ///< a length that positions are small against [m]
@@ -117,6 +120,8 @@ public:
 
 private:
   double allowance(double tolerance, const MotionState& state) const noexcept;
+  double presentScale(const MotionState& state) const noexcept;
+  double meanShare(const MotionState& state, double left) const noexcept;
   double timeLeft(double time) const noexcept;
   double expectedEnd(double time) const noexcept;
   double fading() const noexcept;
@@ -132,6 +137,7 @@ private:
   double m_duration = 0.0; ///< [s]
   bool m_isDriven = true;
   double m_release = std::numeric_limits<double>::infinity(); ///< see expectRelease() [s]
+  double m_quiet = std::numeric_limits<double>::infinity();   ///< see expectQuiet() [s]
   double m_guessedLifetime = 0.0; ///< of errors, until motion tells it [s]; set by begin()
   ErrorScale m_scale;
 };

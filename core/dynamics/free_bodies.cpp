@@ -7,6 +7,7 @@
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -70,6 +71,7 @@ void FreeBodies::find(const System& system)
       if (m_bodyOf[i] != kNoIndex) add(m_bodyOf[i], static_cast<Index>(i));
   });
   m_frameForce.assign(m_bodies.empty() ? 0 : nodes, Lanes{0, 0, 0, 0});
+  m_first = m_frameForce;
 }
 
 void FreeBodies::begin(const System& system, const MotionState& state)
@@ -79,6 +81,9 @@ void FreeBodies::begin(const System& system, const MotionState& state)
     const Centre centre = centreOf(system, state, b, squares);
     m_bodies[b].x = centre.x;
     m_bodies[b].v = centre.v;
+    m_bodies[b].way = 0.0;
+    for (const Index node : m_nodes[b])
+      m_first[static_cast<std::size_t>(node)] = state.x[static_cast<std::size_t>(node)];
   }
   takeLoads(system, state.time);
 }
@@ -148,16 +153,30 @@ bool FreeBodies::keep(const System& system, MotionState& state, double length) n
   return moved;
 }
 
+/// Of its nodes since begin(), RMS by mass [m].
+double FreeBodies::wayOf(const System& system, const MotionState& state, std::size_t body) const noexcept
+{
+  double sum = 0.0;
+  for (const Index node : m_nodes[body]) {
+    const auto i = static_cast<std::size_t>(node);
+    const Lanes way = state.x[i] - m_first[i];
+    sum += system.mass()[i] * dot(way, way);
+  }
+  return std::sqrt(sum / m_bodies[body].mass);
+}
+
 /// @return whether the body was elsewhere
 bool FreeBodies::putInPlace(const System& system, MotionState& state, std::size_t index,
-                            double length) const noexcept
+                            double length) noexcept
 {
-  const Body& body = m_bodies[index];
+  Body& body = m_bodies[index];
   Lanes squares;
   const Centre is = centreOf(system, state, index, squares), should = centreAt(body, state.time);
   const Lanes way = should.x - is.x, change = should.v - is.v;
   const double speed = std::sqrt(squares[1]);
-  const bool isThere = lengthOf(way) <= kOwnShare * length * speed + kSumRounding * std::sqrt(squares[0]) &&
+  body.way = std::max(body.way, wayOf(system, state, index));
+  const double motion = std::min(length * speed, body.way);
+  const bool isThere = lengthOf(way) <= kOwnShare * motion + kSumRounding * std::sqrt(squares[0]) &&
                        lengthOf(change) <= kOwnShare * speed;
   if (isThere || !std::isfinite(dot(way, way) + dot(change, change))) return false;
   const Lanes load = body.load + body.slope * (state.time - m_begin);

@@ -37,7 +37,9 @@ public:
   }
 
   /// Moves each body as one to where its centre of mass belongs, if that or its velocity is off by more than
-  /// rounding and a ten-thousandth of a millionth of the motion in the stretch of this length [s] up to here.
+  /// rounding and a ten-thousandth of a millionth of the motion: of what its nodes run in the stretch of this
+  /// length [s] up to here, or of how far they have come since begin(), whichever is less. (What trembles runs
+  /// far and comes nowhere.)
   /// What that changes of its energy, and all that a frame of reference gives back, is EnergySums::restored.
   /// @return whether any was moved
   bool keep(const System& system, MotionState& state, double length) noexcept;
@@ -60,12 +62,13 @@ public:
 
 private:
   struct Body {
-    double mass = 0.0;                                      ///< [kg]
-    Lanes weight = {0, 0, 0, 0};                            ///< [N]
-    Lanes x = {0, 0, 0, 0}, v = {0, 0, 0, 0};               ///< of the centre of mass at m_begin
-    Lanes load = {0, 0, 0, 0};                              ///< sum of nodal forces then [N]
-    Lanes slope = {0, 0, 0, 0};                             ///< of that [N/s]
-    double loads = 0.0;                                     ///< sum of their sizes [N]
+    double mass = 0.0;                        ///< [kg]
+    Lanes weight = {0, 0, 0, 0};              ///< [N]
+    Lanes x = {0, 0, 0, 0}, v = {0, 0, 0, 0}; ///< of the centre of mass at m_begin
+    Lanes load = {0, 0, 0, 0};                ///< sum of nodal forces then [N]
+    Lanes slope = {0, 0, 0, 0};               ///< of that [N/s]
+    double loads = 0.0;                       ///< sum of their sizes [N]
+    double way = 0.0;                         ///< of its nodes since begin(), RMS, the largest so far [m]
     Lanes frameX = {0, 0, 0, 0}, frameV = {0, 0, 0, 0};     ///< where it belonged when the frame was entered
     Lanes enteredX = {0, 0, 0, 0}, enteredV = {0, 0, 0, 0}; ///< where it was then
     Lanes frameA = {0, 0, 0, 0};                            ///< acceleration of the frame
@@ -78,8 +81,9 @@ private:
   Centre centreAt(const Body& body, double time) const noexcept;
   Centre centreOf(const System& system, const MotionState& state, std::size_t body,
                   Lanes& squares) const noexcept;
+  double wayOf(const System& system, const MotionState& state, std::size_t body) const noexcept;
   void takeLoads(const System& system, double time) noexcept;
-  bool putInPlace(const System& system, MotionState& state, std::size_t index, double length) const noexcept;
+  bool putInPlace(const System& system, MotionState& state, std::size_t index, double length) noexcept;
   /// Angular momentum about the centre [kg m^2/s], and the inertia [kg m^2].
   struct Spin {
     Eigen::Vector3d momentum = Eigen::Vector3d::Zero();
@@ -94,6 +98,7 @@ private:
   std::vector<Body> m_bodies;
   Grouped<Index> m_nodes;      ///< by body
   std::vector<Index> m_bodyOf; ///< N
+  NodeArray m_first;           ///< N, positions at begin() [m]
   double m_begin = 0.0, m_frameBegin = 0.0;
   double m_frameEnergy = 0.0; ///< then, less what was worked, and with the heat [J]
   NodeArray m_frameForce;     ///< N [N]

@@ -24,6 +24,9 @@ constexpr double kGrows = 1.4;         ///< logarithm of what they must grow by 
 constexpr double kSmall = 1e-7;        ///< of the extent: the difference that is followed
 constexpr double kGrownEnough = 8.0;   ///< logarithm of a growth beyond which nobody needs to know more
 constexpr double kShareOfStable = 0.9; ///< of the stable step, as stiffness may rise in the frame
+/// Of that, where no damper is: steps at their limit turn the waves by other angles than the motion has done, and
+/// a frame after the other of that multiplies what the motion does not. With 0.9 a free pair seemed to.
+constexpr double kFineness = 0.25;
 
 bool isDamped(const SpringNet& net)
 {
@@ -82,7 +85,8 @@ bool GrowthWatch::look(const System& system, const MotionState& motion)
   if (m_looksAgain) return false;
   if (!m_hasStart) start();
   if (!m_hasStart) return false;
-  m_burstStart = m_size;
+  m_size = m_least = m_burstStart = 0.0;
+  m_frames = 0;
   m_left = kBurst;
   return true;
 }
@@ -104,6 +108,7 @@ void GrowthWatch::start()
   const double scale = kSmall * m_extent / size();
   for (Lanes& v : m_v) v *= scale;
   m_size = m_least = 0.0;
+  m_frames = 0;
   m_hasStart = std::isfinite(scale);
 }
 
@@ -129,6 +134,26 @@ bool GrowthWatch::run(MotionState& state, double end, double step)
   return true;
 }
 
+/// Whether the difference has grown no faster than with the square of the frames that were followed, since it
+/// was at its least. Marks stand at powers of two of them, so the former one at a half to a quarter of the way.
+bool GrowthWatch::onlyDrifts() noexcept
+{
+  constexpr double kPower = 2.0;
+  if (m_frames == 0 || m_size < m_least) {
+    m_least = std::min(m_least, m_size);
+    m_frames = m_mark = 1;
+    m_mostSoFar = m_mostAtMark = m_mostAtFormerMark = m_least;
+    return true;
+  }
+  if (++m_frames >= 2 * m_mark) {
+    m_mark *= 2;
+    m_mostAtFormerMark = std::exchange(m_mostAtMark, m_mostSoFar);
+  }
+  m_mostSoFar = std::max(m_mostSoFar, m_size);
+  const double share = 2.0 * m_frames / m_mark; // of now over the former mark
+  return m_size - m_mostAtFormerMark <= kPower * std::log(share);
+}
+
 void GrowthWatch::carryOn(const MotionState& motion)
 {
   m_here = m_beside = m_before;
@@ -137,7 +162,8 @@ void GrowthWatch::carryOn(const MotionState& motion)
     m_beside.v[i] += m_v[i];
   }
   m_system.springsEvaluated = 0;
-  const bool done = run(m_here, motion.time, m_step) && run(m_beside, motion.time, m_step);
+  const double step = m_share == kShareUndamped ? kFineness * m_step : m_step;
+  const bool done = run(m_here, motion.time, step) && run(m_beside, motion.time, step);
   const double springs = std::max(static_cast<double>(m_system.forces().activeSprings()), 1.0);
   const double passes = static_cast<double>(m_system.springsEvaluated) / springs;
   m_debt += passes;
@@ -155,8 +181,9 @@ void GrowthWatch::carryOn(const MotionState& motion)
     return;
   }
   m_size += std::log(now / target);
-  m_least = std::min(m_least, m_size);
-  if (const double growth = std::exp(std::min(m_size - m_least, kGrownEnough)); growth > m_largest) {
+  const bool drifts = onlyDrifts();
+  if (const double growth = std::exp(std::min(m_size - m_least, kGrownEnough));
+      !drifts && growth > m_largest) {
     m_largest = growth;
     m_time = motion.time;
   }

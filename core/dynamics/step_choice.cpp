@@ -78,6 +78,9 @@ void StepDriver::begin(System& system, const MotionState& state)
   }
   const bool isDriven = !system.schedule().isEmpty() || !system.tools().empty();
   m_gauge.begin(state.x, extentOf(system, state.x), m_settings.duration, isDriven);
+  const Lanes weight = system.nodeCount() > 0 ? system.forces().weight(0) : Lanes{0, 0, 0, 0};
+  const bool staysPushed = !system.tools().empty() || dot(weight, weight) > 0.0;
+  m_gauge.expectQuiet(staysPushed ? kInfinity : system.schedule().endOfBlows());
   if (m_auto) m_method = m_leapfrog; // a run after reset() is like the first one
   parametersChanged(system, state);
   // What a look at the bound needs of a large net is a quarter of all its memory, and it may never move.
@@ -158,7 +161,10 @@ void StepDriver::forget() noexcept
 void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
 {
   m_unseen.isOpen = false; // under other forces
-  if (!system.tools().empty()) m_gauge.markDriven();
+  if (!system.tools().empty()) {
+    m_gauge.markDriven();
+    m_gauge.expectQuiet(kInfinity);
+  }
   followHand(system);
   if (sameNodes) { // a moving hand: the checks go on in their rhythm
     for (Candidate& candidate : m_candidates)

@@ -52,6 +52,20 @@ ESM_CPU_CLONES void sumOfAll(std::size_t count, const Lanes* v, Lanes& sum) noex
     count, [=](std::size_t i, Lanes& to) noexcept { to += v[i]; }, sum);
 }
 
+/// When nothing is left of the forces [s]; infinity if that is never, or there are none.
+double endOf(const std::vector<NodalForce>& forces) noexcept
+{
+  constexpr double kNever = std::numeric_limits<double>::infinity();
+  double end = -kNever;
+  for (const NodalForce& force : forces) {
+    Eigen::Index last = force.force.value.cols(); // from which on all values are zero
+    while (last > 0 && force.force.value.col(last - 1).isZero(0.0)) --last;
+    if (last == force.force.value.cols()) return kNever;
+    if (last > 0) end = std::max(end, force.force.time[static_cast<std::size_t>(last)]);
+  }
+  return end > -kNever ? end : kNever;
+}
+
 } // namespace
 
 Status checkLoads(const Loads& loads, Index nodes)
@@ -108,6 +122,7 @@ LoadSchedule::LoadSchedule(const Loads& loads, const Eigen::Matrix3Xd& start,
     }
     m_motions.push_back(std::move(compiled));
   }
+  if (loads.motions.empty()) m_endOfBlows = endOf(loads.forces);
   std::sort(m_events.begin(), m_events.end());
   m_events.erase(std::unique(m_events.begin(), m_events.end()), m_events.end());
 }

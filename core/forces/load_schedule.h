@@ -32,6 +32,10 @@ public:
   /// When the first of the motions that are held now lets go; infinity if none does.
   double nextRelease() const noexcept;
 
+  /// When the last of nodal forces that come and go has gone [s]; infinity where there is no force, one stays,
+  /// or nodes are moved.
+  double endOfBlows() const noexcept { return m_endOfBlows; }
+
   struct PrescribedNode {
     Index node = kNoIndex;
     std::size_t motion = 0;
@@ -87,7 +91,8 @@ private:
   std::vector<Motion> m_motions;
   std::vector<PrescribedNode> m_nodes;
   std::vector<Force> m_forces;
-  std::vector<double> m_events; ///< rising, distinct
+  std::vector<double> m_events;                                  ///< rising, distinct
+  double m_endOfBlows = std::numeric_limits<double>::infinity(); ///< [s]
 };
 
 } // namespace esm

@@ -81,6 +81,8 @@ struct Journal::Impl {
     std::vector<std::uint8_t> fixed;
     int steps = 0;
     RuleDraft draft;
+    int undoIndex = 0;
+    std::shared_ptr<const SpringNet> net; ///< of work that no file holds, until it is written
   };
   /// A net in the folder.
   struct NetCopy {
@@ -109,7 +111,9 @@ struct Journal::Impl {
             {},
             state.project->net.fixed,
             state.steps,
-            state.draft};
+            state.draft,
+            state.undoIndex,
+            {}};
   }
   const NetCopy* copyFor(const JournalState& state) const
   {
@@ -123,6 +127,12 @@ struct Journal::Impl {
     do name = std::to_string(copyCount++) + ".esmb";
     while (std::filesystem::exists(file->folder() / name));
     return name;
+  }
+  void addBase(Json& line, bool isSaved) const
+  {
+    line["base"] = told.copy;
+    line["derived"] = told.netDerived;
+    line["undo"] = {{"index", told.undoIndex}, {"saved", isSaved}};
   }
   bool mayTry();
   void begin(const JournalState& now);
@@ -169,17 +179,17 @@ void Journal::Impl::begin(const JournalState& now)
   if (stamp && stampOf(path) == stamp) {
     told = saved;
     told.copy = "saved.esm";
-    line["base"] = told.copy;
-    line["derived"] = told.netDerived;
+    addBase(line, true);
     file->post(
       [from = path, name = told.copy, line](JournalFile& to) { return copySaved(to, from, name, line); });
   } else {
-    told = toldBy(now);
+    const bool isAsBegun = saved.net != nullptr; // and never saved: all of it can be undone
+    told = isAsBegun ? std::exchange(saved, {}) : toldBy(now);
     told.copy = nextCopyName();
     told.steps = 0, told.draft = {};
-    line["base"] = told.copy;
-    line["derived"] = told.netDerived;
-    file->post([tree = told.tree, net = now.net(), name = told.copy, line](JournalFile& to) {
+    addBase(line, isAsBegun);
+    auto net = told.net ? std::move(told.net) : now.net();
+    file->post([tree = told.tree, net = std::move(net), name = told.copy, line](JournalFile& to) {
       return writeCopy(to, tree, *net, name, line);
     });
   }
@@ -211,7 +221,10 @@ void Journal::Impl::write(const JournalState& now)
                                                                                   : told.fixed;
   if (!isSameCopy) line["net"] = next.copy;
   if (next.fixed != fixedBefore) line["fixed"] = heldNodes(next.fixed);
-  const bool changed = line.size() > 2 || next.steps != told.steps;
+  const bool changed = line.size() > 2 || next.steps != told.steps || next.undoIndex != told.undoIndex;
+  line["undo"] = {
+    {"index", now.undoIndex}, {"count", now.undoCount}, {"text", json::validUtf8(now.undoText)}};
+  if (now.undoIndex < now.undoCount) line["undo"]["next"] = json::validUtf8(now.redoText);
   told = std::move(next);
   if (!changed) return;
   if (!isNewNet) return file->append(json::sealedLine(line));
@@ -259,6 +272,7 @@ void Journal::start(const JournalState& saved, const std::filesystem::path& path
   m_impl->saved = Impl::toldBy(saved);
   m_impl->saved.steps = 0;
   m_impl->saved.draft = {};
+  if (!m_impl->stamp && saved.steps == 0) m_impl->saved.net = saved.net();
   if (goesOn) m_impl->goOn(saved);
 }
 

@@ -27,6 +27,9 @@ struct JournalState {
   bool netDerived = false; ///< applyTissue() would leave the net's parameters as they are
   std::function<std::shared_ptr<const SpringNet>()> net; ///< project->net to be shared; asked rarely
   int steps = 0;                                         ///< since the last save
+  /// Of the undo stack: how many steps are done, out of how many; the names of the last one and the next.
+  int undoIndex = 0, undoCount = 0;
+  std::string undoText, redoText;
   RuleDraft draft;
   bool isSaved() const noexcept { return steps == 0 && draft.isEmpty(); }
 };

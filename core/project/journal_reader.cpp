@@ -4,6 +4,7 @@
 
 #include "core/base/file_io.h"
 #include "core/base/hash.h"
+#include "core/project/journal_history.h"
 #include "core/project/journal_line.h"
 #include "core/project/project_io.h"
 #include "core/project/project_tree.h"
@@ -119,7 +120,7 @@ void Replay::take(const Json& json)
         name = step["value"].get<std::string>();
 }
 
-Result<Json> treeBeside(const Replay& replay, const std::string& name)
+Result<Project> projectBeside(const Replay& replay, const std::string& name)
 {
   const std::filesystem::path path = replay.folder / name;
   if (name.empty() || path.filename() != name || name.find('/') != std::string::npos)
@@ -132,14 +133,52 @@ Result<Json> treeBeside(const Replay& replay, const std::string& name)
   Result<Project> project = parseProject(*bytes, path.string());
   if (!project) return project.error();
   if (!replay.home.empty()) project->source = withAbsoluteNames(std::move(project->source), replay.home);
+  return project;
+}
+
+Result<Json> treeBeside(const Replay& replay, const std::string& name)
+{
+  const Result<Project> project = projectBeside(replay, name);
+  if (!project) return project.error();
   return json::treeOf(*project);
 }
 
-/// The project's tree after all lines.
-Result<Json> treeOfLines(const Lines& lines, const Replay& replay)
+Json withoutNet(const Json& tree)
 {
-  Result<Json> tree = treeBeside(replay, replay.base);
-  if (!tree) return tree.error();
+  Json rest = Json::object();
+  for (const auto& [key, value] : tree.items())
+    if (key != "geometry" && key != "net") rest[key] = value;
+  return rest;
+}
+
+/// All that the lines made of the base without its net. Where that cannot be told, nothing.
+RecoveredHistory historyOf(const Lines& lines, const Replay& replay, Json base)
+{
+  const Json& head = lines.good.front();
+  std::map<std::string, std::shared_ptr<const SpringNet>> nets;
+  const auto netOf = [&](const std::string& name) {
+    auto& net = nets[name];
+    if (net) return net;
+    if (Result<Project> beside = projectBeside(replay, name))
+      net = std::make_shared<const SpringNet>(std::move(beside->net));
+    return net;
+  };
+  try {
+    const auto undo = head.find("undo");
+    if (undo == head.end()) return {};
+    json::JournalHistory history(std::move(base), replay.base, head.value("derived", false),
+                                 undo->at("index").get<int>(), undo->at("saved").get<bool>());
+    for (std::size_t i = 1; i < lines.good.size(); ++i) history.take(lines.good[i]);
+    return history.states(netOf, replay.folder.string());
+  } catch (const std::exception&) {
+    return {};
+  }
+}
+
+/// The project's tree after all lines of the base's.
+Result<Json> treeOfLines(const Lines& lines, const Replay& replay, Json base)
+{
+  Result<Json> tree = std::move(base);
   if (replay.copy != replay.base) {
     Result<Json> other = treeBeside(replay, replay.copy);
     if (!other) return other.error();
@@ -259,7 +298,10 @@ Result<RecoveredWork> readJournal(const FoundJournal& found)
   Replay replay(found.folder, faults);
   for (const Json& line : lines->good) replay.take(line);
   if (faults.first) return *faults.first;
-  const Result<Json> tree = treeOfLines(*lines, replay);
+  Result<Json> base = treeBeside(replay, replay.base);
+  if (!base) return base.error();
+  Json rest = withoutNet(*base);
+  const Result<Json> tree = treeOfLines(*lines, replay, std::move(base).value());
   if (!tree) return tree.error();
   Result<Project> project = json::readProject(*tree, found.folder.string());
   if (!project) return project.error();
@@ -282,6 +324,7 @@ Result<RecoveredWork> readJournal(const FoundJournal& found)
   work.draft = replay.draft;
   work.isCutShort = lines->isCutShort;
   work.length = lines->length;
+  work.history = historyOf(*lines, replay, std::move(rest));
   return work;
 }
 

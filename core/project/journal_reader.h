@@ -25,6 +25,24 @@ struct FoundJournal {
 /// Everything under `parent` that no living process holds, newest first. Clears away what holds nothing.
 std::vector<FoundJournal> findJournals(const std::filesystem::path& parent);
 
+/// The document after one of the steps.
+struct RecoveredState {
+  Project project;                      ///< without its net
+  std::shared_ptr<const SpringNet> net; ///< states share what they have in common
+  bool netDerived = false;              ///< its parameters are what the tissue gives, and are not in `net`
+  std::string copy;                     ///< nets of one copy differ at most in what is held
+  std::string text;                     ///< of the step that leads here; empty for the first one
+  bool netStays = false; ///< that step has left the net, what is held, loads and solver as they were
+};
+
+/// What can be undone and redone of recovered work.
+struct RecoveredHistory {
+  std::vector<RecoveredState> states; ///< empty: the journal does not tell
+  int first = 0;                      ///< JournalState::undoIndex of the first of them
+  int present = 0;                    ///< the one that holds
+  std::optional<int> saved;           ///< the one that the file has, or that the work began from
+};
+
 /// The document as it was.
 struct RecoveredWork {
   Project project;
@@ -36,6 +54,7 @@ struct RecoveredWork {
   RuleDraft draft;
   bool isCutShort = false;  ///< later lines are damaged
   std::uint64_t length = 0; ///< of the lines that were read [byte]
+  RecoveredHistory history;
 };
 
 /// Errors: BadFormat, NewerVersion, FileUnreadable; the detail names the folder.

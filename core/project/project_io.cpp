@@ -159,6 +159,21 @@ Json json::treeOf(const Project& project)
   return tree;
 }
 
+namespace {
+
+/// All but the net, and the loads on it.
+void readParts(const View& root, Project& project)
+{
+  project.name = root["name"].text();
+  checkUnits(root["units"]);
+  project.source = json::readSource(root["source"]);
+  project.tissue = readTissue(root, project.parametersFromTissue);
+  project.simulation = readSimulation(root["simulation"]);
+  project.view = readView(root["view"]);
+}
+
+} // namespace
+
 Result<Project> json::readProject(const Json& tree, const std::string& origin)
 {
   json::Faults faults{origin, {}};
@@ -169,12 +184,7 @@ Result<Project> json::readProject(const Json& tree, const std::string& origin)
   root.expectKeys({"format", "schema_version", "name", "units", "source", "rule_base", "inputs", "regions",
                    "tissue", "loads", "simulation", "view", "geometry", "net"});
   Project project;
-  project.name = root["name"].text();
-  checkUnits(root["units"]);
-  project.source = json::readSource(root["source"]);
-  project.tissue = readTissue(root, project.parametersFromTissue);
-  project.simulation = readSimulation(root["simulation"]);
-  project.view = readView(root["view"]);
+  readParts(root, project);
   project.net = json::readNet(root["geometry"], root["net"]);
   project.loads = json::readLoads(root["loads"], project.net.nodeCount());
   if (faults.first) return *faults.first;
@@ -242,13 +252,11 @@ Status checkLoads(const Loads& loads, Index nodes)
   return {};
 }
 
-} // namespace
-
-Status checkProject(const Project& project)
+/// All but the net, which has so many nodes.
+Status checkParts(const Project& project, Index nodes)
 {
-  if (const Status status = checkNet(project.net); !status) return status;
   if (const Status status = checkRecipe(project.source); !status) return status;
-  if (const Status status = checkLoads(project.loads, project.net.nodeCount()); !status) return status;
+  if (const Status status = checkLoads(project.loads, nodes); !status) return status;
   if (const std::string& solver = project.simulation.solver.solver; !isSolver(solver))
     return Error{ErrorCode::InvalidValue,
                  "the solver \"" + solver + "\" is unknown; use auto or a name of `esm solvers`"};
@@ -262,6 +270,27 @@ Status checkProject(const Project& project)
   if (project.parametersFromTissue)
     if (const auto field = TissueField::create(tissue); !field) return field.error();
   return {};
+}
+
+} // namespace
+
+Status checkProject(const Project& project)
+{
+  if (const Status status = checkNet(project.net); !status) return status;
+  return checkParts(project, project.net.nodeCount());
+}
+
+Result<Project> json::readWithoutNet(const Json& tree, Index nodes, const std::string& origin)
+{
+  json::Faults faults{origin, {}};
+  const View root(tree, faults);
+  Project project;
+  readParts(root, project);
+  project.loads = json::readLoads(root["loads"], nodes);
+  if (faults.first) return *faults.first;
+  if (const Status status = checkParts(project, nodes); !status)
+    return Error{status.error().code, origin + ": " + status.error().detail};
+  return project;
 }
 
 std::string toJson(const Project& project)

@@ -14,5 +14,7 @@ Json treeWithoutNet(const Project& project);
 void addNet(Json& tree, const SpringNet& net); ///< these two keys
 /// Errors: as parseProject().
 Result<Project> readProject(const Json& tree, const std::string& origin);
+/// The same of treeWithoutNet(), for a net of so many nodes.
+Result<Project> readWithoutNet(const Json& tree, Index nodes, const std::string& origin);
 
 } // namespace esm::json

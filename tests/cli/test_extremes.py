@@ -66,6 +66,14 @@ class Extremes(ProgramTest):
         report = self.read_json("r.json")
         self.assertLess(abs(report["external_work"]), 1.0)
 
+    def test_a_leap_that_no_step_follows_is_named(self):
+        """What happened, when and where, and the way out."""
+        self.take("discarded_attempts.json")
+        done = self.run_anyhow("simulate", "discarded_attempts.json", "--duration", "0.5")
+        self.assertEqual(done.returncode, 3)
+        self.assertIn("is moved by 100 m within 1e-12 s", done.stderr)
+        self.assertIn("spread that motion over more time", done.stderr)
+
     def test_every_run_has_its_work_limit(self):
         """Of 2e5 force passes a sixtieth of a second, whatever the net; what was reached is said and kept."""
         seconds = 0.5

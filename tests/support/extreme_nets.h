@@ -23,4 +23,10 @@ struct ExtremeCase {
 /// moved, in no time too, and let go.
 ExtremeCase extremeCase(std::uint32_t seed);
 
+/// Another kind: one to three bodies that are rows, rings, lattices (flat ones, too) or clusters of nodes 1e-14
+/// to 1e-2 of the size apart, each with masses and stiffness spread over up to six decades about its own, some
+/// joined by a spring or two of 1e-6 to 1e12 N/m, some up to 1e5 of their size from the origin; they fly, spin
+/// and tremble, and are pulled by forces that all but cancel out.
+ExtremeCase unevenCase(std::uint32_t seed);
+
 } // namespace esm::test

@@ -17,8 +17,8 @@ public:
   FreeCentres(const SpringNet& net, const Loads& loads, const NetState& start);
 
   /// How far centres or their velocities are from there at most, over a thousandth of a millionth of the
-  /// largest displacement or speed of a node of the part so far (and rounding of positions): above 1 momentum
-  /// or fall is not kept. To be called at each release, which begins a part's flight.
+  /// largest displacement or speed of a node of the part so far (and rounding of positions, and eps sum|f| T^2/M
+  /// of forces that cancel out): above 1 momentum or fall is not kept. To be called at each release, which begins a part's flight.
   double look(const NetState& state);
   std::size_t freeCount() const; ///< parts that fly now
 
@@ -28,11 +28,14 @@ private:
     double mass = 0.0;
     bool isHeld = false, isFlying = false;
     double motion = 0.0, speed = 0.0; ///< largest so far [m], [m/s]
+    double start = 0.0;               ///< of the flight [s]
+    double pulled = 0.0;              ///< sum of the sizes of all forces, over its time [N s]
     Eigen::Vector3d x, v;             ///< of its centre at m_time, in flight
     Eigen::Matrix3Xd from;            ///< positions when the flight began
   };
   bool isMoved(const Part& part, double time) const;
   Eigen::Vector3d forceOn(const Part& part, double from, double at) const;
+  double sizeOfForcesOn(const Part& part, double from, double at) const;
   void fly(Part& part, double to) const;
 
   const SpringNet& m_net;

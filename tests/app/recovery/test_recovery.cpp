@@ -133,6 +133,90 @@ TEST_F(RecoveryTest, CrashedWorkIsOfferedAndComesBack)
   EXPECT_TRUE(window->recovery()->find().empty());
 }
 
+// What a process that was killed has done can be undone and redone by the next one, down to the saved state and
+// by whichever process: each state is the one that was there, byte by byte.
+TEST_F(RecoveryTest, RecoveredStepsCanBeUndoneAndRedone)
+{
+  ASSERT_TRUE(document().saveAs(file()));
+  std::vector<std::string> states;
+  QStringList names;
+  const auto note = [&] {
+    states.push_back(toJson(document().project()));
+    names << document().undoStack()->undoText();
+  };
+  note();
+  document().setInput(0, 0.9, 0), note();
+  document().setGravity({0.0, 0.0, -1.0}), note();
+  document().rename("dropped");
+  document().undoStack()->undo(); // and never redone
+  document().setFixed({0, 3}, true), note();
+  ASSERT_TRUE(document().importModel({"other", {}, test::sheetProject(5).net, {}}, true));
+  note();
+  document().setInput(0, 0.2, 7);
+  document().setInput(0, 0.3, 7), note(); // one gesture, one step
+  document().undoStack()->undo();
+  document().undoStack()->undo(); // to be redone
+  for (int life = 0; life < 2; ++life) {
+    ASSERT_TRUE(window->recovery()->waitWritten(std::chrono::seconds(10)));
+    crash();
+    openWindow();
+    answer("recoveryRecover");
+    ASSERT_TRUE(window->offerRecovery(false));
+    QUndoStack& undo = *document().undoStack();
+    ASSERT_EQ(undo.count(), 5) << life;
+    ASSERT_EQ(undo.index(), 3) << life;
+    EXPECT_EQ(toJson(document().project()), states[3]) << life;
+    for (int i = 2; i >= 0; --i) {
+      EXPECT_EQ(undo.undoText(), names[i + 1]) << life;
+      undo.undo();
+      EXPECT_EQ(toJson(document().project()), states[static_cast<std::size_t>(i)]) << life << ", " << i;
+    }
+    EXPECT_FALSE(document().isModified()) << "the file has it";
+    for (int i = 1; i <= 5; ++i) {
+      undo.redo();
+      EXPECT_EQ(toJson(document().project()), states[static_cast<std::size_t>(i)]) << life << ", " << i;
+    }
+    EXPECT_EQ(document().stepsAfterSave(), 5);
+    undo.setIndex(3);
+  }
+}
+
+// Work that no file has: back to what it began from.
+TEST_F(RecoveryTest, RecoveredStepsOfUnsavedWorkCanBeUndone)
+{
+  const std::string before = toJson(document().project());
+  document().setInput(0, 0.9, 0);
+  document().rename("mine");
+  ASSERT_TRUE(window->recovery()->waitWritten(std::chrono::seconds(10)));
+  crash();
+  openWindow();
+  answer("recoveryRecover");
+  ASSERT_TRUE(window->offerRecovery(false));
+  EXPECT_TRUE(document().isModified());
+  document().undoStack()->setIndex(0);
+  EXPECT_EQ(toJson(document().project()), before);
+  EXPECT_FALSE(document().isModified());
+}
+
+// A process that ends in the first second leaves a picture; where it had no time for one the list says so.
+TEST_F(RecoveryTest, PictureIsTakenRightAfterTheFirstStep)
+{
+  Recovery recovery(&document(), journals() / "apart");
+  recovery.setPictureSource([] {
+    QImage picture(40, 30, QImage::Format_RGB32);
+    picture.fill(Qt::red);
+    return picture;
+  });
+  document().rename("seen");
+  const auto picture = [&] {
+    for (const auto& entry : fs::directory_iterator(journals() / "apart"))
+      if (fs::exists(entry.path() / kJournalPicture)) return true;
+    return false;
+  };
+  EXPECT_LE(Recovery::kFirstPicture, 500);
+  EXPECT_TRUE(QTest::qWaitFor(picture, 30000)); // [ms] a machine may be busy
+}
+
 // "3 Schritte nach dem letzten Speichern": in German, and for work without a file.
 TEST_F(RecoveryTest, StepsAreSaidInTheWindowsLanguage)
 {

@@ -95,6 +95,34 @@ TEST(ErrorGauge, SpendsTheToleranceInTheMeanAndNoMore)
     }
 }
 
+// What has been struck swings out, and its displacement with it: the mean up to the end, by which the error is
+// measured, is a fraction of what was there when most was spent. The errors fade as the motion does.
+TEST(ErrorGauge, AfterABlowTheMeanOfAFadingMotionIsSpent)
+{
+  for (const double duration : {0.3, 1.0, 3.0})
+    for (const double life : {0.1, 0.2, 0.5}) {
+      Displaced motion(duration);
+      motion.gauge.expectQuiet(0.005);
+      ErrorScale scale;
+      scale.recentPath = 1e12; // nothing creeps
+      scale.recentKinetic = scale.latestKinetic = life / 8.0;
+      scale.recentHeat = scale.latestHeat = 1.0;
+      const auto count = std::lround(duration / kStretch);
+      for (long i = 1; i <= count; ++i) {
+        motion.state.time = static_cast<double>(i) * kStretch;
+        scale.displacement = std::exp(-motion.state.time / life);
+        for (Lanes& x : motion.state.x) x[1] = scale.displacement;
+        motion.gauge.setScale(scale);
+        scale.spent =
+          scale.spent * std::exp(-kStretch / life) + motion.gauge.budget(1e-3, motion.state, kStretch);
+        scale.spentSquare += scale.spent * scale.spent * kStretch;
+        scale.squareOverTime += scale.displacement * scale.displacement * kStretch;
+      }
+      EXPECT_LE(std::sqrt(scale.spentSquare), 1e-3 * std::sqrt(scale.squareOverTime))
+        << life << " s of " << duration;
+    }
+}
+
 // An error that is over in a twentieth of the run may be half as large again for that time as one that lives
 // for a tenth of it and more: the mean is about the same.
 TEST(ErrorGauge, WhatIsSoonOverMayErrMore)

@@ -76,28 +76,25 @@ Outcome play(const ExtremeCase& story, SolverSettings settings)
   return outcome;
 }
 
-} // namespace
-
-class ExtremeNets : public ::testing::TestWithParam<std::uint32_t> {};
-
-TEST_P(ExtremeNets, KeepWhatNobodyMayGiveUp)
+/// Thirty cases from the seed on.
+void expectKept(ExtremeCase (*caseOf)(std::uint32_t), std::uint32_t first)
 {
   const char* more = std::getenv("ESM_EXTREME_SEEDS"); // added to the seeds: to try others
-  const std::uint32_t first =
-    GetParam() + (more != nullptr ? static_cast<std::uint32_t>(std::atoi(more)) : 0u);
+  if (more != nullptr) first += static_cast<std::uint32_t>(std::atoi(more));
   int kept = 0, given = 0, limited = 0;
   std::vector<std::uint32_t> unkept;
   for (std::uint32_t seed = first; seed < first + 30; ++seed) {
     SolverSettings settings;
     settings.workLimit = 2e4; // that a pass costs as much as it does is none of the matter
-    const Outcome outcome = play(extremeCase(seed), settings);
+    const Outcome outcome = play(caseOf(seed), settings);
     EXPECT_TRUE(outcome.isFinite) << "seed " << seed << ": " << outcome.why;
     EXPECT_LE(outcome.centres, 1.0) << "seed " << seed << ": " << outcome.why;
     EXPECT_LE(outcome.passes, kOverdrawn) << "seed " << seed << ": " << outcome.why;
     if (outcome.isGood && !outcome.isRough) {
-      EXPECT_LE(outcome.energy, settings.tolerance) << "seed " << seed << ": " << outcome.why;
-      if (!outcome.report.isKept(settings.tolerance)) // `esm simulate` does not call it good
-        unkept.push_back(seed);
+      if (outcome.report.isKept(settings.tolerance))
+        EXPECT_LE(outcome.energy, settings.tolerance) << "seed " << seed << ": " << outcome.why;
+      else
+        unkept.push_back(seed); // `esm simulate` says so, with exit code 3
     }
     kept += outcome.isGood && !outcome.isRough;
     given += outcome.isGood && outcome.isRough;
@@ -105,13 +102,32 @@ TEST_P(ExtremeNets, KeepWhatNobodyMayGiveUp)
   }
   // Where nodes pass through each other in one step the quadrature of the loss may give up.
   EXPECT_LE(unkept.size(), 1u) << ::testing::PrintToString(unkept);
-  RecordProperty("kept", kept);
+  ::testing::Test::RecordProperty("kept", kept);
   std::cout << "kept " << kept << ", given up " << given << ", limited " << limited << '\n';
 }
 
+} // namespace
+
+class ExtremeNets : public ::testing::TestWithParam<std::uint32_t> {};
+class UnevenNets : public ::testing::TestWithParam<std::uint32_t> {};
+
+TEST_P(ExtremeNets, KeepWhatNobodyMayGiveUp)
+{
+  expectKept(extremeCase, GetParam());
+}
+
+TEST_P(UnevenNets, KeepWhatNobodyMayGiveUp)
+{
+  expectKept(unevenCase, GetParam());
+}
+
 INSTANTIATE_TEST_SUITE_P(Seeds, ExtremeNets, ::testing::Range(0u, 300u, 30u));
+// Nets of which one was left a few per cent beyond the line of momentum: what trembles runs far and comes
+// nowhere, and the line is about where it comes; of others energy had appeared and nothing was said.
+INSTANTIATE_TEST_SUITE_P(FurtherSeeds, ExtremeNets, ::testing::Values(300150u, 350140u, 8100000u, 8100150u));
 // Among these: a pair that drifts after it has been shaken, and four nodes whose springs stiffen between two
 // of few steps and made seven times their energy.
 INSTANTIATE_TEST_SUITE_P(OtherSeeds, ExtremeNets, ::testing::Values(50140u, 110040u, 110210u));
+INSTANTIATE_TEST_SUITE_P(Seeds, UnevenNets, ::testing::Range(0u, 300u, 30u));
 
 } // namespace esm::test

@@ -90,6 +90,52 @@ struct JournalTest : testing::Test {
 
 } // namespace
 
+// The states between the steps come back too, those that were undone included, and nothing of a step that another
+// one has replaced.
+TEST_F(JournalTest, StepsComeBackWithTheStatesBetweenThem)
+{
+  const std::string begun = toJson(project);
+  journal->start(state(0), {});
+  const auto record = [&](int index, int count, const char* text, const char* next) {
+    JournalState now = state(index);
+    now.undoIndex = index;
+    now.undoCount = count;
+    now.undoText = text;
+    now.redoText = next;
+    journal->record(now);
+  };
+  project.name = "dropped";
+  record(1, 1, "dropped", "");
+  project.name = "first";
+  record(1, 1, "rename", ""); // undone, and another one done
+  const std::string first = toJson(project);
+  project.loads.gravity = {1.0, 2.0, 3.0};
+  record(2, 2, "gravity", "");
+  const std::string second = toJson(project);
+  project.net.fixed[0] ^= 1;
+  record(3, 3, "hold", "");
+  const std::string third = toJson(project);
+  project.net.fixed[0] ^= 1;
+  record(2, 3, "gravity", "hold");
+  ASSERT_TRUE(journal->waitWritten(std::chrono::seconds(10)));
+  die();
+
+  const RecoveredHistory history = recovered().history;
+  ASSERT_EQ(history.states.size(), 4u);
+  EXPECT_EQ(history.first, 0);
+  EXPECT_EQ(history.present, 2);
+  EXPECT_EQ(history.saved, 0);
+  const std::string texts[] = {"", "rename", "gravity", "hold"}, due[] = {begun, first, second, third};
+  for (std::size_t i = 0; i < 4; ++i) {
+    Project there = history.states[i].project;
+    there.net = *history.states[i].net;
+    EXPECT_EQ(toJson(there), due[i]) << i;
+    EXPECT_EQ(history.states[i].text, texts[i]);
+  }
+  EXPECT_TRUE(history.states[1].netStays);
+  EXPECT_FALSE(history.states[2].netStays) << "other loads move it otherwise";
+}
+
 // What was never saved comes back byte for byte, whichever part of the project the steps changed.
 TEST_F(JournalTest, UnsavedWorkComesBackByteForByte)
 {
