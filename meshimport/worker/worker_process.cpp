@@ -3,11 +3,11 @@
 #include "meshimport/worker/worker_process.h"
 
 #include "meshimport/raw_mesh.h"
+#include "meshimport/worker_place.h"
 
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
-#include <cstdlib>
 #include <cstring>
 #include <fcntl.h>
 #include <memory>
@@ -237,17 +237,10 @@ int lastStatus(Child& child)
 
 } // namespace
 
-std::filesystem::path workerProgram()
-{
-  if (const char* program = std::getenv("ESM_IMPORT_WORKER"); program && *program) return program;
-  std::error_code code;
-  return std::filesystem::read_symlink("/proc/self/exe", code).replace_filename("esm-import-worker");
-}
-
 Result<WorkerReply> readInWorker(const WorkerTask& task, WorkControl* control)
 {
   const std::string origin = task.file.string();
-  const std::string program = workerProgram().string();
+  const std::string program = importWorker().string();
   std::optional<Pipe> reply = makePipe(), complaint = makePipe();
   if (!reply || !complaint)
     return fault(ErrorCode::Internal, origin, 0, "this program has too many files open to read it");
