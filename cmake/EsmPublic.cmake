@@ -2,21 +2,10 @@
 # SPDX-License-Identifier: MIT
 # The libraries as other programs see them (docs/EMBEDDING.md).
 include(GNUInstallDirs)
-include(CheckCXXSourceCompiles)
 
 set(ESM_INCLUDE_FOLDER ${CMAKE_INSTALL_INCLUDEDIR}/esm-${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(ESM_CMAKE_FOLDER ${CMAKE_INSTALL_LIBDIR}/cmake/esm)
 set(ESM_WORKER_FOLDER ${CMAKE_INSTALL_LIBEXECDIR}/esm)
-
-# Matrices go to and fro, and Eigen takes and frees their memory in another way where a program is compiled for AVX. So
-# everybody aligns as x86-64 and aarch64 do by themselves; our own code is told only where flags of the build differ.
-set(esm_eigen_alignment EIGEN_MAX_ALIGN_BYTES=16)
-get_target_property(CMAKE_REQUIRED_INCLUDES Eigen3::Eigen INTERFACE_INCLUDE_DIRECTORIES)
-check_cxx_source_compiles("#include <Eigen/Core>\nstatic_assert(EIGEN_MAX_ALIGN_BYTES == 16);\nint main() {}"
-  ESM_EIGEN_ALIGNS_16)
-if(NOT ESM_EIGEN_ALIGNS_16)
-  add_compile_definitions(${esm_eigen_alignment})
-endif()
 
 # esm_public(NAME LAYERS targets... HEADERS files... LINK public-dependencies... PRIVATE private-dependencies...)
 # esm::NAME: in this build all that the layers are; installed, one library of the same objects (static and shared) with
@@ -25,7 +14,6 @@ function(esm_public name)
   cmake_parse_arguments(arg "" "" "LAYERS;HEADERS;LINK;PRIVATE" ${ARGN})
   add_library(esm_public_${name} INTERFACE)
   target_link_libraries(esm_public_${name} INTERFACE ${arg_LAYERS} ${arg_LINK})
-  target_compile_definitions(esm_public_${name} INTERFACE ${esm_eigen_alignment})
   add_library(esm::${name} ALIAS esm_public_${name})
   if(NOT ESM_INSTALL OR ESM_SANITIZE) # nobody wants sanitizers in what is installed
     return()
@@ -41,7 +29,6 @@ function(esm_public name)
     list(TRANSFORM arg_LINK REPLACE "^esm::(.*)" "esm_\\1_${kind}" OUTPUT_VARIABLE public)
     target_link_libraries(${target} PUBLIC ${public} PRIVATE ${arg_PRIVATE})
     target_compile_features(${target} PUBLIC cxx_std_20)
-    target_compile_definitions(${target} INTERFACE ${esm_eigen_alignment})
     set_target_properties(${target} PROPERTIES OUTPUT_NAME ${library} EXPORT_NAME ${name} LINKER_LANGUAGE CXX
       VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR} INSTALL_RPATH $ORIGIN)
     install(TARGETS ${target} EXPORT esm-${kind}
