@@ -73,7 +73,8 @@ pkgconfig)
   fi
   ;;
 source)
-  make inside -DESM_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12
-  check inside
+  # All of core is compiled, without optimisation; kept, so that the next run compiles what has changed.
+  make "$build/embed_source" -DESM_SOURCE="$source" -DCMAKE_UNITY_BUILD=ON -DCMAKE_UNITY_BUILD_BATCH_SIZE=12
+  check "$build/embed_source"
   ;;
 esac
