@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
 
+#include "core/base/version.h"
+
 #include <CLI/CLI.hpp>
 
 namespace esm {
@@ -11,7 +13,7 @@ int parseCommandLine(int argc, char** argv, CommandLine& options)
   CLI::App app(
     "Elastodynamic Shape Modeler: import a mesh, give it tissue by rules, see it move, feel its force",
     "esm-modeler");
-  app.set_version_flag("--version", std::string("esm-modeler ") + ESM_VERSION);
+  app.set_version_flag("--version", std::string("esm-modeler ") + version());
   app.add_option("file", options.file, "Project (.esm, .esmb) or mesh to open; without it the sample runs");
   app.add_option("--lang", options.language, "Language of the window")->check(CLI::IsMember({"de", "en"}));
   app.add_option("--theme", options.theme, "Colours")->check(CLI::IsMember({"system", "light", "dark"}));

@@ -7,6 +7,7 @@
 #include "app/scripted_run.h"
 #include "app/state_dump.h"
 #include "core/base/large_pages.h"
+#include "core/base/version.h"
 #include "core/project/journal.h"
 #include "haptics/exit_guard.h"
 
@@ -81,7 +82,7 @@ int main(int argc, char** argv)
   std::setlocale(LC_MESSAGES, "C"); // reasons are translated by the window, in its own language
   QApplication::setOrganizationName(QStringLiteral("esm"));
   QApplication::setApplicationName(QStringLiteral("esm-modeler"));
-  QApplication::setApplicationVersion(QStringLiteral(ESM_VERSION));
+  QApplication::setApplicationVersion(QString::fromLatin1(esm::version()));
 
   esm::LanguageSwitch language;
   language.set(chosenLanguage(options));

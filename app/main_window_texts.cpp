@@ -5,6 +5,7 @@
 
 #include "app/status_strip.h"
 #include "app/window_actions.h"
+#include "core/base/version.h"
 
 #include <QAction>
 #include <QActionGroup>
@@ -124,7 +125,7 @@ void MainWindow::showAbout()
     this, tr("About the Elastodynamic Shape Modeler"),
     tr("<h3>Elastodynamic Shape Modeler %1</h3><p>Meshes become spring-mass nets, words and rules give them "
        "their tissue, and their force can be felt.</p><p>Licence: GPL-3.0-or-later (core libraries: MIT)</p>")
-      .arg(QLatin1String(ESM_VERSION)));
+      .arg(QLatin1String(version())));
 }
 
 void MainWindow::refreshTitle()

@@ -3,6 +3,7 @@
 #include "app/scripted_run.h"
 
 #include "app/window_actions.h"
+#include "core/geometry/extent.h"
 
 #include <QAction>
 #include <QCoreApplication>
@@ -51,7 +52,7 @@ void ScriptedRun::takeHold()
   for (int ring = 0; ring < 40 && node == kNoIndex; ++ring)
     node = view->nodeAt(QPointF(0.5 * view->width(), 0.5 * view->height() - 6.0 * ring));
   if (node == kNoIndex) nodes.row(2).maxCoeff(&node);
-  const double size = (nodes.rowwise().maxCoeff() - nodes.rowwise().minCoeff()).norm();
+  const double size = extentOf(nodes);
   const Eigen::Vector3d middle = nodes.rowwise().mean();
   m_start = nodes.col(node);
   m_reach = 0.09 * size * ((m_start - middle).normalized() + Eigen::Vector3d(0, 0, 0.4));

@@ -5,6 +5,7 @@
 #include "bench/sub_benches.h"
 #include "core/base/text_number.h"
 #include "core/dynamics/simulation.h"
+#include "core/geometry/extent.h"
 #include "core/net/net_builder.h"
 #include "core/tissue/tissue_derivation.h"
 
@@ -39,9 +40,9 @@ Region regionAt(const Eigen::Vector3d& centre, double radius, const TissueModel&
 TissueModel tissueOf(const SpringNet& net, bool isBlendedEverywhere)
 {
   TissueModel model = defaultTissue();
-  const Eigen::Vector3d low = net.restPosition.rowwise().minCoeff(),
-                        high = net.restPosition.rowwise().maxCoeff();
-  const double size = (high - low).norm();
+  const Eigen::AlignedBox3d box = boxOf(net.restPosition);
+  const Eigen::Vector3d low = box.min(), high = box.max();
+  const double size = extentOf(net.restPosition);
   for (int i = 0; i < 5; ++i) {
     const Eigen::Vector3d share(0.2 * i + 0.1, i % 2 ? 0.9 : 0.1, 0.5);
     model.regions.push_back(

@@ -5,6 +5,7 @@
 #include "bench/reference/plain_net.h"
 #include "core/base/file_io.h"
 #include "core/base/text_number.h"
+#include "core/geometry/extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -69,8 +70,7 @@ Reference compute(const Scene& scene)
 {
   std::fprintf(stderr, "%s: computing the reference ...\n", scene.name.c_str());
   std::int64_t passes = 0;
-  const double extent =
-    (scene.net.restPosition.rowwise().maxCoeff() - scene.net.restPosition.rowwise().minCoeff()).norm();
+  const double extent = extentOf(scene.net.restPosition);
   const Trajectory rough = runDormandPrince(scene, 1e-4, {0.01 * extent, extent}, passes);
   const Scales scales = scalesOf(rough);
   const Trajectory other = runDormandPrince(scene, 3e-8, scales, passes);

@@ -8,6 +8,7 @@
 #include "bench/sub_benches.h"
 #include "core/base/text_number.h"
 #include "core/dynamics/simulation.h"
+#include "core/geometry/extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +21,13 @@ namespace {
 
 constexpr double kTold = 100.0; // as `esm simulate` tells it
 
-double extentOf(const SpringNet& net)
-{
-  return (net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff()).norm();
-}
-
 /// The scene with other velocities at the start, by a millionth of a millionth of its extent in a frame.
 Scene disturbed(const Scene& scene)
 {
   Scene other = scene;
   SpringNet& net = other.net;
   std::mt19937 random(2026);
-  const double size = 1e-9 * extentOf(net) * kFrameRate;
+  const double size = 1e-9 * extentOf(net.restPosition) * kFrameRate;
   if (net.initialVelocity.cols() == 0) net.initialVelocity = Eigen::Matrix3Xd::Zero(3, net.nodeCount());
   for (Index i = 0; i < net.nodeCount(); ++i)
     for (int axis = 0; axis < 3; ++axis) net.initialVelocity(axis, i) += uniform(random, -size, size);
@@ -87,7 +83,7 @@ void watch(const Scene& scene, double tolerance, bool isJudged, Finding& finding
     exact->advance(1.0 / kFrameRate);
     beside->advance(1.0 / kFrameRate);
     const double now = apart(exact->state(), beside->state());
-    const double rounding = 1e-14 * extentOf(scene.net); // below it no growth is to be told
+    const double rounding = 1e-14 * extentOf(scene.net.restPosition); // below it no growth is to be told
     least = std::max(std::min(least, now), rounding);
     finding.truth = std::max(finding.truth, now / least);
     error += (watched->state().position - exact->state().position).squaredNorm();

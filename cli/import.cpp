@@ -135,7 +135,7 @@ Exit importFiles(const ImportArguments& arguments)
   const SpringNet& net = project.net;
   say(arguments.output + ": " + std::to_string(net.nodeCount()) + " nodes, " +
       std::to_string(net.springCount()) + " springs, " + std::to_string(net.triangleCount()) +
-      " triangles, " + sizeInMillimetres(extentOf(net)));
+      " triangles, " + sizeInMillimetres(sizesOf(net)));
   if (outcome->imported) warnOfSize(arguments.output, *outcome->imported);
   if (arguments.json) print(jsonOf(arguments, *outcome).text());
   return Exit::Done;

@@ -4,6 +4,7 @@
 
 #include "cli/messages.h"
 #include "core/base/text_number.h"
+#include "core/geometry/extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -61,7 +62,7 @@ void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cos
   line.add("after", meshReportJson(imported.after));
   if (imported.recipe.material.concernsNet()) line.add("material", materialJson(imported.material));
   line.add("cost", predicted);
-  line.add("size_mm", Eigen::Vector3d(1000.0 * extentOf(imported.net)));
+  line.add("size_mm", Eigen::Vector3d(1000.0 * sizesOf(imported.net)));
   line.add("notes", imported.notes);
 }
 
@@ -79,15 +80,15 @@ std::string sizeInMillimetres(const Eigen::Vector3d& extent)
   return text + " mm";
 }
 
-Eigen::Vector3d extentOf(const SpringNet& net)
+Eigen::Vector3d sizesOf(const SpringNet& net)
 {
   if (net.nodeCount() == 0) return Eigen::Vector3d::Zero();
-  return net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
+  return boxOf(net.restPosition).sizes();
 }
 
 void warnOfSize(const std::string& file, const ImportedNet& imported)
 {
-  const Eigen::Vector3d extent = extentOf(imported.net);
+  const Eigen::Vector3d extent = sizesOf(imported.net);
   if (isUsualSize(extent.maxCoeff())) return;
   const bool isStated = std::any_of(imported.files.begin(), imported.files.end(),
                                     [](const ReadFile& read) { return read.stated.metres.has_value(); });

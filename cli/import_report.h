@@ -24,7 +24,7 @@ void addImported(JsonLine& line, const ImportedNet& imported, const NetCost& cos
 std::string sizeInMillimetres(const Eigen::Vector3d& extent);
 
 /// Of the box around the nodes [m].
-Eigen::Vector3d extentOf(const SpringNet& net);
+Eigen::Vector3d sizesOf(const SpringNet& net);
 
 /// Says so if a net has not the size of what hands and instruments work on: most often the unit is another
 /// one.

@@ -3,6 +3,7 @@
 #include "cli/commands.h"
 #include "cli/suggestion.h"
 #include "core/base/large_pages.h"
+#include "core/base/version.h"
 
 #include <CLI/CLI.hpp>
 
@@ -11,6 +12,7 @@
 #include <cstdlib>
 #include <exception>
 #include <iostream>
+#include <string>
 #include <string_view>
 #include <system_error>
 #include <unistd.h>
@@ -34,7 +36,7 @@ constexpr const char* kFooter =
 Exit run(int argc, char** argv)
 {
   CLI::App program("esm - the Elastodynamic Shape Modeler without a window", "esm");
-  program.set_version_flag("--version", "esm " ESM_VERSION);
+  program.set_version_flag("--version", std::string("esm ") + esm::version());
   program.require_subcommand(1);
   program.footer(kFooter);
   Work work;

@@ -57,7 +57,7 @@ Exit save(const UpdateArguments& arguments, Reimported& result, const std::files
   say(arguments.output + ": " + std::to_string(project.net.nodeCount()) + " nodes (" +
       std::to_string(result.unchanged) + " as before, " + std::to_string(result.added) + " new, " +
       std::to_string(result.gone) + " gone), " + std::to_string(project.net.springCount()) + " springs, " +
-      sizeInMillimetres(extentOf(project.net)));
+      sizeInMillimetres(sizesOf(project.net)));
   if (arguments.json) printJson(arguments, result, true);
   return Exit::Done;
 }

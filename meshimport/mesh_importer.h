@@ -7,6 +7,7 @@
 #include "core/geometry/mesh.h"
 #include "core/geometry/mesh_report.h"
 #include "core/geometry/scene_frame.h"
+#include "meshimport/worker_place.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -1,7 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: MIT
-"""Checks that no include crosses a layer of the house (docs/ARCHITECTURE.md), and that every file says its licence.
+"""Checks that no include crosses a layer of the house (docs/ARCHITECTURE.md), that public headers include public ones
+only, and that every file says its licence.
 
 The linker alone does not keep the layers apart: the headers of assimp, nlohmann-json and libusb lie on the default
 include path, so a forbidden include compiles. Prints one line per fault; exit 1 if there is any.
@@ -50,6 +51,8 @@ FOREIGN = [
 ]
 LICENCE = {"app": "GPL-3.0-or-later", "fuzzyeditor": "GPL-3.0-or-later", "tests/app": "GPL-3.0-or-later",
            "tests/fuzzyeditor": "GPL-3.0-or-later"}
+# Where the headers that other programs may include are listed, in set(public ...) and list(APPEND public ...).
+PUBLIC_LISTS = ["core/CMakeLists.txt", "meshimport/CMakeLists.txt"]
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]', re.MULTILINE)
 
 
@@ -78,6 +81,24 @@ def faults_of(path):
                     yield f"{path}:{line}: <{header}> belongs in {', '.join(places)} only"
 
 
+def public_headers():
+    for listing in PUBLIC_LISTS:
+        folder = Path(listing).parent
+        for names in re.findall(r"(?:set\(|list\(APPEND )public\s([^)]*)\)", (ROOT / listing).read_text(encoding="utf-8")):
+            yield from (str(folder / name) for name in names.split())
+
+
+def public_faults(public):
+    """Each public header is there, and includes only public ones and what the standard library and Eigen have."""
+    for path in sorted(public):
+        if not (ROOT / path).exists():
+            yield f"{path}: is listed as public and does not exist"
+            continue
+        for kind, header in INCLUDE.findall((ROOT / path).read_text(encoding="utf-8")):
+            if header not in public if kind == '"' else not re.match(r"[a-z_]+$|Eigen/", header):
+                yield f"{path}: is public and includes {header}, which is not (docs/EMBEDDING.md)"
+
+
 def main():
     listed = subprocess.run(["git", "-C", ROOT, "ls-files", "-co", "--exclude-standard", "*.h", "*.cpp"],
                             capture_output=True, text=True)
@@ -89,8 +110,12 @@ def main():
     paths = sorted(path for path in paths if longest_key(path, ALLOWED) and (ROOT / path).exists())
     if len(paths) < 50:
         sys.exit(f"only {len(paths)} source files found under {ROOT}: the check would prove nothing")
-    faults = [fault for path in paths for fault in faults_of(path)]
-    print("\n".join(faults) if faults else f"{len(paths)} files, every include within its layer")
+    public = set(public_headers())
+    if len(public) < 30:
+        sys.exit(f"only {len(public)} public headers found: the check would prove nothing")
+    faults = [fault for path in paths for fault in faults_of(path)] + list(public_faults(public))
+    print("\n".join(faults) if faults
+          else f"{len(paths)} files, every include within its layer; {len(public)} public headers that need no other")
     sys.exit(1 if faults else 0)
 
 

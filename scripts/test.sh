@@ -2,7 +2,8 @@
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: MIT
 # Installs what is missing, builds, and runs every test: once as it is, and once more (without the slow ones) in a
-# German locale, where numbers have a comma.   usage: scripts/test.sh [--preset NAME] [ctest options...]
+# German locale, where numbers have a comma. Programs of others are built against the library, too (docs/EMBEDDING.md).
+# usage: scripts/test.sh [--preset NAME] [ctest options...]
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
 

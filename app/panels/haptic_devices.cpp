@@ -8,6 +8,7 @@
 #include "app/panels/calibrate_dialog.h"
 #include "app/panels/describe.h"
 #include "app/theme.h"
+#include "core/geometry/extent.h"
 
 #include <QCheckBox>
 #include <QClipboard>
@@ -312,7 +313,7 @@ void HapticDevices::placeOnModel()
   const DeviceProfile* profile = m_controller->deviceProfile();
   const Eigen::Matrix3Xd& nodes = m_controller->snapshot().position;
   if (profile == nullptr || nodes.cols() == 0) return;
-  const Eigen::Vector3d middle = 0.5 * (nodes.rowwise().minCoeff() + nodes.rowwise().maxCoeff());
+  const Eigen::Vector3d middle = boxOf(nodes).center();
   m_controller->placeWorkspace(middle - 0.5 * (profile->workspaceMin + profile->workspaceMax));
 }
 

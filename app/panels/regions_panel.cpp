@@ -5,6 +5,7 @@
 #include "app/icons.h"
 #include "app/panels/describe.h"
 #include "app/panels/region_list.h"
+#include "core/geometry/extent.h"
 
 #include <QEvent>
 #include <QHBoxLayout>
@@ -110,9 +111,8 @@ Region RegionsPanel::newRegion() const
   region.inputs = project.tissue.inputs;
   const Eigen::Matrix3Xd& nodes = project.net.restPosition;
   if (nodes.cols() == 0) return region;
-  const Eigen::Vector3d low = nodes.rowwise().minCoeff(), high = nodes.rowwise().maxCoeff();
-  const double radius = std::max(0.18 * (high - low).norm(), 1e-3);
-  region.ellipsoid.centre = m_placeOfNew.value_or(0.5 * (low + high));
+  const double radius = std::max(0.18 * extentOf(nodes), 1e-3);
+  region.ellipsoid.centre = m_placeOfNew.value_or(boxOf(nodes).center());
   region.ellipsoid.semiAxes.setConstant(std::round(radius * kMillimetresPerMetre) /
                                         kMillimetresPerMetre); // a round number of mm
   return region;

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport/camera.h"
 
+#include "core/geometry/extent.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -83,9 +85,7 @@ void Camera::clampDistance()
 
 void Camera::fit(const Eigen::Matrix3Xd& points)
 {
-  Eigen::AlignedBox3d box;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    if (points.col(i).allFinite()) box.extend(Eigen::Vector3d(points.col(i)));
+  const Eigen::AlignedBox3d box = boxOf(points);
   if (box.isEmpty()) return;
   m_target = box.center();
   const Eigen::Vector3d toEye = backward(), toRight = right(), toTop = up();

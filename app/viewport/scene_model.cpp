@@ -3,6 +3,7 @@
 #include "app/viewport/scene_model.h"
 
 #include "app/viewport/picker.h"
+#include "core/geometry/extent.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,6 @@ constexpr std::pair<Colouring, const char*> kColouringNames[] = {{Colouring::Non
                                                                  {Colouring::Strain, "strain"},
                                                                  {Colouring::Force, "force"},
                                                                  {Colouring::RegionWeight, "region_weight"}};
-
-Eigen::AlignedBox3d boxOf(const Eigen::Matrix3Xd& points)
-{
-  Eigen::AlignedBox3d box;
-  for (Eigen::Index i = 0; i < points.cols(); ++i)
-    if (points.col(i).allFinite()) box.extend(Eigen::Vector3d(points.col(i)));
-  return box;
-}
 
 /// |l - L| / L of each spring, S [1].
 Eigen::ArrayXd strains(const SpringNet& net, const Eigen::Matrix3Xd& position)

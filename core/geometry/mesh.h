@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/eigen_memory.h"
 #include "core/base/types.h"
 
 #include <Eigen/Core>

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/geometry/self_intersections.h"
 
+#include "core/geometry/box_tree.h"
 #include "core/geometry/triangle_shape.h"
 
 #include <Eigen/Geometry>
@@ -9,32 +10,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
-#include <numeric>
 #include <optional>
 
 namespace esm {
 
 namespace {
 
-constexpr Index kPairLeafSize = 4;
-
-struct Box {
-  Eigen::Vector3d low = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-  Eigen::Vector3d high = -low;
-  void take(const Box& other)
-  {
-    low = low.cwiseMin(other.low);
-    high = high.cwiseMax(other.high);
-  }
-  bool meets(const Box& other) const
-  {
-    return (low.array() <= other.high.array()).all() && (other.low.array() <= high.array()).all();
-  }
-};
-
-/// A binary tree of boxes over triangles, split at the median of the longest side, and the walk over all
-/// pairs of leaves that meet.
+/// The walk over all pairs of leaves that meet in a tree of boxes around triangles.
 class PairSearch {
 public:
   PairSearch(const Mesh& mesh, double seconds, std::size_t most, WorkControl* control)
@@ -45,13 +27,14 @@ public:
               std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(seconds));
     for (Index t = 0; t < mesh.triangleCount(); ++t) {
       if (isDegenerate(mesh, t)) continue;
-      Box box;
+      Eigen::AlignedBox3d box;
+      bool isFinite = true;
       for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d corner = mesh.position.col(mesh.triangles(k, t));
-        box.take({corner, corner});
+        const auto corner = mesh.position.col(mesh.triangles(k, t));
+        isFinite = isFinite && corner.allFinite();
+        box.extend(corner);
       }
-      if (!box.low.allFinite() || !box.high.allFinite()) continue;
-      m_order.push_back(static_cast<Index>(m_boxes.size()));
+      if (!isFinite) continue;
       m_triangle.push_back(t);
       m_boxes.push_back(box);
     }
@@ -59,10 +42,8 @@ public:
 
   SelfIntersections run()
   {
-    if (m_order.empty()) return {};
-    m_nodes.reserve(m_order.size());
-    m_nodes.emplace_back();
-    split(0, 0, static_cast<Index>(m_order.size()));
+    if (m_boxes.empty()) return {};
+    m_tree.emplace(m_boxes, 0.0, [this] { return isOver(); });
     if (!isOver()) walk();
     std::sort(m_found.pairs.begin(), m_found.pairs.end(), [](const auto& a, const auto& b) {
       return a.first != b.first ? a.first < b.first : a.second < b.second;
@@ -72,42 +53,10 @@ public:
 
 private:
   using Clock = std::chrono::steady_clock;
-  struct Node { ///< a leaf has `count` items from `first` on, an inner node the children first, first + 1
-    Box box;
-    Index first = 0, count = 0;
-  };
+  using Node = BoxTree::Node;
 
-  const Box& boxOf(Index i) const
-  {
-    return m_boxes[static_cast<std::size_t>(m_order[static_cast<std::size_t>(i)])];
-  }
-
-  void split(Index node, Index first, Index count)
-  {
-    Box box;
-    for (Index i = first; i < first + count; ++i) box.take(boxOf(i));
-    Node& here = m_nodes[static_cast<std::size_t>(node)];
-    here.box = box;
-    here.first = first;
-    here.count = count;
-    if (count <= kPairLeafSize || isOver()) return;
-    int axis = 0;
-    (box.high - box.low).maxCoeff(&axis);
-    const auto begin = m_order.begin() + first;
-    const auto centre = [&](Index i) {
-      const Box& of = m_boxes[static_cast<std::size_t>(i)];
-      return of.low[axis] + of.high[axis];
-    };
-    std::nth_element(begin, begin + count / 2, begin + count, [&](Index a, Index b) {
-      return centre(a) != centre(b) ? centre(a) < centre(b) : a < b;
-    });
-    const auto child = static_cast<Index>(m_nodes.size());
-    here.first = child;
-    here.count = 0;
-    m_nodes.resize(m_nodes.size() + 2);
-    split(child, first, count / 2);
-    split(child + 1, first + count / 2, count - count / 2);
-  }
+  Index itemAt(Index place) const { return m_tree->order()[at(place)]; }
+  const Eigen::AlignedBox3d& boxAt(Index place) const { return m_boxes[at(itemAt(place))]; }
 
   void walk()
   {
@@ -115,8 +64,8 @@ private:
     while (!stack.empty() && !isOver()) {
       const auto [one, two] = stack.back();
       stack.pop_back();
-      const Node &a = m_nodes[static_cast<std::size_t>(one)], &b = m_nodes[static_cast<std::size_t>(two)];
-      if (one != two && !a.box.meets(b.box)) continue;
+      const Node &a = m_tree->nodes()[at(one)], &b = m_tree->nodes()[at(two)];
+      if (one != two && !a.box.intersects(b.box)) continue;
       if (a.count > 0 && b.count > 0) {
         testLeaves(a, b, one == two);
       } else if (one == two) {
@@ -133,17 +82,14 @@ private:
     }
   }
 
-  static double sizeOf(const Node& node) { return (node.box.high - node.box.low).maxCoeff(); }
+  static double sizeOf(const Node& node) { return node.box.sizes().maxCoeff(); }
 
   void testLeaves(const Node& a, const Node& b, bool same)
   {
     for (Index i = a.first; i < a.first + a.count; ++i)
       for (Index j = same ? i + 1 : b.first; j < b.first + b.count; ++j) {
-        if (!boxOf(i).meets(boxOf(j))) continue;
-        const auto number = [this](Index k) {
-          return m_triangle[static_cast<std::size_t>(m_order[static_cast<std::size_t>(k)])];
-        };
-        const auto [first, second] = std::minmax({number(i), number(j)});
+        if (!boxAt(i).intersects(boxAt(j))) continue;
+        const auto [first, second] = std::minmax({m_triangle[at(itemAt(i))], m_triangle[at(itemAt(j))]});
         const auto place = meetingOf(first, second);
         if (!place) continue;
         if (m_found.pairs.size() < m_most)
@@ -206,10 +152,9 @@ private:
   std::optional<Clock::time_point> m_end;
   std::uint64_t m_asked = 0;
   bool m_isOver = false;
-  std::vector<Box> m_boxes;      ///< of the sound triangles
-  std::vector<Index> m_triangle; ///< their numbers
-  std::vector<Index> m_order;    ///< of m_boxes, by the tree
-  std::vector<Node> m_nodes;
+  std::vector<Eigen::AlignedBox3d> m_boxes; ///< of the sound triangles
+  std::vector<Index> m_triangle;            ///< their numbers
+  std::optional<BoxTree> m_tree;
   SelfIntersections m_found;
 };
 

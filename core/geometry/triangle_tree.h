@@ -4,11 +4,11 @@
 
 #include "core/base/types.h"
 #include "core/base/work_control.h"
+#include "core/geometry/box_tree.h"
 #include "core/geometry/mesh.h"
 
 #include <cmath>
 #include <limits>
-#include <vector>
 
 namespace esm {
 
@@ -21,8 +21,7 @@ struct RayHit {
 /// Along no axis and no diagonal, so that a ray in it meets edges by accident only; for crossings().
 inline const Eigen::Vector3d kObliqueDirection = Eigen::Vector3d(0.5377, 0.7236, 0.4321).normalized();
 
-/// Finds what a ray meets among many triangles: a binary tree of boxes, split at the median of the longest
-/// side. Holds copies, so that the mesh may go away. Deterministic; any thread.
+/// Finds what a ray meets among many triangles: a tree of boxes. Holds copies, so that the mesh may go away. Deterministic; any thread.
 class TriangleTree {
 public:
   /// @param position 3 x V. @param triangles 3 x F, indices in range.
@@ -40,9 +39,9 @@ public:
     const Eigen::Vector3d inverse = direction.cwiseInverse();
     Index stack[64];
     int depth = 0;
-    if (!m_nodes.empty()) stack[depth++] = 0;
+    if (!m_tree.nodes().empty()) stack[depth++] = 0;
     while (depth > 0) {
-      const Node& node = m_nodes[static_cast<std::size_t>(stack[--depth])];
+      const BoxTree::Node& node = m_tree.nodes()[at(stack[--depth])];
       if (!meetsBox(node, origin, inverse, from, hit.distance)) continue;
       if (node.count == 0) {
         stack[depth++] = node.first;
@@ -51,7 +50,7 @@ public:
       }
       for (Index i = node.first; i < node.first + node.count; ++i) {
         const double distance = meet(i, origin, direction);
-        const Index triangle = m_order[static_cast<std::size_t>(i)];
+        const Index triangle = m_tree.order()[at(i)];
         const bool nearer = distance >= from && (distance < hit.distance ||
                                                  (distance == hit.distance && triangle < hit.triangle));
         if (nearer && !skip(triangle)) hit = {triangle, distance};
@@ -73,18 +72,12 @@ public:
   }
 
 private:
-  struct Node { ///< a leaf has `count` triangles from `first` on, an inner node the children first, first + 1
-    Eigen::Vector3d low, high;
-    Index first = 0, count = 0;
-  };
-  void split(Index node, Index first, Index count, const Eigen::Matrix3Xd& centre, WorkControl* control);
-  static bool meetsBox(const Node& node, const Eigen::Vector3d& origin, const Eigen::Vector3d& inverse,
-                       double from, double to) noexcept;
+  static bool meetsBox(const BoxTree::Node& node, const Eigen::Vector3d& origin,
+                       const Eigen::Vector3d& inverse, double from, double to) noexcept;
   /// Distance of the meeting with the i-th triangle in the tree's order; < 0 or NaN: none beyond the origin.
   double meet(Index i, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction) const noexcept;
 
-  std::vector<Node> m_nodes;
-  std::vector<Index> m_order;
+  BoxTree m_tree;
   Eigen::Matrix3Xd m_corner; ///< 3 x 3F: corners by the tree's order
 };
 

@@ -2,12 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/base/result.h"
-#include "core/base/work_control.h"
-
-#include <filesystem>
-#include <string>
-#include <vector>
+#include "core/base/child_process.h"
 
 namespace esm::support {
 
@@ -24,12 +19,8 @@ private:
   std::filesystem::path m_path;
 };
 
-/// Whether the PATH has a program of that name.
-bool isInPath(const std::string& program);
-
-/// Runs a program of the PATH in a folder and waits for it; its words are thrown away. It is killed when the
-/// time is up or the work is cancelled, within 20 ms. Errors: Unsupported (there is no such program),
-/// Numerics (it failed or was too slow), Cancelled.
+/// Runs a program of the PATH that fills bodies in a folder, as runChild() does. Errors: Unsupported (there is
+/// no such program), Numerics (it failed or took more than `timeLimit` [s]), Internal, Cancelled.
 Status runProgram(const std::vector<std::string>& command, const std::filesystem::path& folder,
                   double timeLimit, WorkControl* control);
 

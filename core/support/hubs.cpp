@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/geometry/distance.h"
+#include "core/geometry/extent.h"
 #include "core/support/support_parts.h"
 
 #include <Eigen/Eigenvalues>
@@ -23,8 +24,7 @@ Middles findMiddles(const SpringNet& net, const OutwardSurface& surface, const E
 {
   Middles middles;
   middles.place.resize(3, net.nodeCount());
-  const double nearest =
-    1e-6 * (net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff()).norm();
+  const double nearest = 1e-6 * extentOf(net.restPosition);
   Eigen::Index count = 0;
   for (Index node = 0; node < net.nodeCount() && !stopWanted(control); ++node) {
     if (!(normals.col(node).squaredNorm() > 0.5)) continue;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/geometry/extent.h"
 #include "core/support/support_parts.h"
 
 #include <Eigen/Geometry>
@@ -85,8 +86,8 @@ Result<Layer> makeLattice(const SpringNet& net, const SupportOptions& options, W
     return Error{ErrorCode::InvalidValue,
                  "a lattice needs a closed surface to lie in; fill its holes, or choose struts"};
   const double cell = options.latticeCell > 0.0 ? options.latticeCell : 2.0 * meanEdge(net);
-  const Eigen::Vector3d low = net.restPosition.rowwise().minCoeff(),
-                        high = net.restPosition.rowwise().maxCoeff();
+  const Eigen::AlignedBox3d box = boxOf(net.restPosition);
+  const Eigen::Vector3d low = box.min(), high = box.max();
   const Eigen::Vector3d cells = (high - low) / cell;
   if (!(2.0 * (cells.array() + 1.0).prod() < kMostNodes))
     return Error{ErrorCode::InvalidValue, "the lattice's cell is too small: it would have millions of nodes"};

@@ -3,6 +3,7 @@
 #include "core/support/quality.h"
 
 #include "core/base/text_number.h"
+#include "core/geometry/extent.h"
 #include "core/net/net_builder.h"
 #include "core/support/hinges.h"
 #include "core/support/linear_net.h"
@@ -191,7 +192,7 @@ Result<QualityReport> judgeNet(const SpringNet& net, WorkControl* control)
 {
   QualityReport report;
   if (net.nodeCount() == 0) return Error{ErrorCode::InvalidValue, "the net is empty"};
-  report.size = (net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff()).norm();
+  report.size = extentOf(net.restPosition);
   report.pokeRadius = std::min(0.005, report.size / 8.0);
   if (net.nodeCount() > kMostNodes) {
     Finding finding;

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/geometry/extent.h"
 #include "core/net/net_builder.h"
 #include "core/support/support_parts.h"
 #include "core/support/tension_test.h"
@@ -31,9 +32,7 @@ class OppositeWall {
 public:
   OppositeWall(const SpringNet& net, const OutwardSurface& surface) : m_net(net), m_surface(surface)
   {
-    const Eigen::Vector3d extent =
-      net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff();
-    m_nearest = 1e-6 * extent.norm();
+    m_nearest = 1e-6 * extentOf(net.restPosition);
   }
 
   Exit behind(Index node, const Eigen::Vector3d& direction) const

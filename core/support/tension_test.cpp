@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/support/tension_test.h"
 
+#include "core/geometry/extent.h"
 #include "core/net/net_builder.h"
 #include "core/support/linear_net.h"
 #include "core/tissue/derivation_places.h"
@@ -60,7 +61,7 @@ Eigen::Vector3d longestAxis(const SpringNet& net, const Eigen::ArrayXd& area)
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(spread);
   if (solver.eigenvalues()[2] > 1.2 * solver.eigenvalues()[1]) return solver.eigenvectors().col(2);
   int side = 0;
-  (net.restPosition.rowwise().maxCoeff() - net.restPosition.rowwise().minCoeff()).maxCoeff(&side);
+  boxOf(net.restPosition).sizes().maxCoeff(&side);
   return Eigen::Vector3d::Unit(side);
 }
 

@@ -27,7 +27,4 @@ struct WorkerTask {
 ///       there.
 Result<WorkerReply> readInWorker(const WorkerTask& task, WorkControl* control);
 
-/// The program: $ESM_IMPORT_WORKER, else beside the running one.
-std::filesystem::path workerProgram();
-
 } // namespace esm

@@ -128,7 +128,7 @@ TEST(Worker, readsTheFormatsThatAreSentToIt)
 {
   const TempFolder folder;
   const auto list = folder.path() / "formats";
-  ASSERT_EQ(std::system(("'" + workerProgram().string() + "' --formats > '" + list.string() + "'").c_str()),
+  ASSERT_EQ(std::system(("'" + importWorker().string() + "' --formats > '" + list.string() + "'").c_str()),
             0);
   const std::string formats = ";" + *readFile(list) + ";";
   const MeshReader& reader = readerTable().back();
