@@ -18,10 +18,10 @@
 #include "app/window_actions.h"
 #include "fuzzyeditor/fuzzy_evaluation.h"
 #include "fuzzyeditor/inputs_panel.h"
-#include "fuzzyeditor/membership_panel.h"
-#include "fuzzyeditor/rules_panel.h"
-#include "fuzzyeditor/surface_panel.h"
-#include "fuzzyeditor/why_panel.h"
+#include "fuzzyeditor/rules/rules_panel.h"
+#include "fuzzyeditor/surface/surface_panel.h"
+#include "fuzzyeditor/terms/membership_panel.h"
+#include "fuzzyeditor/why/why_panel.h"
 
 #include <QAbstractButton>
 #include <QAction>

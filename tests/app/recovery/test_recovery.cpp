@@ -5,9 +5,9 @@
 #include "app/recovery_dialog.h"
 #include "core/base/file_io.h"
 #include "core/project/project_io.h"
-#include "fuzzyeditor/rule_table_model.h"
-#include "fuzzyeditor/rule_text_page.h"
-#include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/rules/rule_table_model.h"
+#include "fuzzyeditor/rules/rule_text_page.h"
+#include "fuzzyeditor/rules/rules_panel.h"
 #include "tests/app/recovery/session.h"
 #include "tests/app/sheet.h"
 
