@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/recovery_dialog.h"
+#include "app/dialogs/recovery_dialog.h"
 
 #include <QDateTime>
 #include <QDialogButtonBox>

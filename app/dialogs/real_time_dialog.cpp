@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/real_time_dialog.h"
+#include "app/dialogs/real_time_dialog.h"
 
 #include "fuzzyeditor/decimal_spin_box.h"
 

@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that deals with files, and with what must not get lost.
+#include "app/dialogs/import_dialog.h"
 #include "app/document/recovery.h"
-#include "app/error_text.h"
 #include "app/import/changed_files_bar.h"
-#include "app/import_dialog.h"
-#include "app/main_window.h"
 #include "app/sample_files.h"
-#include "app/window_actions.h"
+#include "app/text/error_text.h"
+#include "app/window/main_window.h"
+#include "app/window/window_actions.h"
 #include "core/base/machine_memory.h"
 #include "core/project/export.h"
 #include "meshimport/import_endings.h"

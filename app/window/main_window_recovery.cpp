@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that brings back what a crash left.
+#include "app/dialogs/recovery_dialog.h"
 #include "app/document/recovery.h"
-#include "app/error_text.h"
-#include "app/main_window.h"
-#include "app/recovery_dialog.h"
-#include "app/window_actions.h"
+#include "app/text/error_text.h"
+#include "app/window/main_window.h"
+#include "app/window/window_actions.h"
 
 #include <QAction>
 #include <QMessageBox>

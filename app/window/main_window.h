@@ -5,8 +5,8 @@
 #include "app/document/document.h"
 #include "app/haptics/device_desk.h"
 #include "app/jobs/job.h"
-#include "app/language.h"
 #include "app/simulation_controller.h"
+#include "app/text/language.h"
 #include "app/theme.h"
 #include "app/viewport/scene_view.h"
 

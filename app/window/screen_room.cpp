@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/screen_room.h"
+#include "app/window/screen_room.h"
 
 #include <QCoreApplication>
 #include <QEvent>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that speaks: languages, colours, titles, hints, help.
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 
-#include "app/status_strip.h"
-#include "app/window_actions.h"
+#include "app/window/status_strip.h"
+#include "app/window/window_actions.h"
 #include "core/base/version.h"
 
 #include <QAction>

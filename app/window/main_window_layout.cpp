@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that remembers: recent files, size and place of window and panels.
-#include "app/main_window.h"
 #include "app/sample_files.h"
-#include "app/screen_room.h"
-#include "app/window_actions.h"
+#include "app/window/main_window.h"
+#include "app/window/screen_room.h"
+#include "app/window/window_actions.h"
 
 #include <QAction>
 #include <QFileInfo>

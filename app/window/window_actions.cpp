@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/window_actions.h"
+#include "app/window/window_actions.h"
 
 #include "app/icons.h"
 #include "app/viewport/scene_view.h"

@@ -1,16 +1,16 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/import_dialog.h"
+#include "app/dialogs/import_dialog.h"
 
-#include "app/error_text.h"
 #include "app/import/defect_list.h"
 #include "app/import/format_memory.h"
 #include "app/import/note_text.h"
 #include "app/import/recipe_form.h"
 #include "app/import/unit_question.h"
-#include "app/screen_room.h"
+#include "app/text/error_text.h"
 #include "app/theme.h"
 #include "app/viewport/scene_view.h"
+#include "app/window/screen_room.h"
 
 #include <QComboBox>
 #include <QDialogButtonBox>

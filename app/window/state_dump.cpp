@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/state_dump.h"
+#include "app/window/state_dump.h"
 
 #include "fuzzyeditor/plot_access.h"
 

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/status_strip.h"
+#include "app/window/status_strip.h"
 
 #include "app/haptics/haptic_text.h"
-#include "app/reason_text.h"
+#include "app/text/reason_text.h"
 #include "app/theme.h"
 
 #include <QEvent>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/language.h"
+#include "app/text/language.h"
 
 #include <QCoreApplication>
 #include <QLibraryInfo>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/error_sentences.h"
+#include "app/text/error_sentences.h"
 
 #include <QtGlobal>
 

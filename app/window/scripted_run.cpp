@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/scripted_run.h"
+#include "app/window/scripted_run.h"
 
-#include "app/window_actions.h"
+#include "app/window/window_actions.h"
 #include "core/geometry/extent.h"
 
 #include <QAction>
