@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/command_line.h"
-#include "app/main_window.h"
 #include "app/sample_files.h"
-#include "app/screen_room.h"
-#include "app/scripted_run.h"
-#include "app/state_dump.h"
+#include "app/window/main_window.h"
+#include "app/window/screen_room.h"
+#include "app/window/scripted_run.h"
+#include "app/window/state_dump.h"
 #include "core/base/large_pages.h"
 #include "core/base/version.h"
 #include "core/project/journal.h"

@@ -4,7 +4,7 @@
 
 #include "fuzzyeditor/number_spin_box.h"
 #include "fuzzyeditor/panel_colors.h"
-#include "fuzzyeditor/rule_display.h"
+#include "fuzzyeditor/rules/rule_display.h"
 
 #include <QAccessible>
 #include <QComboBox>

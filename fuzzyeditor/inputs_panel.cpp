@@ -8,7 +8,7 @@
 #include "fuzzyeditor/fuzzy_evaluation.h"
 #include "fuzzyeditor/input_row.h"
 #include "fuzzyeditor/preset_bar.h"
-#include "fuzzyeditor/rule_display.h"
+#include "fuzzyeditor/rules/rule_display.h"
 
 #include <QEvent>
 #include <QFrame>

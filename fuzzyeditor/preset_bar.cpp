@@ -3,7 +3,7 @@
 #include "fuzzyeditor/preset_bar.h"
 
 #include "core/tissue/tissue_units.h"
-#include "fuzzyeditor/rule_display.h"
+#include "fuzzyeditor/rules/rule_display.h"
 
 #include <QAction>
 #include <QGridLayout>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/haptics/haptic_text.h"
 
-#include "app/reason_text.h"
+#include "app/text/reason_text.h"
 
 #include <QCoreApplication>
 

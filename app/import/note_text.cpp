@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/import/note_text.h"
 
-#include "app/error_text.h"
-#include "app/reason_text.h"
+#include "app/text/error_text.h"
+#include "app/text/reason_text.h"
 
 #include <QCoreApplication>
 #include <QLocale>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/haptic_devices.h"
 
+#include "app/dialogs/calibrate_dialog.h"
 #include "app/haptics/haptic_text.h"
 #include "app/haptics/user_profile.h"
 #include "app/icons.h"
-#include "app/panels/calibrate_dialog.h"
 #include "app/panels/describe.h"
 #include "app/theme.h"
 #include "core/geometry/extent.h"

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/panels/haptic_path.h"
 
-#include "app/error_text.h"
 #include "app/panels/describe.h"
+#include "app/text/error_text.h"
 #include "core/base/file_io.h"
 #include "core/base/state_folder.h"
 #include "haptics/emulator/emulated_falcon.h"

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/document/document.h"
-#include "fuzzyeditor/why_source.h"
+#include "fuzzyeditor/why/why_source.h"
 
 #include <optional>
 

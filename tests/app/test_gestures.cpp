@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/document/document.h"
-#include "app/language.h"
 #include "app/panels/gesture_spin_box.h"
+#include "app/text/language.h"
 #include "tests/app/sheet.h"
 
 #include <QApplication>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dialogs/calibrate_dialog.h"
 #include "app/haptics/haptic_text.h"
 #include "app/haptics/user_profile.h"
-#include "app/main_window.h"
-#include "app/panels/calibrate_dialog.h"
-#include "app/window_actions.h"
+#include "app/window/main_window.h"
+#include "app/window/window_actions.h"
 #include "core/base/file_io.h"
 #include "haptics/device/driver_profile.h"
 #include "haptics/emulator/emulated_falcon.h"

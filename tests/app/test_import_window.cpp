@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dialogs/import_dialog.h"
 #include "app/import/note_text.h"
 #include "app/import/recipe_form.h"
 #include "app/import/unit_question.h"
-#include "app/import_dialog.h"
-#include "app/screen_room.h"
+#include "app/window/screen_room.h"
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"

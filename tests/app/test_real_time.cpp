@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/language.h"
-#include "app/main_window.h"
-#include "app/real_time_dialog.h"
-#include "app/reason_text.h"
-#include "app/status_strip.h"
+#include "app/dialogs/real_time_dialog.h"
+#include "app/text/language.h"
+#include "app/text/reason_text.h"
 #include "app/theme.h"
-#include "app/window_actions.h"
+#include "app/window/main_window.h"
+#include "app/window/status_strip.h"
+#include "app/window/window_actions.h"
 #include "tests/app/sheet.h"
 
 #include <QAbstractButton>

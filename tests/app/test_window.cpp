@@ -1,12 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/error_text.h"
-#include "app/import_dialog.h"
-#include "app/main_window.h"
+#include "app/dialogs/import_dialog.h"
 #include "app/panels/regions_panel.h"
-#include "app/scripted_run.h"
-#include "app/state_dump.h"
-#include "app/window_actions.h"
+#include "app/text/error_text.h"
+#include "app/window/main_window.h"
+#include "app/window/scripted_run.h"
+#include "app/window/state_dump.h"
+#include "app/window/window_actions.h"
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"

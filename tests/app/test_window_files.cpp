@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/error_text.h"
 #include "app/sample_files.h"
-#include "app/screen_room.h"
-#include "app/window_actions.h"
+#include "app/text/error_text.h"
+#include "app/window/screen_room.h"
+#include "app/window/window_actions.h"
 #include "core/base/file_io.h"
 #include "core/project/project_io.h"
 #include "meshimport/mesh_importer.h"

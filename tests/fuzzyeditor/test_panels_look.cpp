@@ -1,11 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "fuzzyeditor/inputs_panel.h"
-#include "fuzzyeditor/membership_panel.h"
-#include "fuzzyeditor/rule_table_model.h"
-#include "fuzzyeditor/rules_panel.h"
-#include "fuzzyeditor/surface_panel.h"
-#include "fuzzyeditor/term_plot.h"
+#include "fuzzyeditor/rules/rule_table_model.h"
+#include "fuzzyeditor/rules/rules_panel.h"
+#include "fuzzyeditor/surface/surface_panel.h"
+#include "fuzzyeditor/terms/membership_panel.h"
+#include "fuzzyeditor/terms/term_plot.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
 #include <QAbstractButton>

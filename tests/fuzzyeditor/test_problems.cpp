@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/tissue/tissue_model.h"
-#include "fuzzyeditor/problems_view.h"
-#include "fuzzyeditor/rule_table_model.h"
-#include "fuzzyeditor/rule_text_editor.h"
-#include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/rules/problems_view.h"
+#include "fuzzyeditor/rules/rule_table_model.h"
+#include "fuzzyeditor/rules/rule_text_editor.h"
+#include "fuzzyeditor/rules/rules_panel.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
 #include <QElapsedTimer>

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzzyeditor/rule_lines.h"
+#include "fuzzyeditor/rules/rule_lines.h"
 #include "tests/fuzzyeditor/fake_fuzzy_document.h"
 
 #include <gtest/gtest.h>

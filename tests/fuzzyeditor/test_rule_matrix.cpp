@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzzyeditor/rule_matrix_model.h"
-#include "fuzzyeditor/rule_matrix_page.h"
-#include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/rules/rule_matrix_model.h"
+#include "fuzzyeditor/rules/rule_matrix_page.h"
+#include "fuzzyeditor/rules/rules_panel.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
 #include <QAbstractItemModelTester>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzzyeditor/surface_panel.h"
-#include "fuzzyeditor/surface_plot.h"
-#include "fuzzyeditor/surface_source.h"
-#include "fuzzyeditor/surface_table.h"
+#include "fuzzyeditor/surface/surface_panel.h"
+#include "fuzzyeditor/surface/surface_plot.h"
+#include "fuzzyeditor/surface/surface_source.h"
+#include "fuzzyeditor/surface/surface_table.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
 #include <QAccessible>

@@ -1,9 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzzyeditor/membership_panel.h"
 #include "fuzzyeditor/number_spin_box.h"
-#include "fuzzyeditor/term_edits.h"
-#include "fuzzyeditor/term_plot.h"
+#include "fuzzyeditor/terms/membership_panel.h"
+#include "fuzzyeditor/terms/term_edits.h"
+#include "fuzzyeditor/terms/term_plot.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
 #include <QAccessible>

@@ -1,10 +1,10 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "fuzzyeditor/why_panel.h"
+#include "fuzzyeditor/why/why_panel.h"
 
 #include "core/net/net_builder.h"
-#include "fuzzyeditor/rule_display.h"
-#include "fuzzyeditor/why_tree.h"
+#include "fuzzyeditor/rules/rule_display.h"
+#include "fuzzyeditor/why/why_tree.h"
 #include "tests/fuzzyeditor/panel_fixture.h"
 
 #include <QAction>

@@ -3,7 +3,7 @@
 // The program that is killed: plays a session and notes in FOLDER/log what it begins and what is done.
 // usage: esm_kill_session FOLDER document|window
 #include "app/document/recovery.h"
-#include "app/main_window.h"
+#include "app/window/main_window.h"
 #include "tests/app/recovery/session.h"
 
 #include <QApplication>

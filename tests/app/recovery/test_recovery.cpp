@@ -1,13 +1,13 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/dialogs/recovery_dialog.h"
 #include "app/document/recovery.h"
-#include "app/main_window.h"
-#include "app/recovery_dialog.h"
+#include "app/window/main_window.h"
 #include "core/base/file_io.h"
 #include "core/project/project_io.h"
-#include "fuzzyeditor/rule_table_model.h"
-#include "fuzzyeditor/rule_text_page.h"
-#include "fuzzyeditor/rules_panel.h"
+#include "fuzzyeditor/rules/rule_table_model.h"
+#include "fuzzyeditor/rules/rule_text_page.h"
+#include "fuzzyeditor/rules/rules_panel.h"
 #include "tests/app/recovery/session.h"
 #include "tests/app/sheet.h"
 
