@@ -229,7 +229,10 @@ Result<ImportedNet> makeNet(MeshSource source, const ImportRecipe& recipe, doubl
       dropDiagonals(made.net, mesh, nodeOfVertex);
   }
   if (!recipe.support.isNone()) {
-    Result<SupportReport> support = addSupport(made.net, recipe.support, control);
+    SupportOptions options = recipe.support;
+    if (options.interior == SupportOptions::Interior::Wall && options.wallThickness == 0.0)
+      options.wallThickness = thickness;
+    Result<SupportReport> support = addSupport(made.net, options, control);
     if (!support) return inFile(support.error());
     made.support = std::move(*support);
     made.notes.insert(made.notes.end(), made.support.notes.begin(), made.support.notes.end());
