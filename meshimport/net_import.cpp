@@ -122,7 +122,7 @@ Status addMaterial(ImportedNet& made, const MaterialOptions& options, double thi
   Result<MaterialReport> report = setMaterial(made.net, options, thickness, control);
   if (!report) return report.error();
   made.material = *report;
-  if (options.isFitted())
+  if (report->measured > 0.0)
     made.notes.push_back("Pulled along its longest axis the net was " + formatDouble(report->measured, 3) +
                          " times as stiff as the body; its springs are scaled by " +
                          formatDouble(report->scale, 3) + ".");

@@ -6,6 +6,7 @@
     bench/fem/make_reference.py                         all cases, about an hour on one core
     bench/fem/make_reference.py tube tr01 te05          these cases of the tube
     bench/fem/make_reference.py --refine tube tr01      with finer elements: prints by how much they differ, writes nothing
+    bench/fem/make_reference.py --coarse --refine block tr01    the same from coarse to usual elements
 
 Compressible Neo-Hooke, E = 20 kPa, Poisson's ratio 0.45 (C10 = mu/2, D1 = 2/K), large motions, C3D20R. Each file
 holds the load on the nodes of the net and their displacement at some shares of it; README.md has the format.
@@ -25,6 +26,7 @@ E, NU = 20.0, 0.45
 LEVELS = [0.1, 0.3, 0.6, 1.0]
 FOLDER = pathlib.Path(__file__).resolve().parent / "data"
 FINE = {"tube": lambda: bodies.tube(40, 20, 3), "block": lambda: bodies.block(24, 12, 12)}
+COARSE = {"tube": lambda: bodies.tube(20, 20, 1), "block": lambda: bodies.block(8, 4, 4)}
 USUAL = {"tube": bodies.tube, "block": bodies.block}
 
 
@@ -128,7 +130,11 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("words", nargs="*", help="body, then cases")
     parser.add_argument("--refine", action="store_true")
+    parser.add_argument("--coarse", action="store_true", help="with elements twice as wide: an eighth of the time")
     wanted = parser.parse_args()
+    if wanted.coarse:
+        FINE.update(USUAL)
+        USUAL.update(COARSE)
     names = [wanted.words[0]] if wanted.words else list(USUAL)
     FOLDER.mkdir(exist_ok=True)
     if wanted.refine:

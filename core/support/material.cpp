@@ -7,6 +7,7 @@
 #include "core/support/outward_surface.h"
 #include "core/support/tension_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -52,8 +53,8 @@ void makeWall(SpringNet& net, double thickness, MaterialReport& report)
       if (area[node] > 0.0) net.volume[node] = 0.0;
     if ((net.volume == 0.0).all()) net.volume.resize(0);
   }
-  report.volume = (isSolidNet(net) ? 0.0 : report.wallArea * thickness) +
-                  (net.volume.size() > 0 ? net.volume.sum() : 0.0);
+  report.volume =
+    (isSolidNet(net) ? 0.0 : report.wallArea * thickness) + (net.volume.size() > 0 ? net.volume.sum() : 0.0);
 }
 
 } // namespace
@@ -72,7 +73,9 @@ Result<MaterialReport> setMaterial(SpringNet& net, const MaterialOptions& option
   } else {
     makeWall(made, thickness, report);
   }
-  if (options.isFitted()) {
+  const bool isWallOfCells =
+    std::find(made.kind.begin(), made.kind.end(), SpringKind::WallAcross) != made.kind.end();
+  if (options.isFitted() && !isWallOfCells) { // whose cells are calibrated one by one
     const bool isSolid = options.body == MaterialOptions::Body::Solid || isSolidNet(made);
     const Result<TensionTest> test = testTension(made, thickness, isSolid, control);
     if (!test) return test.error();

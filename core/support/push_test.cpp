@@ -20,7 +20,7 @@ constexpr int kMostPushIterations = 25;
 constexpr double kMostPushFactor = 1e7;  ///< spring evaluations, about a tenth of a second
 constexpr double kPushBalanced = 1e-6;   ///< of the force
 constexpr double kLongestPushMove = 0.5; ///< of the step's wished dent, RMS over nodes, in one iteration
-constexpr double kPushBed = 1e-3; ///< of the patch's stiffness, over all nodes, where nothing holds the net
+constexpr double kPushBed = 1e-2; ///< of the patch's stiffness, over all nodes, where nothing holds the net
 
 /// Where the surface lies opposite a node.
 struct Opposite {
@@ -149,6 +149,7 @@ PushTest pushUntilItSnaps(const SpringNet& net, Index node, double radius, doubl
   const RigidMotions rigid(net, true);
   if (rigid.isLoose(rigid.partOf(node))) {
     unit += pokePatch(net, opposite.place, -opposite.inwards, radius);
+    rigid.removeFromForce(unit); // else it would turn on its soft bed
     addBed(held, kPushBed / compliance);
   }
   Pushed pushed(held, unit);

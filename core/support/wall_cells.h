@@ -24,8 +24,9 @@ struct CellSprings {
 /// direction if that tensor is isotropic; central forces then have Poisson's ratio 1/4 and G = 0.4 E (tissue of
 /// ratio 0.33 to 0.45: 0.376 to 0.345 E). A third of the stretch along the layer lies in the layers' own springs,
 /// so that a wall bends as a solid of its thickness (of sheets that carry all it would bend three times too
-/// hardly). By least squares with a bound from below, so that no spring is without tissue; the sum of w is 6, as
-/// that of the tensor's trace, whatever the directions.
+/// hardly). By least squares with a bound from below, so that no spring is without tissue; then all are scaled until a
+/// pull along the layer, free across, meets 0.84 E in the mean over its directions (of the compliance): nets of such
+/// cells yield less to loads that vary from cell to cell than to an even strain.
 struct CellShares {
   Eigen::ArrayXd share; ///< m, > 0 [1]
   double error = 0.0;   ///< of the tensor, relative, Frobenius [1]
