@@ -363,13 +363,6 @@ QString ImportDialog::textOf(const QualityFinding& finding, const QualityReport&
     return tr("%n node(s) of lines along which parts hang together alone", nullptr, places);
   case QualityFinding::Kind::Unheld:
     return tr("%n part(s) that neither bands nor held nodes hold", nullptr, count);
-  case QualityFinding::Kind::Snaps:
-    return finding.force > 0.0 ? tr("Pushed on there it snaps beyond %1 N, %2 mm deep.")
-                                   .arg(locale.toString(finding.force, 'g', 2), dent)
-                               : tr("Pushed on there it snaps at once.");
-  case QualityFinding::Kind::Holds:
-    return tr("Pushed on there it holds up to %1 N, %2 mm deep.")
-      .arg(locale.toString(finding.force, 'g', 2), dent);
   case QualityFinding::Kind::TooLarge:
     return tr("The net is too large to be judged before it runs.");
   }

@@ -2428,18 +2428,6 @@
         <translation>Das Netz ist zu groß, um es vor dem Lauf zu beurteilen.</translation>
     </message>
     <message>
-        <source>Pushed on there it snaps beyond %1 N, %2 mm deep.</source>
-        <translation>Dort weiter gedrückt schnappt es jenseits von %1 N um, %2 mm tief.</translation>
-    </message>
-    <message>
-        <source>Pushed on there it snaps at once.</source>
-        <translation>Dort weiter gedrückt schnappt es sofort um.</translation>
-    </message>
-    <message>
-        <source>Pushed on there it holds up to %1 N, %2 mm deep.</source>
-        <translation>Dort weiter gedrückt hält es bis %1 N, %2 mm tief.</translation>
-    </message>
-    <message>
         <source>Gravity stays; loads on single nodes go with the former model</source>
         <translation>Die Schwerkraft bleibt; Lasten an einzelnen Knoten gehen mit dem früheren Modell</translation>
     </message>

@@ -7,7 +7,6 @@
 #include "core/support/hinges.h"
 #include "core/support/linear_net.h"
 #include "core/support/poke.h"
-#include "core/support/push_test.h"
 
 #include <algorithm>
 #include <cmath>
@@ -25,7 +24,6 @@ using Severity = Finding::Severity;
 constexpr Index kMostNodes = 40000; ///< whose factor is a matter of seconds
 constexpr double kMechanism = 1e-9; ///< of the stiffest rate
 constexpr double kSoft = 0.1;       ///< of the size: so deep a dent is soft
-constexpr double kEarlySnap = 0.1;  ///< of the way to the opposite wall: who snaps before does not carry
 constexpr double kCollapse = 0.5;   ///< of the size
 
 std::string inMillimetres(double metres)
@@ -104,26 +102,6 @@ void lookForHold(const SpringNet& net, QualityReport& report)
          ": with gravity it falls. Anchor it to the cavity, or fix some nodes."));
 }
 
-void pushOn(const SpringNet& net, Index node, QualityReport& report, WorkControl* control)
-{
-  const PushTest test = pushUntilItSnaps(net, node, report.pokeRadius, report.dent / report.poke, control);
-  if (!test.isDone) return;
-  Finding finding;
-  finding.kind = test.snaps ? FindingKind::Snaps : FindingKind::Holds;
-  finding.severity = !test.snaps                          ? Severity::Good
-                     : test.depth < kEarlySnap * test.way ? Severity::Warning
-                                                          : Severity::Note;
-  finding.value = test.depth;
-  finding.force = test.force;
-  finding.nodes = {report.dentNode};
-  const std::string force = formatDouble(test.force, 2) + " N", depth = inMillimetres(test.depth);
-  finding.text =
-    !test.snaps        ? "Pushed on at its softest place it holds up to " + force + ", " + depth + " deep."
-    : test.force > 0.0 ? "Pushed on at its softest place it snaps beyond " + force + ", " + depth + " deep."
-                       : std::string("Pushed on at its softest place it snaps at once.");
-  report.findings.push_back(std::move(finding));
-}
-
 Status measure(const SpringNet& net, QualityReport& report, WorkControl* control)
 {
   LinearNet free(net, false);
@@ -147,12 +125,7 @@ Status measure(const SpringNet& net, QualityReport& report, WorkControl* control
   const Dent dent = deepestDent(net, held, report.poke, report.pokeRadius, control);
   if (stopWanted(control)) return cancelledError();
   report.dent = dent.depth;
-  if (dent.node != kNoIndex) {
-    report.dentNode = net.nodeId[static_cast<std::size_t>(dent.node)];
-    if (dent.depth < kCollapse * report.size && report.mechanisms == 0)
-      pushOn(net, dent.node, report, control);
-  }
-  if (stopWanted(control)) return cancelledError();
+  if (dent.node != kNoIndex) report.dentNode = net.nodeId[static_cast<std::size_t>(dent.node)];
   return {};
 }
 
@@ -204,7 +177,7 @@ const char* nameOf(QualityFinding::Kind kind) noexcept
 {
   constexpr const char* kNames[] = {"carries_load", "soft",       "collapses",  "nothing_inside",
                                     "mechanisms",   "flat_nodes", "hinge_node", "hinge_line",
-                                    "unheld",       "snaps",      "holds",      "too_large"};
+                                    "unheld",       "too_large"};
   return kNames[static_cast<std::size_t>(kind)];
 }
 

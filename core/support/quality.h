@@ -25,13 +25,10 @@ struct QualityFinding {
     HingeNode,     ///< parts that hang together at a node only: nodes
     HingeLine,     ///< parts that hang together along a line only: nodes
     Unheld,        ///< parts that neither anchors nor fixed nodes hold: count, nodes = one of each
-    Snaps,         ///< pushed on there, it snaps: value = the depth until then [m], force = what it bore [N]
-    Holds,         ///< pushed by 30 % of the way to the opposite wall, it does not: value, force likewise
     TooLarge       ///< too many nodes for the stiffness figures: count
   } kind = Kind::Carries;
   enum class Severity : std::uint8_t { Good, Note, Warning } severity = Severity::Good;
   double value = 0.0;
-  double force = 0.0; ///< [N]
   std::int64_t count = 0;
   std::vector<NodeId> nodes; ///< where; at most kMostNodes
   std::string text;
@@ -55,7 +52,6 @@ struct QualityReport {
 /// Looks at the net as tissue has made it: linear statics and vibrations about the rest shape. A dozen
 /// places, far from each other, are poked one by one with 0.1 N against the surface, over 5 mm or an eighth
 /// of the size if that is less; a part that nothing holds swims away with the poke, and only its dent counts.
-/// At the softest of them the net is then pushed on until it snaps, see pushUntilItSnaps().
 /// (Where struts make the factor too large, mechanisms are counted by Maxwell, S - 3 N, a lower bound.)
 /// Mechanisms are counted without anchors, by Sylvester's law of inertia: motions slower than 1e-9 of the
 /// stiffest rate. Deterministic; any thread.
