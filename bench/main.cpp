@@ -24,6 +24,8 @@ int usage()
     "       esm_bench hand_beside PROJECT...   the same pull beside what keeps time elsewhere\n"
     "       esm_bench watch [SCENE...]   whether the watch over growing errors is right; with scenes: its "
     "cost\n"
+    "       esm_bench fem [tube|block|NET] [--cases] [--data=FOLDER]   errors of imported nets against "
+    "finite elements\n"
     "       esm_bench kernel|stability|growth|skip|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
     "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
   return 2;
@@ -52,6 +54,7 @@ int run(const std::vector<std::string>& words)
   if (words[0] == "fuzzy") return runFuzzy(rest);
   if (words[0] == "remesh") return runRemesh(rest);
   if (words[0] == "tissue_edit") return runTissueEdit(rest);
+  if (words[0] == "fem") return runFem(rest);
   if (words[0] == "import") return runImport(rest);
 #if defined(ESM_BENCH_KERNEL)
   if (words[0] == "kernel") return runKernel(rest);

@@ -33,6 +33,9 @@ int runFuzzy(const std::vector<std::string>& words);
 /// engine that has them, by a patch and by the whole net.
 int runTissueEdit(const std::vector<std::string>& words);
 
+/// Displacements of nets as the import makes them against those of finite elements. Words: a body or a net of those
+/// that it knows, --cases for each case, --data=FOLDER.
+int runFem(const std::vector<std::string>& words);
 /// Nanoseconds per triangle from a mesh file to a net, beside the assimp library.
 int runImport(const std::vector<std::string>& words);
 /// Simplifying and remeshing a bumpy sphere of a million triangles, beside meshoptimizer.

@@ -122,7 +122,7 @@ Status addMaterial(ImportedNet& made, const MaterialOptions& options, double thi
   Result<MaterialReport> report = setMaterial(made.net, options, thickness, control);
   if (!report) return report.error();
   made.material = *report;
-  if (options.isFitted())
+  if (report->measured > 0.0)
     made.notes.push_back("Pulled along its longest axis the net was " + formatDouble(report->measured, 3) +
                          " times as stiff as the body; its springs are scaled by " +
                          formatDouble(report->scale, 3) + ".");
@@ -229,7 +229,10 @@ Result<ImportedNet> makeNet(MeshSource source, const ImportRecipe& recipe, doubl
       dropDiagonals(made.net, mesh, nodeOfVertex);
   }
   if (!recipe.support.isNone()) {
-    Result<SupportReport> support = addSupport(made.net, recipe.support, control);
+    SupportOptions options = recipe.support;
+    if (options.interior == SupportOptions::Interior::Wall && options.wallThickness == 0.0)
+      options.wallThickness = thickness;
+    Result<SupportReport> support = addSupport(made.net, options, control);
     if (!support) return inFile(support.error());
     made.support = std::move(*support);
     made.notes.insert(made.notes.end(), made.support.notes.begin(), made.support.notes.end());

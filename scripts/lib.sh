@@ -14,7 +14,8 @@ esm_build_packages=(g++ cmake ninja-build ccache libeigen3-dev libassimp-dev zli
 esm_show_packages=(xvfb xauth fonts-dejavu-core)
 esm_test_packages=(libfuzzylite-dev python3-jsonschema xdotool imagemagick x11-apps assimp-utils locales git
   tetgen gmsh python3-vtk9 pkg-config libumockdev-dev umockdev qemu-system-x86 busybox-static) # driven by tests, or compared with
-esm_bench_packages=(libfuzzylite-dev libsundials-dev libsuitesparse-dev libopenblas0-serial python3-matplotlib) # competitors, pictures
+esm_bench_packages=(libfuzzylite-dev libsundials-dev libsuitesparse-dev libopenblas0-serial python3-matplotlib
+  calculix-ccx python3-numpy) # competitors, pictures, the finite-element reference
 esm_check_packages=(clang-format clang-tidy clang libclang-rt-14-dev) # the last two for libFuzzer
 
 # Installs those of the named packages that are missing; says what it does; quiet and quick when there is nothing to do.

@@ -1270,6 +1270,42 @@
         <translation>eine kleinere Zelle oder Streben wählen</translation>
     </message>
     <message>
+        <source>a wall needs a thickness above 0 m</source>
+        <translation>eine Wand braucht eine Dicke über 0 m</translation>
+    </message>
+    <message>
+        <source>a wall of %1 mm has no room in most of the body</source>
+        <translation>eine Wand von %1 mm hat im größten Teil des Körpers keinen Platz</translation>
+    </message>
+    <message>
+        <source>choose a thinner wall (up to %1 mm fit at the widest place), or a lattice</source>
+        <translation>eine dünnere Wand wählen (bis zu %1 mm passen an der weitesten Stelle) oder ein Gitter</translation>
+    </message>
+    <message>
+        <source>the surface has no inside (an edge of three triangles, or one side only), so a wall cannot lie on it</source>
+        <translation>die Oberfläche hat kein Innen (eine Kante mit drei Dreiecken, oder nur eine Seite), also kann keine Wand auf ihr liegen</translation>
+    </message>
+    <message>
+        <source>the body has a cavity in the file, so its wall is there already</source>
+        <translation>der Körper hat in der Datei schon einen Hohlraum, also ist seine Wand schon da</translation>
+    </message>
+    <message>
+        <source>choose struts or tetrahedra, or import the outer surface alone</source>
+        <translation>Streben oder Tetraeder wählen, oder nur die äußere Oberfläche importieren</translation>
+    </message>
+    <message>
+        <source>the wall would have millions of nodes</source>
+        <translation>die Wand hätte Millionen Knoten</translation>
+    </message>
+    <message>
+        <source>take fewer layers or a coarser mesh</source>
+        <translation>weniger Lagen oder ein gröberes Netz nehmen</translation>
+    </message>
+    <message>
+        <source>the wall has no volume: the surface has no area</source>
+        <translation>die Wand hat kein Volumen: die Oberfläche hat keine Fläche</translation>
+    </message>
+    <message>
         <source>the surface is not closed, so it has no volume that could be filled with tissue</source>
         <translation>die Oberfläche ist nicht geschlossen, hat also kein Volumen, das Gewebe füllen könnte</translation>
     </message>
@@ -3351,6 +3387,34 @@
         <translation>Streben zur Gegenwand</translation>
     </message>
     <message>
+        <source>wall of cells (hollow organs)</source>
+        <translation>Wand aus Zellen (Hohlorgane)</translation>
+    </message>
+    <message>
+        <source>For hollow organs and tubes. Expected error against finite elements: 6 %, in a pinch 30 %; deep pinches may snap.</source>
+        <translation>Für Hohlorgane und Röhren. Erwarteter Fehler gegen finite Elemente: 6 %, beim Kneifen 30 %; bei tiefem Kneifen kann es umschnappen.</translation>
+    </message>
+    <message>
+        <source>For thin and open bodies. Expected error against finite elements: 35 %, in a pinch more than 100 %.</source>
+        <translation>Für dünne und offene Körper. Erwarteter Fehler gegen finite Elemente: 35 %, beim Kneifen mehr als 100 %.</translation>
+    </message>
+    <message>
+        <source>For fat organs, with the fewest springs.</source>
+        <translation>Für dicke Organe, mit den wenigsten Federn.</translation>
+    </message>
+    <message>
+        <source>For fat organs, alike everywhere.</source>
+        <translation>Für dicke Organe, überall gleich.</translation>
+    </message>
+    <message>
+        <source>For closed, clean surfaces.</source>
+        <translation>Für geschlossene, saubere Oberflächen.</translation>
+    </message>
+    <message>
+        <source>The skin alone gives way like a bag. For hollow organs choose the wall.</source>
+        <translation>Die Haut allein gibt nach wie ein Sack. Für Hohlorgane die Wand wählen.</translation>
+    </message>
+    <message>
         <source>hubs with spokes</source>
         <translation>Naben mit Speichen</translation>
     </message>
@@ -5091,8 +5155,8 @@
         <translation>S&amp;treben</translation>
     </message>
     <message>
-        <source>Struts: the springs inside that hold the organ up</source>
-        <translation>Streben: die Federn im Inneren, die das Organ stützen</translation>
+        <source>Struts and the springs of walls: what holds the organ up from inside</source>
+        <translation>Streben und die Federn von Wänden: was das Organ von innen stützt</translation>
     </message>
     <message>
         <source>&amp;Recover unsaved work…</source>
@@ -5264,6 +5328,18 @@
     <message>
         <source>Nodes of the surface that found no wall opposite and got no strut: %1.</source>
         <translation>Knoten der Oberfläche, die keine Wand gegenüber fanden und keine Strebe bekamen: %1.</translation>
+    </message>
+    <message>
+        <source>The wall is %1 mm thick, layers of cells: %2, volume: %3 cm³; its springs miss an even stiffness by %4 %.</source>
+        <translation>Die Wand ist %1 mm dick, Lagen von Zellen: %2, Volumen: %3 cm³; ihre Federn verfehlen eine gleichmäßige Steifigkeit um %4 %.</translation>
+    </message>
+    <message>
+        <source>Nodes where the wall had to be thinner: %1, down to %2 mm. The opposite wall is near there, or the surface bends sharply.</source>
+        <translation>Knoten, an denen die Wand dünner sein muss: %1, bis hinab zu %2 mm. Dort ist die Gegenwand nahe, oder die Oberfläche biegt sich scharf.</translation>
+    </message>
+    <message>
+        <source>Triangles of the inner surface that still run through others: %1. Repair the surface there.</source>
+        <translation>Dreiecke der inneren Oberfläche, die noch durch andere laufen: %1. Dort die Oberfläche reparieren.</translation>
     </message>
     <message>
         <source>Removed: %1 triangles without area.</source>

@@ -112,6 +112,15 @@ constexpr KnownSentence kNotes[] = {
   {R"((\d+) nodes of the surface found no wall opposite and got no strut)",
    QT_TRANSLATE_NOOP("esm::ImportNote",
                      "Nodes of the surface that found no wall opposite and got no strut: %1.")},
+  {R"(The wall is (\S+) mm thick, of (\d+) layers? of cells, and has (\S+) cm\^3; its springs miss an even stiffness by (\S+) %\.)",
+   QT_TRANSLATE_NOOP("esm::ImportNote", "The wall is %1 mm thick, layers of cells: %2, volume: %3 cm³; its "
+                                        "springs miss an even stiffness by %4 %.")},
+  {R"(At (\d+) nodes the wall had to be thinner, down to (\S+) mm: the opposite wall is near there, or the surface bends sharply\.)",
+   QT_TRANSLATE_NOOP("esm::ImportNote", "Nodes where the wall had to be thinner: %1, down to %2 mm. The "
+                                        "opposite wall is near there, or the surface bends sharply.")},
+  {R"((\d+) triangles of the inner surface still run through others; repair the surface there\.)",
+   QT_TRANSLATE_NOOP("esm::ImportNote", "Triangles of the inner surface that still run through others: %1. "
+                                        "Repair the surface there.")},
   // Repairs
   {R"(removed (\d+) triangles without area)",
    QT_TRANSLATE_NOOP("esm::ImportNote", "Removed: %1 triangles without area.")},

@@ -33,6 +33,39 @@ constexpr Axes kAxes[] = {{UpAxis::Z, PatientAxes::None},
                           {UpAxis::Z, PatientAxes::Lps},
                           {UpAxis::Z, PatientAxes::Ras}};
 
+using Interior = SupportOptions::Interior;
+/// What the box of interiors offers, in its order: what serves most organs first.
+constexpr Interior kInteriors[] = {Interior::None, Interior::Wall,    Interior::Struts,
+                                   Interior::Hub,  Interior::Lattice, Interior::Tetrahedra};
+
+int placeOf(Interior interior)
+{
+  return static_cast<int>(std::find(std::begin(kInteriors), std::end(kInteriors), interior) -
+                          std::begin(kInteriors));
+}
+
+/// For whom each is, and how far it is off finite elements (docs/BENCHMARKS.md).
+const char* hintOf(Interior interior)
+{
+  switch (interior) {
+  case Interior::Wall:
+    return QT_TR_NOOP("For hollow organs and tubes. Expected error against finite elements: 6 %, in a pinch "
+                      "30 %; deep pinches may snap.");
+  case Interior::Struts:
+    return QT_TR_NOOP("For thin and open bodies. Expected error against finite elements: 35 %, in a pinch "
+                      "more than 100 %.");
+  case Interior::Hub:
+    return QT_TR_NOOP("For fat organs, with the fewest springs.");
+  case Interior::Lattice:
+    return QT_TR_NOOP("For fat organs, alike everywhere.");
+  case Interior::Tetrahedra:
+    return QT_TR_NOOP("For closed, clean surfaces.");
+  case Interior::None:
+    break;
+  }
+  return QT_TR_NOOP("The skin alone gives way like a bag. For hollow organs choose the wall.");
+}
+
 int placeOf(LengthUnit unit)
 {
   return static_cast<int>(std::find(std::begin(kUnits), std::end(kUnits), unit) - std::begin(kUnits));
@@ -172,9 +205,13 @@ void RecipeForm::addSupportGroup()
 {
   QFormLayout* form = addGroup(QT_TR_NOOP("Support"), "importSupportGroup");
   m_interior = addCombo(form, "importInterior", QT_TR_NOOP("Inside"),
-                        {QT_TR_NOOP("nothing"), QT_TR_NOOP("struts to the opposite wall"),
-                         QT_TR_NOOP("hubs with spokes"), QT_TR_NOOP("lattice"),
-                         QT_TR_NOOP("tetrahedra (tetgen or gmsh)")});
+                        {QT_TR_NOOP("nothing"), QT_TR_NOOP("wall of cells (hollow organs)"),
+                         QT_TR_NOOP("struts to the opposite wall"), QT_TR_NOOP("hubs with spokes"),
+                         QT_TR_NOOP("lattice"), QT_TR_NOOP("tetrahedra (tetgen or gmsh)")});
+  m_hint = new QLabel(this);
+  m_hint->setObjectName(QStringLiteral("importInteriorHint"));
+  m_hint->setWordWrap(true);
+  form->addRow(m_hint);
   m_struts = add(form, new QSpinBox(this), "importStruts", QT_TR_NOOP("Struts per node"));
   m_struts->setRange(1, 16);
   m_struts->setKeyboardTracking(false);
@@ -213,7 +250,7 @@ ImportRecipe RecipeForm::recipe() const
   recipe.repair.dropPartsShare = m_smallParts->value() / 100.0;
   recipe.repair.fillHolesUpTo = m_holes->value();
   recipe.repair.triangles = m_triangles->value();
-  recipe.support.interior = static_cast<SupportOptions::Interior>(m_interior->currentIndex());
+  recipe.support.interior = kInteriors[m_interior->currentIndex()];
   recipe.support.strutsPerNode = m_struts->value();
   recipe.support.anchors = static_cast<SupportOptions::Anchors>(m_anchors->currentIndex());
   recipe.support.anchorLength = m_band->value() / 1000.0;
@@ -242,7 +279,7 @@ void RecipeForm::setRecipe(const ImportRecipe& recipe)
   m_smallParts->setValue(recipe.repair.dropPartsShare * 100.0);
   m_holes->setValue(recipe.repair.fillHolesUpTo);
   m_triangles->setValue(recipe.repair.triangles);
-  m_interior->setCurrentIndex(static_cast<int>(recipe.support.interior));
+  m_interior->setCurrentIndex(placeOf(recipe.support.interior));
   m_struts->setValue(recipe.support.strutsPerNode);
   m_anchors->setCurrentIndex(recipe.support.anchors == SupportOptions::Anchors::None ? 0 : 1);
   m_band->setValue(recipe.support.anchorLength * 1000.0);
@@ -288,7 +325,8 @@ void RecipeForm::refreshEnabled()
   m_unit->setEnabled(!asStated || !m_stated.metres);
   m_axes->setEnabled(!asStated || !(m_stated.up || m_stated.patientAxes));
   m_tolerance->setEnabled(m_weld->isChecked());
-  m_struts->setEnabled(m_interior->currentIndex() == static_cast<int>(SupportOptions::Interior::Struts));
+  m_struts->setEnabled(kInteriors[m_interior->currentIndex()] == Interior::Struts);
+  m_hint->setText(tr(hintOf(kInteriors[m_interior->currentIndex()])));
   m_band->setEnabled(m_anchors->currentIndex() > 0);
   m_fit->setEnabled(!(m_modulus->value() > 0.0)); // a given modulus brings the fit with it
 }
@@ -316,6 +354,7 @@ void RecipeForm::retranslate()
   }
   for (const auto& [box, items] : m_combos)
     for (std::size_t i = 0; i < items.size(); ++i) box->setItemText(static_cast<int>(i), tr(items[i]));
+  m_hint->setText(tr(hintOf(kInteriors[m_interior->currentIndex()])));
   for (const auto& [box, none] : m_counts) box->setSpecialValueText(tr(none));
   m_tolerance->setSpecialValueText(tr("equal positions only"));
   m_smallParts->setSpecialValueText(tr("none"));

@@ -10,6 +10,7 @@ class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
+class QLabel;
 class QSpinBox;
 
 namespace esm {
@@ -64,6 +65,7 @@ private:
   std::vector<std::pair<QComboBox*, std::vector<const char*>>> m_combos;
   std::vector<std::pair<QSpinBox*, const char*>> m_counts; ///< with the text for none
 
+  QLabel* m_hint = nullptr; ///< about the chosen interior
   QComboBox *m_unit = nullptr, *m_axes = nullptr, *m_polygons = nullptr, *m_interior = nullptr,
             *m_anchors = nullptr, *m_body = nullptr;
   QCheckBox *m_useStated = nullptr, *m_weld = nullptr, *m_useless = nullptr, *m_orientation = nullptr,

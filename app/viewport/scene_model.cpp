@@ -391,7 +391,7 @@ Index SceneModel::nodeAt(const Eigen::Vector2d& pixel) const
 /// Edges belong to the surface too, and can be meant without being drawn.
 bool SceneModel::isShown(Index spring) const
 {
-  return m_struts || m_net->kind[static_cast<std::size_t>(spring)] != SpringKind::Strut;
+  return m_struts || !isOfSupport(m_net->kind[static_cast<std::size_t>(spring)]);
 }
 
 Index SceneModel::springAt(const Eigen::Vector2d& pixel) const

@@ -6,6 +6,7 @@
 #include "app/viewport/shaders.h"
 #include "core/base/colour_map.h"
 
+#include <algorithm>
 #include <cstddef>
 
 namespace esm {
@@ -115,11 +116,12 @@ void SceneRenderer::uploadTopology(const SceneModel& model)
   if (const SpringNet* net = model.net()) {
     for (Eigen::Index i = 0; i < net->triangles.size(); ++i)
       triangles.push_back(static_cast<GLuint>(net->triangles.data()[i]));
+    // What the support layer made counts as struts.
     const std::pair<SpringKind, int*> kinds[] = {
       {SpringKind::Edge, &m_edges}, {SpringKind::Line, &m_lines}, {SpringKind::Strut, &m_struts}};
     for (const auto& [kind, count] : kinds)
       for (Index s = 0; s < net->springCount(); ++s)
-        if (net->kind[static_cast<std::size_t>(s)] == kind) {
+        if (std::min(net->kind[static_cast<std::size_t>(s)], SpringKind::Strut) == kind) {
           m_springOrder.push_back(s);
           ++*count;
         }

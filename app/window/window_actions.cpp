@@ -328,7 +328,7 @@ void WindowActions::retranslateViewAndTissue()
   say(fit, tr("&Fit model"), tr("Show the whole model (F)"));
   say(showSurface, tr("&Surface"));
   say(showSprings, tr("S&prings"));
-  say(showStruts, tr("S&truts"), tr("Struts: the springs inside that hold the organ up"));
+  say(showStruts, tr("S&truts"), tr("Struts and the springs of walls: what holds the organ up from inside"));
   say(defaultLayout, tr("&Default layout"));
   say(fullScreen, tr("F&ull screen"));
   const QString colourings[] = {tr("Plain"), tr("Stiffness"), tr("Strain"), tr("Force"),

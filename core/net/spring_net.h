@@ -30,9 +30,19 @@ struct ForceTable {
   bool operator==(const ForceTable&) const = default;
 };
 
-/// Where a spring comes from; tissue gives each kind its stiffness in its own way. Struts are the springs of
+/// Where a spring comes from; tissue gives each kind its stiffness in its own way. From Strut on they belong to
 /// the support layer (core/support/support.h): nothing else makes them, so that they can be taken away again.
-enum class SpringKind : std::uint8_t { Edge, Line, Strut };
+///
+///     Strut         from wall to wall, to a hub, of a lattice or of tetrahedra
+///     WallEdge      of a wall: edge of an inner sheet
+///     WallDiagonal  second diagonal of two triangles that make a quad, in the surface or an inner sheet
+///     WallAcross    from a node to that below it
+///     WallBrace     from a node to those below its neighbours
+enum class SpringKind : std::uint8_t { Edge, Line, Strut, WallEdge, WallDiagonal, WallAcross, WallBrace };
+inline constexpr bool isOfSupport(SpringKind kind) noexcept
+{
+  return kind >= SpringKind::Strut;
+}
 
 /// How the area of a triangle of side lengths L counts for the stiffness of its edges:
 ///

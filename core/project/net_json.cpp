@@ -106,11 +106,17 @@ void readNodes(const View& nodes, SpringNet& net)
   readIds(nodes, net.nodeId);
 }
 
+constexpr std::pair<const char*, SpringKind> kSupportKinds[] = {{"struts", SpringKind::Strut},
+                                                                {"wall_edges", SpringKind::WallEdge},
+                                                                {"wall_diagonals", SpringKind::WallDiagonal},
+                                                                {"wall_across", SpringKind::WallAcross},
+                                                                {"wall_braces", SpringKind::WallBrace}};
+
 void readSprings(const View& springs, SpringNet& net)
 {
   springs.expectKeys(
     {"ends", "rest_length", "stiffness", "viscosity", "law", "law_parameter", "tension_only", "lines"},
-    {"id", "struts", "section"});
+    {"id", "struts", "wall_edges", "wall_diagonals", "wall_across", "wall_braces", "section"});
   const Index count = net.springCount();
   net.restLength = springs["rest_length"].numbers(count, Range::NotNegative);
   net.stiffness = springs["stiffness"].numbers(count, Range::NotNegative);
@@ -122,9 +128,10 @@ void readSprings(const View& springs, SpringNet& net)
     net.tensionOnly[static_cast<std::size_t>(spring)] = 1;
   for (const Index spring : springs["lines"].indexList(count))
     net.kind[static_cast<std::size_t>(spring)] = SpringKind::Line;
-  if (springs.has("struts"))
-    for (const Index spring : springs["struts"].indexList(count))
-      net.kind[static_cast<std::size_t>(spring)] = SpringKind::Strut;
+  for (const auto& [key, kind] : kSupportKinds)
+    if (springs.has(key))
+      for (const Index spring : springs[key].indexList(count))
+        net.kind[static_cast<std::size_t>(spring)] = kind;
   if (springs.has("section")) net.section = springs["section"].numbers(count, Range::NotNegative);
   readIds(springs, net.springId);
 }
@@ -270,8 +277,10 @@ Json netOf(const SpringNet& net)
                   {"law_parameter", uniformOrList(net.lawParameter)},
                   {"tension_only", placesOf(net.tensionOnly, isOne)},
                   {"lines", placesOf(net.kind, [](SpringKind k) { return k == SpringKind::Line; })}};
-  const auto isStrut = [](SpringKind k) { return k == SpringKind::Strut; };
-  if (std::any_of(net.kind.begin(), net.kind.end(), isStrut)) springs["struts"] = placesOf(net.kind, isStrut);
+  for (const auto& [key, kind] : kSupportKinds) {
+    const auto isOfKind = [wanted = kind](SpringKind k) { return k == wanted; };
+    if (std::any_of(net.kind.begin(), net.kind.end(), isOfKind)) springs[key] = placesOf(net.kind, isOfKind);
+  }
   if (net.section.size() > 0) springs["section"] = uniformOrList(net.section);
   addIds(springs, net.springId);
 

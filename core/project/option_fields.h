@@ -37,7 +37,7 @@ void visitRepairOptions(Options& options, Visitor&& visit)
   visit.number("edge_length", options.edgeLength, "m", "remesh to about this edge length");
 }
 
-inline constexpr const char* kInteriorNames[] = {"none", "struts", "hub", "lattice", "tetrahedra"};
+inline constexpr const char* kInteriorNames[] = {"none", "struts", "hub", "lattice", "tetrahedra", "wall"};
 inline constexpr const char* kAnchorNames[] = {"none", "all", "part"};
 
 template <class Options, class Visitor>
@@ -49,6 +49,10 @@ void visitSupportOptions(Options& options, Visitor&& visit)
   visit.number("longest_strut", options.longestStrut, "m", "no longer struts (0: any length)");
   visit.count("hubs", options.hubs, "nodes in the middle (0: as many as the shape asks for)");
   visit.number("lattice_cell", options.latticeCell, "m", "edge of a lattice cube (0: from the surface)");
+  visit.number("wall_thickness", options.wallThickness, "m",
+               "for the wall (0: that of the material or tissue)");
+  visit.count("wall_layers", options.wallLayers,
+              "of cells across the wall, up to 16 (0: from the surface's edges)");
   visit.text("program", options.program, "for tetrahedra: tetgen or gmsh (default: the first that is there)");
   visit.number("time_limit", options.timeLimit, "s", "for that program");
   visit.choice("anchors", options.anchors, kAnchorNames, "nodes tied to the cavity around them");

@@ -7,6 +7,7 @@
 #include "core/support/outward_surface.h"
 #include "core/support/tension_test.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -20,7 +21,7 @@ void shareVolume(SpringNet& net, double volume, double thickness)
 {
   Eigen::ArrayXd share = nodeDualAreas(net) * thickness;
   for (Index s = 0; s < net.springCount(); ++s)
-    if (net.kind[static_cast<std::size_t>(s)] == SpringKind::Strut)
+    if (isOfSupport(net.kind[static_cast<std::size_t>(s)]))
       for (int end = 0; end < 2; ++end) share[net.ends(end, s)] += 0.5 * net.sectionOf(s) * net.restLength[s];
   net.volume = share * (volume / share.sum());
 }
@@ -52,7 +53,8 @@ void makeWall(SpringNet& net, double thickness, MaterialReport& report)
       if (area[node] > 0.0) net.volume[node] = 0.0;
     if ((net.volume == 0.0).all()) net.volume.resize(0);
   }
-  report.volume = report.wallArea * thickness + (net.volume.size() > 0 ? net.volume.sum() : 0.0);
+  report.volume =
+    (isSolidNet(net) ? 0.0 : report.wallArea * thickness) + (net.volume.size() > 0 ? net.volume.sum() : 0.0);
 }
 
 } // namespace
@@ -71,7 +73,9 @@ Result<MaterialReport> setMaterial(SpringNet& net, const MaterialOptions& option
   } else {
     makeWall(made, thickness, report);
   }
-  if (options.isFitted()) {
+  const bool isWallOfCells =
+    std::find(made.kind.begin(), made.kind.end(), SpringKind::WallAcross) != made.kind.end();
+  if (options.isFitted() && !isWallOfCells) { // whose cells are calibrated one by one
     const bool isSolid = options.body == MaterialOptions::Body::Solid || isSolidNet(made);
     const Result<TensionTest> test = testTension(made, thickness, isSolid, control);
     if (!test) return test.error();

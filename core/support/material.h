@@ -56,7 +56,7 @@ struct MaterialReport {
 /// it and is free across it, linear statics. So a solid of any shape is strained evenly, without stress
 /// across, and its energy is E V / 2; that of a wall is E / 2 times the integral of its sections along the
 /// axis. The springs' energy is compared with that. No end is held, where a round body's few nodes at the tip
-/// would decide.
+/// would decide. A wall of cells (SupportOptions::Interior::Wall) is stiff as it should be already and not scaled.
 /// @param thickness of the wall [m], TissueModel::thickness. @param control may be null.
 /// Errors: InvalidValue (Solid without a closed surface, no surface), Numerics (nothing to fit), Cancelled.
 /// `net` is then as before.

@@ -30,7 +30,7 @@ bool removeSupport(SpringNet& net, std::vector<Index>* newOfOld)
   net.pressure.clear();
   NetCut cut{net.supportNode, {}};
   cut.node.resize(static_cast<std::size_t>(net.nodeCount()), 0);
-  for (const SpringKind kind : net.kind) cut.spring.push_back(kind == SpringKind::Strut ? 1 : 0);
+  for (const SpringKind kind : net.kind) cut.spring.push_back(isOfSupport(kind) ? 1 : 0);
   const auto isMarked = [](const std::vector<std::uint8_t>& marks) {
     return std::any_of(marks.begin(), marks.end(), [](std::uint8_t mark) { return mark != 0; });
   };
@@ -43,7 +43,7 @@ bool removeSupport(SpringNet& net, std::vector<Index>* newOfOld)
   }
   std::vector<Index> map = shrinkNet(net, cut);
   net.supportNode.clear();
-  // Tetrahedra of the layer have given sections and volumes to the surface too (there is no layer inside a
+  // Tetrahedra and walls have given sections and volumes to the surface too (there is no layer inside a
   // net that is solid by its file); what is left of the arrays then says nothing.
   net.section.resize(0);
   net.volume.resize(0);

@@ -33,6 +33,10 @@ Status checkOptions(const SupportOptions& options)
   if (options.hubs < 0 || options.hubs > 1000) return wrong("the number of hubs must be from 0 to 1000");
   if (!(std::isfinite(options.latticeCell) && options.latticeCell >= 0.0))
     return wrong("the lattice's cell must not be below 0 m");
+  if (!(std::isfinite(options.wallThickness) && options.wallThickness >= 0.0))
+    return wrong("the wall's thickness must not be below 0 m");
+  if (options.wallLayers < 0 || options.wallLayers > 16)
+    return wrong("the wall's layers must be from 0 to 16");
   if (!(std::isfinite(options.anchorLength) && options.anchorLength > 0.0))
     return wrong("the anchors' bands must be longer than 0 m");
   if (!(options.anchorPart.centre.allFinite() && options.anchorPart.semiAxes.allFinite() &&
@@ -96,9 +100,11 @@ void addLayer(SpringNet& net, const support::Layer& layer, SupportReport& report
     net.restLength[s] = distance(net.restPosition.col(strut.a), net.restPosition.col(strut.b));
     net.stiffness[s] = example.stiffnessTimesLength / net.restLength[s];
     net.viscosity[s] = example.retardation * net.stiffness[s];
-    net.kind[static_cast<std::size_t>(s)] = SpringKind::Strut;
+    net.kind[static_cast<std::size_t>(s)] = strut.kind;
     net.section[s] = strut.section;
   }
+  if (layer.surfaceSection.size() > 0) net.section.head(oldSprings) = layer.surfaceSection;
+  if (layer.surfaceVolume.size() > 0) net.volume.head(oldNodes) = layer.surfaceVolume;
   if (layer.tetrahedra.cols() > 0) {
     std::vector<Index> itself(static_cast<std::size_t>(net.nodeCount()));
     std::iota(itself.begin(), itself.end(), 0);
@@ -125,6 +131,8 @@ Result<support::Layer> makeInterior(const SpringNet& net, const SupportOptions& 
     return support::makeLattice(net, options, control);
   case Interior::Tetrahedra:
     return support::makeTetrahedra(net, options, control);
+  case Interior::Wall:
+    return support::makeWall(net, options, control);
   }
   return Error{ErrorCode::InvalidValue, "this kind of interior is not known"};
 }

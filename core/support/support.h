@@ -26,14 +26,25 @@ struct SupportOptions {
   ///     Hub         spokes from the surface to a few new nodes in the middle, these joined in a row; for fat
   ///     organs Lattice     a body-centred cubic lattice of new nodes, tied to the surface; for fat organs,
   ///     alike everywhere Tetrahedra  by a program in the PATH, tetgen or gmsh; needs a closed, clean surface
-  enum class Interior : std::uint8_t { None, Struts, Hub, Lattice, Tetrahedra } interior = Interior::None;
+  ///     Wall        an inner surface at the wall's thickness, and cells of springs between; for hollow organs
+  enum class Interior : std::uint8_t {
+    None,
+    Struts,
+    Hub,
+    Lattice,
+    Tetrahedra,
+    Wall
+  } interior = Interior::None;
   int strutsPerNode = 5;  ///< 1 to 16: one along the normal, the others lean; fewer hold less against shear
   double strutLean = 0.6; ///< [rad], of the others against the normal, in [0, 1.4]
-  double longestStrut = 0.0; ///< [m]; longer ones are left out; 0: any length
-  int hubs = 0;              ///< 0: as many as the shape asks for
-  double latticeCell = 0.0;  ///< edge of a cube [m]; 0: from the surface's edge lengths
-  std::string program;       ///< for Tetrahedra: "tetgen" or "gmsh"; empty: the first that is there
-  double timeLimit = 60.0;   ///< [s], for the program
+  double longestStrut = 0.0;  ///< [m]; longer ones are left out; 0: any length
+  int hubs = 0;               ///< 0: as many as the shape asks for
+  double latticeCell = 0.0;   ///< edge of a cube [m]; 0: from the surface's edge lengths
+  double wallThickness = 0.0; ///< [m], above 0 for Wall (an import without it takes the tissue's)
+  int wallLayers =
+    0; ///< of cells across the wall, at most 16; 0: so many that cells are about as thick as wide
+  std::string program;     ///< for Tetrahedra: "tetgen" or "gmsh"; empty: the first that is there
+  double timeLimit = 60.0; ///< [s], for the program
 
   /// Which nodes of the surface are tied to the cavity around them.
   enum class Anchors : std::uint8_t { None, All, Part } anchors = Anchors::None;

@@ -19,6 +19,7 @@ struct Strut {
   Index a = kNoIndex, b = kNoIndex;
   double section = 0.0; ///< [m^2]
   double weight = 1.0;  ///< against the other struts of a node, see shareSections()
+  SpringKind kind = SpringKind::Strut;
 };
 
 /// What an interior consists of.
@@ -28,6 +29,8 @@ struct Layer {
   std::vector<Strut> struts;
   TetrahedronMatrix tetrahedra{
     4, 0}; ///< over the net's nodes and the new ones; sections and volumes come from them
+  /// What the layer gives to the surface's own springs [m^2] and nodes [m^3]; size 0: nothing.
+  Eigen::ArrayXd surfaceSection, surfaceVolume;
   std::vector<Index> unsupported; ///< nodes of the surface that got nothing
   std::vector<std::string> notes;
 };
@@ -48,6 +51,7 @@ Result<Layer> makeStruts(const SpringNet& net, const SupportOptions& options, Wo
 Result<Layer> makeHubs(const SpringNet& net, const SupportOptions& options, WorkControl* control);
 Result<Layer> makeTetrahedra(const SpringNet& net, const SupportOptions& options, WorkControl* control);
 Result<Layer> makeLattice(const SpringNet& net, const SupportOptions& options, WorkControl* control);
+Result<Layer> makeWall(const SpringNet& net, const SupportOptions& options, WorkControl* control);
 
 /// Appends bands to `net` for the nodes that the options name. @return how many.
 Index addBands(SpringNet& net, const SupportOptions& options);

@@ -125,6 +125,24 @@ class Recipes(ProgramTest):
         self.assertGreater(plain["stable_step"], 0)
         self.assertGreater(plain["shortest_spring"], 0)
 
+    # A cube of 1 cm with a wall of 2 mm has a cube of 6 mm inside; the choice is kept, and so is what was made.
+    def test_a_wall_is_made_told_and_kept(self):
+        made = self.run_program("import", "cube.obj", "--unit", "cm", "--edge-length", "0.0025", "--interior", "wall",
+                                "--wall-thickness", "0.002", "--density", "1000", "-o", "w.esm")
+        self.assertIn("The wall is 2 mm thick, of 1 layer of cells", made.stderr)
+        project = self.read_json("w.esm")
+        self.assertEqual(project["source"]["support"], {"interior": "wall", "wall_thickness": 0.002})
+        mass = sum(project["net"]["nodes"]["mass"])
+        self.assertAlmostEqual(mass / (1000 * (1e-6 - 0.6 ** 3 * 1e-6)), 1, delta=0.06)  # thinner in the corners
+        springs = project["net"]["springs"]
+        for kind in ("wall_edges", "wall_across", "wall_braces"):
+            self.assertGreater(len(springs[kind]), 50, kind)
+        self.run_program("import", "--update", "w.esm", "--wall-layers", "2")
+        again = self.read_json("w.esm")
+        self.assertGreater(len(again["net"]["springs"]["wall_across"]), 1.9 * len(springs["wall_across"]))
+        self.assertIn("no room", self.refused("import", "cube.obj", "--unit", "cm", "--edge-length", "0.0025",
+                                              "--interior", "wall", "--wall-thickness", "0.02", "-o", "x.esm"))
+
     def test_material_in_numbers(self):
         block = ["import", "cube.obj", "--unit", "cm", "--edge-length", "0.002", "--interior", "struts"]
         self.run_program(*block, "-o", "plain.esm")
