@@ -19,7 +19,6 @@ namespace {
 
 constexpr double kNotSeen = std::numeric_limits<double>::quiet_NaN();
 constexpr double kFarFromExpected = 150.0; ///< of a net's softness
-constexpr double kSoftly = 1e-6;           ///< of the loads
 
 enum class Column { What, Node, X, Y, Z, VX, VY, VZ, Sd };
 constexpr const char* kColumns[] = {"what", "node", "x", "y", "z", "vx", "vy", "vz", "sd"};
@@ -391,29 +390,23 @@ Status checkForceUnit(const Recording& recording, const SpringNet& net)
 {
   const Loads& loads = recording.loads;
   if (loads.forces.empty() || !loads.motions.empty() || !loads.gravity.isZero(0.0)) return {};
-  const auto moved = [&](double share) -> std::optional<Eigen::Matrix3Xd> {
-    Loads soft = loads;
-    for (NodalForce& force : soft.forces) force.force.value *= share;
-    Statics statics(net, soft, recording.time);
-    if (statics.solve().outcome != StaticsOutcome::Balanced) return {};
-    Eigen::Matrix3Xd places(3, net.nodeCount());
-    copyNodes(statics.place(), places);
-    return places;
-  };
-  const auto unloaded = moved(0.0), pushed = moved(kSoftly);
-  if (!unloaded || !pushed) return {};
+  Statics unloaded(net, {}), pushed(net, loads, recording.time);
+  if (unloaded.solve().outcome != StaticsOutcome::Balanced) return {};
+  NodeArray change;
+  pushed.setPlace(unloaded.place());
+  if (!pushed.firstStep(change)) return {};
   double seen = 0.0, answered = 0.0;
   for (std::size_t m = 0; m < recording.markers.size(); ++m) {
     Eigen::Vector3d rest = Eigen::Vector3d::Zero(), way = rest;
     const Marker& marker = recording.markers[m];
     for (std::size_t k = 0; k < 3 && marker.node[k] != kNoIndex; ++k) {
       rest += marker.share[k] * net.restPosition.col(marker.node[k]);
-      way += marker.share[k] * (pushed->col(marker.node[k]) - unloaded->col(marker.node[k]));
+      way += marker.share[k] * toVector(change[at(marker.node[k])]);
     }
     const Eigen::Vector3d ofMarker = recording.position.col(static_cast<Eigen::Index>(m)) - rest;
     if (!ofMarker.allFinite()) continue;
     seen += ofMarker.squaredNorm();
-    answered += way.squaredNorm() / (kSoftly * kSoftly);
+    answered += way.squaredNorm();
   }
   if (!(answered > 0.0)) return {};
   const double ratio = std::sqrt(answered / seen);

@@ -13,6 +13,7 @@ constexpr double kRounding = 1e-13;      ///< relative, of sums over a net
 constexpr double kLeastPart = 1.0 / 512; ///< of a step
 /// Where so little force is left and a step of Newton's method takes no more of it away, it is rounding.
 constexpr double kNearlyNone = 1e-8;
+constexpr double kLastDigits = 1e-14;                      ///< of a step, over the places
 constexpr double kFirstShift = 1e-6, kLargestShift = 1e-2; ///< of the mass, for what has no stiffness
 
 } // namespace
@@ -161,6 +162,26 @@ bool Statics::takeStep(double& norm)
   return false;
 }
 
+/// Whether m_step is lost in the digits of the places: soft loads on stiff springs cannot be met better.
+bool Statics::isRounding() const noexcept
+{
+  double step = 0.0, place = 0.0;
+  for (std::size_t i = 0; i < m_x.size(); ++i) {
+    step = std::max(step, dot(m_step[i], m_step[i]));
+    place = std::max(place, dot(m_x[i], m_x[i]));
+  }
+  return step <= kLastDigits * kLastDigits * place;
+}
+
+bool Statics::firstStep(NodeArray& change)
+{
+  findForces();
+  if (!factor(false, 0.0)) return false;
+  change = m_force;
+  solveTangent(change);
+  return std::isfinite(sumOfSquares(change));
+}
+
 StaticAnswer Statics::solve(const StaticsLimits& limits)
 {
   StaticAnswer answer;
@@ -183,7 +204,8 @@ StaticAnswer Statics::solve(const StaticsLimits& limits)
     ++answer.steps;
     const double last = norm;
     const bool isTaken = takeStep(norm);
-    if (answer.force <= kNearlyNone && (!isTaken || norm > 0.5 * last)) break;
+    const bool isLast = answer.force <= kNearlyNone || isRounding();
+    if (isLast && (!isTaken || norm > 0.5 * last)) break;
     if (!isTaken) return finish(StaticsOutcome::Snapped);
   }
   if (!factor(false, 0.0)) return finish(StaticsOutcome::Loose);

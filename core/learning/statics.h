@@ -69,6 +69,8 @@ public:
   void setPlace(const NodeArray& place);
   void goToRest();
 
+  /// change = K^-1 F at place(): where a soft push from there would lead. @return false without a factor.
+  bool firstStep(NodeArray& change);
   /// vector = K^-1 vector by the factor at hand, N entries; those of held nodes become 0. @pre Balanced.
   void solveTangent(NodeArray& vector);
   /// Forces on free nodes at place(), 0 where held [N].
@@ -86,6 +88,7 @@ private:
   bool factor(bool convex, double shift);
   bool findStep();
   bool takeStep(double& norm);
+  bool isRounding() const noexcept;
 
   System m_system;
   ImplicitMatrix m_matrix;

@@ -21,6 +21,7 @@ class Learn : public testing::Test {
 protected:
   Learn() : net(block({8, 4, 4})), tissue(defaultTissue())
   {
+    net.kind.assign(at(net.springCount()), SpringKind::Line); // edges inside would have no area
     EXPECT_TRUE(applyTissue(tissue, net));
     truth = tissue;
     truth.learned.questions.normalBorders = {40.0};

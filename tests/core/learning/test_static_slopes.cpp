@@ -70,28 +70,27 @@ double valueAt(const Scene& scene, const Statics& start, NetQuantity quantity,
   Statics statics(net, scene.loads);
   statics.setPlace(start.place());
   EXPECT_EQ(statics.solve({1e-15, 30, 1.0}).outcome, StaticsOutcome::Balanced);
-  return sumOfProducts(scene.weights, statics.place());
+  double change = 0.0; // L less its value at the start, so that no digits are lost
+  for (std::size_t i = 0; i < scene.weights.size(); ++i)
+    change += dot(scene.weights[i], statics.place()[i] - start.place()[i]);
+  return change;
 }
 
-/// Directions to check a quantity along: all numbers by chance, and two of them alone.
+/// Two directions to check a quantity along: every number by chance, and every third.
 std::vector<Eigen::ArrayXd> directionsOf(const SpringNet& net, NetQuantity quantity)
 {
   const Eigen::ArrayXd& numbers = numbersOf(net, quantity);
   Dice dice(23);
-  Eigen::ArrayXd all(numbers.size());
+  Eigen::ArrayXd all(numbers.size()), some = Eigen::ArrayXd::Zero(numbers.size());
   for (double& entry : all) entry = dice.uniform(-1.0, 1.0);
   if (quantity != NetQuantity::LawParameter) all *= numbers;
-  std::vector<Eigen::ArrayXd> directions = {all};
-  for (const Eigen::Index one : {numbers.size() / 3, numbers.size() - 1}) {
-    directions.emplace_back(Eigen::ArrayXd::Zero(numbers.size()));
-    directions.back()[one] = quantity == NetQuantity::LawParameter ? 1.0 : numbers[one];
-  }
-  return directions;
+  for (Eigen::Index i = 0; i < numbers.size(); i += 3) some[i] = std::abs(all[i]);
+  return {all, some};
 }
 
 double stepOf(NetQuantity quantity)
 {
-  return quantity == NetQuantity::RestLength ? 2e-4 : quantity == NetQuantity::LawParameter ? 0.1 : 0.02;
+  return quantity == NetQuantity::RestLength ? 1e-3 : quantity == NetQuantity::LawParameter ? 0.5 : 0.04;
 }
 
 void checkSlopes(SpringLaw law, NetQuantity quantity)
@@ -108,7 +107,7 @@ void checkSlopes(SpringLaw law, NetQuantity quantity)
     const double exact = (gradient[quantity] * direction).sum();
     ASSERT_NE(exact, 0.0);
     // A table's kinks must not lie within the differences.
-    const double h = law == SpringLaw::Table ? 0.02 * stepOf(quantity) : stepOf(quantity);
+    const double h = law == SpringLaw::Table ? 0.1 * stepOf(quantity) : stepOf(quantity);
     const double measured =
       richardson([&](double amount) { return valueAt(scene, statics, quantity, direction, amount); }, h);
     worst = std::max(worst, std::abs(exact - measured) / std::abs(measured));
@@ -122,7 +121,6 @@ void checkSlopes(SpringLaw law, NetQuantity quantity)
   }
   // Richardson's own error: forces to 1e-15, over steps of 1e-2 to 1e-4.
   EXPECT_LE(worst, 1e-9) << nameOf(quantity) << " of law " << static_cast<int>(law);
-  testing::Test::RecordProperty("worst", std::to_string(worst));
   std::printf("%s of law %d: %.1e\n", nameOf(quantity), static_cast<int>(law), worst);
 }
 
