@@ -147,7 +147,7 @@ TEST(Statics, ATrussBeyondItsLimitHasSnapped)
 {
   SpringNet net;
   addNode(net, {0.0, 0.0, 0.1});
-  for (const Eigen::Vector2d foot : {Eigen::Vector2d(1, 0), {-1, 0}, {0, 1}, {0, -1}})
+  for (const Eigen::Vector2d& foot : {Eigen::Vector2d(1, 0), {-1, 0}, {0, 1}, {0, -1}})
     addSpring(net, 0, addNode(net, {foot.x(), foot.y(), 0.0}), 1000.0);
   net.fixed = {0, 1, 1, 1, 1};
   const auto under = [&](double force) {
