@@ -25,6 +25,8 @@ CORE = {
                      "core/tissue"],
     "core/fuzzy": ["core/base"],
     "core/tissue": ["core/base", "core/geometry", "core/net", "core/fuzzy"],
+    "core/learning": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics", "core/fuzzy",
+                      "core/tissue"],
     "core/runtime": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics"],
     "core/project": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics", "core/support",
                      "core/fuzzy", "core/tissue"],

@@ -91,6 +91,12 @@ public:
     const double stiffening = batch.parameter[i] * (strain * strain);
     return {k * e * (1.0 + stiffening), k * (1.0 + 3.0 * stiffening)};
   }
+
+  double parameterSlope(double stiffness, double restLength, double, double e) const noexcept override
+  {
+    const double strain = e / restLength;
+    return stiffness * e * (strain * strain);
+  }
 };
 
 } // namespace

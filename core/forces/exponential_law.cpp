@@ -3,6 +3,7 @@
 #include "core/forces/spring_pass.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
 
 namespace esm {
@@ -193,6 +194,23 @@ ESM_CPU_CLONES void exponentialTangents(const SpringBatch& batch, const Lanes* x
   detail::tangentPass<Exponential>(batch, x, v, shares, rows);
 }
 
+/// The slope of (exp(s) - 1)/s, with the tangent of exp() beyond kLargestExponent; a power series near 0, where
+/// the closed form cancels.
+double slopeOfGrowth(double s) noexcept
+{
+  if (std::abs(s) < 0.5) {
+    double sum = 0.0, power = 1.0; // s^n / (n + 2)!
+    for (int n = 0; n < 16; ++n) {
+      power *= n == 0 ? 0.5 : s / (n + 2);
+      sum += (n + 1) * power;
+    }
+    return sum;
+  }
+  const double inside = std::min(std::max(s, -kLargestExponent), kLargestExponent);
+  const double growth = expMinusOne(inside), slope = growth + 1.0;
+  return (s * slope - (growth + slope * (s - inside))) / (s * s);
+}
+
 class ExponentialLaw final : public SpringLawKernel {
 public:
   double addForces(const SpringBatch& batch, const Lanes* x, const Lanes* v, Lanes* force, Lanes* damper,
@@ -226,6 +244,12 @@ public:
     const double outside = s - inside; // along the tangent
     const double growth = expMinusOne(inside), slope = growth + 1.0;
     return {k * scale * (growth + slope * outside), k * slope};
+  }
+
+  double parameterSlope(double stiffness, double restLength, double parameter,
+                        double e) const noexcept override
+  {
+    return stiffness * e * e / restLength * slopeOfGrowth(parameter * e / restLength);
   }
 };
 

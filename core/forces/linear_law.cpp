@@ -83,6 +83,8 @@ public:
     const double k = batch.stiffness[i];
     return {k * e, k};
   }
+
+  double parameterSlope(double, double, double, double) const noexcept override { return 0.0; }
 };
 
 } // namespace

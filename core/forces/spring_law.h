@@ -170,7 +170,22 @@ public:
   /// One spring at extension e [m], without damper and tension-only flag: the slow door, for tangents and
   /// tests.
   virtual SpringResponse respond(const SpringBatch& batch, std::size_t i, double e) const noexcept = 0;
+
+  /// df/d(parameter) at extension e [N], for learning: exact, also where the parameter is 0. A table has no
+  /// such slope: 0.
+  /// @param stiffness, restLength, parameter  of the spring [N/m] [m] [1].
+  virtual double parameterSlope(double stiffness, double restLength, double parameter,
+                                double e) const noexcept = 0;
 };
+
+/// What the tension of a spring hangs on at one distance l = L + e of its ends.
+struct SpringSlopes {
+  double byStiffness = 0.0;  ///< df/dk [m]
+  double byParameter = 0.0;  ///< df/da or df/db [N]
+  double byRestLength = 0.0; ///< df/dL [N/m]
+};
+/// Of the spring at a place of a batch; all 0 where it is slack.
+SpringSlopes springSlopes(const SpringNet& net, const SpringBatch& batch, std::size_t i, double e) noexcept;
 
 const SpringLawKernel& springLawKernel(SpringLaw law) noexcept;
 

@@ -155,6 +155,8 @@ public:
     const double k = batch.stiffness[i], rest = batch.restLength[i], strain = e / rest;
     return {k * rest * valueAt(table, strain), k * table.slope[lineAt(table, strain)]};
   }
+
+  double parameterSlope(double, double, double, double) const noexcept override { return 0.0; }
 };
 
 } // namespace

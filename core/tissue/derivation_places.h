@@ -32,6 +32,11 @@ inline SpringNumbers springNumbers(const TissueParameters& tissue, double perMod
   const double k = tissue.youngsModulus * perModulus, b = tissue.stiffening;
   return {k, tissue.viscosity * k, cubicFromStiffening ? b * b / 6.0 : b};
 }
+/// The last factor, see LearnedLayer.
+inline SpringNumbers learned(const SpringNumbers& from, double factor, double lawShift) noexcept
+{
+  return {from.stiffness * factor, from.viscosity * factor, from.lawParameter + lawShift};
+}
 inline double massOfSurface(const TissueParameters& tissue, double thickness, double dualArea) noexcept
 {
   return tissue.density * thickness * dualArea;
@@ -47,6 +52,10 @@ inline AnchorNumbers anchorNumbers(const TissueParameters& tissue, double dualAr
 {
   const double k = tissue.anchoring * dualArea;
   return {k, tissue.viscosity * k};
+}
+inline AnchorNumbers learned(const AnchorNumbers& from, double factor) noexcept
+{
+  return {from.stiffness * factor, from.viscosity * factor};
 }
 /// Of a band of the support layer, see AnchorSet::bandLength.
 inline AnchorNumbers bandNumbers(const TissueParameters& tissue, double dualArea, double length) noexcept

@@ -29,6 +29,34 @@ const ExplainedKind kScaledEdgeStiffness{
   "stiffness", "N/m", "s E h A / L^2", {"stiffness", "Steifigkeit"}, 1.0, "N/m", kE};
 const ExplainedKind kScaledLineStiffness{"stiffness", "N/m", "s E a / L", {"stiffness", "Steifigkeit"},
                                          1.0,         "N/m", kE};
+/// The same times the learned factor g.
+const ExplainedKind kLearnedEdge{"stiffness", "N/m", "g E h A / L^2", {"stiffness", "Steifigkeit"}, 1.0,
+                                 "N/m",       kE};
+const ExplainedKind kLearnedLine{"stiffness", "N/m", "g E a / L", {"stiffness", "Steifigkeit"},
+                                 1.0,         "N/m", kE};
+const ExplainedKind kLearnedScaledEdge{
+  "stiffness", "N/m", "g s E h A / L^2", {"stiffness", "Steifigkeit"}, 1.0, "N/m", kE};
+const ExplainedKind kLearnedScaledLine{"stiffness", "N/m", "g s E a / L", {"stiffness", "Steifigkeit"}, 1.0,
+                                       "N/m",       kE};
+const ExplainedKind kLearnedLawB{"law_parameter",
+                                 "",
+                                 "b + d",
+                                 {"parameter of the force law", "Parameter des Kraftgesetzes"},
+                                 1.0,
+                                 "",
+                                 kNone};
+const ExplainedKind kLearnedAnchor{
+  "anchor_stiffness", "N/m", "g q A", {"stiffness of the anchor", "Steifigkeit des Ankers"}, 1.0, "N/m",
+  kAnchoring};
+
+/// [is learned][is scaled][is an edge]
+const ExplainedKind& stiffnessKind(bool isLearned, bool isScaled, bool isEdge)
+{
+  const ExplainedKind* const kinds[2][2][2] = {
+    {{&kLineStiffness, &kEdgeStiffness}, {&kScaledLineStiffness, &kScaledEdgeStiffness}},
+    {{&kLearnedLine, &kLearnedEdge}, {&kLearnedScaledLine, &kLearnedScaledEdge}}};
+  return *kinds[isLearned][isScaled][isEdge];
+}
 const ExplainedKind kViscosity{"viscosity", "N s/m",  "tau k", {"viscosity", "Viskosität"},
                                1e-3,        "mN s/m", kTauE};
 const ExplainedKind kLawB{
@@ -187,6 +215,11 @@ ExplainedGeometry area(const char* id, const char* symbol, const char* english, 
   return {id, symbol, "m^2", {english, german}, value, 1e-6, "mm²"};
 }
 
+ExplainedGeometry learnedFact(double factor)
+{
+  return {"learned_factor", "g", "", {"learned factor", "gelernter Faktor"}, factor};
+}
+
 /// Sum over the node's anchors: those of tissue's own bed, or the bands of the support layer.
 double anchorOf(const SpringNet& net, Index node, const Eigen::ArrayXd& numbers, bool bands)
 {
@@ -239,15 +272,18 @@ void TissueExplainer::explainSpring(const TissueField& field, const SpringNet& n
   const SpringGeometry geometry = m_places.springGeometry(s, model.thickness, net);
   const bool cubic = cubicFromStiffening(model), isEdge = geometry.isWall;
   const bool isScaled = net.material.modulusScale != 1.0;
-  const ExplainedKind& edge = isScaled ? kScaledEdgeStiffness : kEdgeStiffness;
-  const ExplainedKind& line = isScaled ? kScaledLineStiffness : kLineStiffness;
-  const SpringNumbers numbers = springNumbers(field.at(why.place), geometry.perModulus, cubic);
+  why.learned = learnedOfSpring(model, net, s);
+  const bool isLearned = !why.learned.reasons.empty();
+  const double lawShift = model.law == SpringLaw::Exponential ? why.learned.lawShift : 0.0;
+  const SpringNumbers numbers =
+    learned(springNumbers(field.at(why.place), geometry.perModulus, cubic), why.learned.factor, lawShift);
   why.id = static_cast<Index>(net.springId[place]);
   for (int end = 0; end < 2; ++end)
     why.nodes.push_back(static_cast<Index>(net.nodeId[static_cast<std::size_t>(net.ends(end, s))]));
-  why.values.push_back({isEdge ? &edge : &line, net.stiffness[s], numbers.stiffness});
+  why.values.push_back({&stiffnessKind(isLearned, isScaled, isEdge), net.stiffness[s], numbers.stiffness});
   why.values.push_back({&kViscosity, net.viscosity[s], numbers.viscosity});
-  why.values.push_back({cubic ? &kLawCubic : &kLawB, net.lawParameter[s], numbers.lawParameter});
+  const ExplainedKind& law = cubic ? kLawCubic : lawShift != 0.0 ? kLearnedLawB : kLawB;
+  why.values.push_back({&law, net.lawParameter[s], numbers.lawParameter});
   if (isEdge) {
     why.geometry.push_back(area("area", "A", "area", "Fläche", geometry.area));
     why.geometry.push_back(lengthOf("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
@@ -263,6 +299,9 @@ void TissueExplainer::explainSpring(const TissueField& field, const SpringNet& n
                             net.material.modulusScale,
                             1.0,
                             ""});
+  if (isLearned) why.geometry.push_back(learnedFact(why.learned.factor));
+  if (lawShift != 0.0)
+    why.geometry.push_back({"learned_shift", "d", "", {"learned addition", "gelernter Zuschlag"}, lawShift});
 }
 
 /// Of a node off the surface: half of each of its lines; as of nodes to which nothing belongs, whatever
@@ -304,13 +343,17 @@ void TissueExplainer::explainNode(const TissueField& field, const SpringNet& net
   } else {
     why.values.push_back({&kSurfaceMass, net.mass[node], massOfSurface(tissue, model.thickness, dualArea)});
   }
-  const AnchorNumbers anchor = anchorNumbers(tissue, dualArea);
-  why.values.push_back({&kAnchor, anchorOf(net, node, net.anchors.stiffness, false), anchor.stiffness});
+  why.learned = learnedOfNode(model, net, node);
+  const bool isLearned = !why.learned.reasons.empty();
+  const AnchorNumbers anchor = learned(anchorNumbers(tissue, dualArea), why.learned.factor);
+  why.values.push_back({isLearned ? &kLearnedAnchor : &kAnchor,
+                        anchorOf(net, node, net.anchors.stiffness, false), anchor.stiffness});
   why.values.push_back(
     {&kAnchorViscosity, anchorOf(net, node, net.anchors.viscosity, false), anchor.viscosity});
   why.geometry.push_back(area("area", "A", "area", "Fläche", dualArea));
   if (!(volume > 0.0))
     why.geometry.push_back(lengthOf("thickness", "h", "wall thickness", "Wanddicke", model.thickness));
+  if (isLearned) why.geometry.push_back(learnedFact(why.learned.factor));
   addBands(net, node, tissue, dualArea, why);
 }
 

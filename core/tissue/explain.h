@@ -90,6 +90,7 @@ struct TissueExplanation {
   std::vector<ExplainedValue> parameters; ///< of the tissue at the place, in the order of kTissueOutputs
   std::vector<ExplainedGeometry> geometry;
   std::vector<LayerReason> layers; ///< bottom first; their shares sum to 1
+  LearnedReasons learned;          ///< the last factor; none of Tissue
 
   /// A spring's stiffness; of others the tissue's, Young's modulus.
   const ExplainedValue& main() const noexcept;

@@ -105,18 +105,52 @@ std::string tailText(const TissueExplanation& why, Language language)
     text += (text.empty() ? "; " : ", ") + name + ' ' + number;
   };
   for (const ExplainedGeometry& fact : why.geometry)
-    if (std::string_view(fact.id) != "thickness") add(fact.name.in(language), shownNumber(fact, language));
+    if (const std::string_view id = fact.id; id != "thickness" && !id.starts_with("learned"))
+      add(fact.name.in(language), shownNumber(fact, language));
   if (why.thing.kind == ExplainedThing::Kind::Node)
     add(why.values.front().kind->name.in(language), shownNumber(why.values.front(), language));
   return text;
+}
+
+/// "; x 1.83 learned (12 recordings; edges, 0-30 degrees to the surface's normal, +- 8 %)"
+std::string learnedText(const TissueExplanation& why, const TissueModel& model, Language language)
+{
+  if (why.learned.reasons.empty()) return {};
+  const LearnedLayer& layer = model.learned;
+  std::string reasons;
+  for (const LearnedReason& reason : why.learned.reasons) {
+    if (reason.factor < 0) {
+      reasons += say(language, "; this spring alone", "; diese Feder allein");
+      continue;
+    }
+    const LearnedFactor& factor = layer.factors[static_cast<std::size_t>(reason.factor)];
+    const bool isBed = factor.quantity == LearnedQuantity::Anchor;
+    reasons += "; " + (!factor.region.empty() ? say(language, "region ", "Region ") + factor.region
+                       : isBed                ? say(language, "the bed", "das Bett")
+                                              : classText(factor.of, layer.questions, language));
+    if (factor.quantity == LearnedQuantity::LawParameter) {
+      reasons +=
+        ", b " + std::string(reason.value < 0.0 ? "- " : "+ ") + numberText(std::abs(reason.value), language);
+      if (factor.isSeen) reasons += " ± " + withMark(formatDouble(factor.deviation, 2), language);
+    } else if (factor.isSeen && factor.deviation > 0.0) {
+      reasons +=
+        ", ± " + withMark(formatDouble(100.0 * std::expm1(factor.deviation), 2), language) + "\u00a0%";
+    }
+    if (!factor.isSeen) reasons += say(language, ", not seen in the data", ", in den Daten nicht gesehen");
+  }
+  const std::string count = std::to_string(layer.recordings);
+  return filled(layer.recordings == 1
+                  ? say(language, "; × %1 learned (1 recording%2)", "; × %1 gelernt (1 Aufnahme%2)")
+                  : say(language, "; × %1 learned (%3 recordings%2)", "; × %1 gelernt (%3 Aufnahmen%2)"),
+                {withMark(formatDouble(why.learned.factor, 3), language), reasons, count});
 }
 
 } // namespace
 
 std::string sentenceOf(const TissueExplanation& why, const TissueModel& model, Language language)
 {
-  std::string text =
-    headText(why, model, language) + ": " + causeText(why, model, language) + tailText(why, language) + '.';
+  std::string text = headText(why, model, language) + ": " + causeText(why, model, language) +
+                     tailText(why, language) + learnedText(why, model, language) + '.';
   text[0] = static_cast<char>(text[0] >= 'a' && text[0] <= 'z' ? text[0] - 'a' + 'A' : text[0]);
   return text;
 }

@@ -28,7 +28,8 @@ bool same(const CompiledRegion& a, const CompiledRegion& b)
 bool differEverywhere(const TissueModel& a, const TissueModel& b)
 {
   const auto isFromRules = [&](double TissueParameters::*value) { return comesFromRules(b.rules, value); };
-  return a.thickness != b.thickness || a.law != b.law ||
+  const bool hasMoved = !b.learned.isEmpty() && !(a.regions == b.regions); // factors fade with regions
+  return a.thickness != b.thickness || a.law != b.law || !(a.learned == b.learned) || hasMoved ||
          (a.density != b.density && !isFromRules(&TissueParameters::density)) ||
          (a.lawParameter != b.lawParameter && !isFromRules(&TissueParameters::stiffening)) ||
          std::any_of(kTissueOutputs.begin(), kTissueOutputs.end(), [&](const TissueOutput& output) {
@@ -132,10 +133,12 @@ const DerivationReport& TissueDerivation::update(TissueField field, SpringNet& n
   const TissueModel &before = m_field.model(), &model = field.model();
   if (m_isFirst || before.thickness != model.thickness) setThickness(model.thickness, net);
   Reaches reaches = reachesOf(field);
-  if (m_isFirst || differEverywhere(before, model))
+  if (m_isFirst || differEverywhere(before, model)) {
     m_touched.addAll();
-  else
+    m_learned = learnedNumbers(model, net);
+  } else {
     markWhatDiffers(field, reaches);
+  }
   m_field = std::move(field);
   m_reaches = std::move(reaches);
   deriveTouched(net, patch);
@@ -243,7 +246,9 @@ void TissueDerivation::deriveSprings(SpringNet& net, ParameterPatch* patch)
   for (std::size_t i = 0; i < count; ++i) { // nodes may come in behind them
     const Index s = touched[i];
     const TissueParameters tissue = m_field.plain(blender.at(s), wanted);
-    const SpringNumbers numbers = springNumbers(tissue, m_places.perModulus[s], m_cubicFromStiffening);
+    const SpringNumbers numbers =
+      learned(springNumbers(tissue, m_places.perModulus[s], m_cubicFromStiffening), m_learned.factorOf(s),
+              law == SpringLaw::Exponential ? m_learned.shiftOf(s) : 0.0);
     SpringLaw& lawNow = net.law[static_cast<std::size_t>(s)];
     if (patch != nullptr && (net.stiffness[s] != numbers.stiffness || net.viscosity[s] != numbers.viscosity ||
                              net.lawParameter[s] != numbers.lawParameter || lawNow != law))
@@ -292,7 +297,7 @@ void TissueDerivation::deriveNodes(SpringNet& net, ParameterPatch* patch)
     const TissueParameters tissue = m_field.plain(blender.at(*it), kNodeParameters);
     putMass(node, volume > 0.0 ? massOfVolume(tissue, volume) : massOfSurface(tissue, thickness, area), net,
             patch);
-    const AnchorNumbers anchor = anchorNumbers(tissue, area);
+    const AnchorNumbers anchor = learned(anchorNumbers(tissue, area), m_learned.nodeFactorOf(node));
     m_anchorsChangePlaces |= (anchor.stiffness > 0.0) != (m_anchoring[node] > 0.0);
     m_anchoring[node] = anchor.stiffness;
     m_anchorViscosity[node] = anchor.viscosity;

@@ -60,6 +60,7 @@ private:
   Index placeOfNode(Index node) const noexcept { return m_places.springs + node; }
 
   DerivationPlaces m_places;
+  LearnedNumbers m_learned;
   TissueField m_field;
   Reaches m_reaches;
   TouchedPlaces m_touched;

@@ -6,6 +6,7 @@
 #include "core/fuzzy/inference.h"
 #include "core/fuzzy/rule_base.h"
 #include "core/net/spring_net.h"
+#include "core/tissue/learned_layer.h"
 #include "core/tissue/region.h"
 #include "core/tissue/tissue_parameters.h"
 
@@ -25,6 +26,7 @@ struct TissueModel {
   double density = 1050.0;               ///< [kg/m^3], > 0; idle if the rule base has the output density
   SpringLaw law = SpringLaw::Exponential;
   double lawParameter = 3.0; ///< [1], see SpringLaw (Table is not offered here); idle if there is stiffening
+  LearnedLayer learned;      ///< what recordings have taught, the last factor
 };
 
 /// Whether the rule base speaks of a parameter, so that the number in the model is idle.
@@ -159,6 +161,7 @@ struct ApplyReport : DerivationReport {
 ///     anchors  k = anchoring A_dual   on the surface only, at the rest position
 ///     bands    k = E A_dual / length  of the support layer (AnchorSet::bandLength)
 ///     all      c = tau k, and springs k times the scale of NetMaterial
+///     learned  k and anchors times, b plus what LearnedLayer says, last of all (b: exponential law only)
 ///
 /// Anchors that the net had are replaced, but for bands; those of zero anchoring are left out. Topology, rest
 /// shape, fixed flags, ids and tables stay. Every mass is above 0. To follow edits at the price of what they
