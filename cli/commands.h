@@ -28,6 +28,7 @@ void addExplain(CLI::App& program, Work& work);
 void addExport(CLI::App& program, Work& work);
 void addFuzzy(CLI::App& program, Work& work);
 void addHaptics(CLI::App& program, Work& work);
+void addLearn(CLI::App& program, Work& work);
 void addSolvers(CLI::App& program, Work& work);
 
 } // namespace esm::cli

@@ -26,11 +26,13 @@ constexpr const char* kColourings[] = {"none", "stiffness", "strain", "force", "
 
 Json tissueOf(const Project& project)
 {
-  return {{"parameters_from_tissue", project.parametersFromTissue},
-          {"thickness", project.tissue.thickness},
-          {"density", project.tissue.density},
-          {"law", json::kLawNames[static_cast<std::size_t>(project.tissue.law)]},
-          {"law_parameter", project.tissue.lawParameter}};
+  Json object = {{"parameters_from_tissue", project.parametersFromTissue},
+                 {"thickness", project.tissue.thickness},
+                 {"density", project.tissue.density},
+                 {"law", json::kLawNames[static_cast<std::size_t>(project.tissue.law)]},
+                 {"law_parameter", project.tissue.lawParameter}};
+  if (!project.tissue.learned.isEmpty()) object["learned"] = json::learnedOf(project.tissue.learned);
+  return object;
 }
 
 Json simulationOf(const SimulationSettings& settings)
@@ -68,13 +70,14 @@ TissueModel readTissue(const View& root, bool& parametersFromTissue)
   tissue.regions = json::readRegions(root["regions"], tissue.rules);
 
   const View object = root["tissue"];
-  object.expectKeys({"parameters_from_tissue", "thickness", "density", "law", "law_parameter"});
+  object.expectKeys({"parameters_from_tissue", "thickness", "density", "law", "law_parameter"}, {"learned"});
   parametersFromTissue = object["parameters_from_tissue"].boolean();
   tissue.thickness = object["thickness"].number(Range::Positive);
   tissue.density = object["density"].number(Range::Positive);
   constexpr std::size_t kOffered = std::size(json::kLawNames) - 1; // a table belongs to a spring
   tissue.law = SpringLaw(object["law"].choice(std::span(json::kLawNames).first(kOffered)));
   tissue.lawParameter = object["law_parameter"].number();
+  if (object.has("learned")) tissue.learned = json::readLearned(object["learned"]);
   return tissue;
 }
 
@@ -262,6 +265,7 @@ Status checkParts(const Project& project, Index nodes)
                  "the solver \"" + solver + "\" is unknown; use auto or a name of `esm solvers`"};
   const TissueModel& tissue = project.tissue;
   if (const Status status = fuzzy::checkRuleBase(tissue.rules); !status) return status;
+  if (const Status status = checkLearned(tissue.learned); !status) return status;
   const auto fits = [&](const auto& inputs) { return inputs.size() == tissue.rules.inputs.size(); };
   if (!fits(tissue.inputs) || !std::all_of(tissue.regions.begin(), tissue.regions.end(),
                                            [&](const Region& r) { return fits(r.inputs); }))

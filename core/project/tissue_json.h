@@ -20,6 +20,10 @@ std::vector<fuzzy::InputValue> readInputs(const View& object, const fuzzy::RuleB
 Json regionsOf(const TissueModel& tissue);
 std::vector<Region> readRegions(const View& list, const fuzzy::RuleBase& rules);
 
+/// The optional key "learned" of the block "tissue".
+Json learnedOf(const LearnedLayer& layer);
+LearnedLayer readLearned(const View& object);
+
 /// {"centre", "semi_axes", "rotation"}, of a region among other keys or alone.
 Json ellipsoidOf(const Ellipsoid& ellipsoid);
 Ellipsoid readEllipsoid(const View& object);

@@ -158,6 +158,25 @@ std::vector<fuzzy::InputValue> randomInputs(Dice& dice, const fuzzy::RuleBase& r
   return inputs;
 }
 
+LearnedLayer randomLayer(Dice& dice)
+{
+  LearnedLayer layer;
+  layer.questions = {dice.coin(), {1.2}, {dice.uniform(10, 40), dice.uniform(50, 80)}, {}, {0.5}};
+  layer.recordings = dice.below(20);
+  for (int i = dice.below(4); i >= 0; --i) {
+    LearnedFactor factor;
+    factor.quantity = LearnedQuantity(dice.below(3));
+    factor.of = {dice.coin() ? -1 : dice.below(3), dice.below(2), dice.below(3), -1, dice.coin() ? -1 : 1};
+    if (dice.coin()) factor.region = dice.text();
+    factor.value = dice.uniform(-3, 3);
+    factor.deviation = dice.uniform(0, 1);
+    factor.isSeen = dice.coin();
+    layer.factors.push_back(factor);
+  }
+  if (dice.coin()) layer.springs = {{SpringId{3}, dice.uniform(-1, 1)}, {SpringId{17}, dice.uniform(-1, 1)}};
+  return layer;
+}
+
 TissueModel randomTissue(Dice& dice)
 {
   TissueModel tissue = defaultTissue();
@@ -194,6 +213,7 @@ TissueModel randomTissue(Dice& dice)
   tissue.thickness = dice.uniform(1e-4, 1e-2);
   tissue.law = SpringLaw(dice.below(3));
   tissue.lawParameter = dice.uniform(0, 5);
+  if (dice.coin()) tissue.learned = randomLayer(dice);
   return tissue;
 }
 
