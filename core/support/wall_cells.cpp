@@ -20,8 +20,8 @@ constexpr double kTensorTrace = 6.0;      ///< of the isotropic one of E = 1
 constexpr double kBendingWeight = 1.0;    ///< of the layers' share, against that of isotropy
 constexpr double kLayerShare = 1.0 / 3.0; ///< of the stretch along the layers that lies in them
 constexpr double kEvenWeight = 0.2;       ///< of even shares
-/// A net of cells as wide as the wall is stiffer than an even strain tells: what is left to E, fitted on the training
-/// cases of bench/fem.
+/// A net of cells as wide as the wall is stiffer than an even strain tells: what is left to E, chosen by hand with
+/// all cases of the tube of bench/fem in view.
 constexpr double kCellYield = 0.84;
 constexpr double kLeastCellShare = 0.1; ///< of an even share
 
