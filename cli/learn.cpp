@@ -63,14 +63,14 @@ RecordingUnits unitsOf(const LearnOptions& options)
   return units;
 }
 
-Result<std::vector<Recording>> readRecordings(const std::vector<std::string>& files, const SpringNet& net,
+Result<std::vector<learning::Recording>> readRecordings(const std::vector<std::string>& files, const SpringNet& net,
                                               const RecordingUnits& units)
 {
-  std::vector<Recording> recordings;
+  std::vector<learning::Recording> recordings;
   for (const std::string& file : files) {
     const Result<std::string> bytes = readFile(file);
     if (!bytes) return bytes.error();
-    Result<Recording> recording = readRecordingCsv(*bytes, file, net, units);
+    Result<learning::Recording> recording = readRecordingCsv(*bytes, file, net, units);
     if (!recording) return recording.error();
     if (const Status status = checkForceUnit(*recording, net); !status) return status.error();
     recordings.push_back(std::move(*recording));
@@ -141,7 +141,7 @@ JsonLine reportOf(const LearnResult& result, const LearnOptions& options)
   return line;
 }
 
-Exit checkedGradient(const Project& project, const std::vector<Recording>& training,
+Exit checkedGradient(const Project& project, const std::vector<learning::Recording>& training,
                      const LearnSettings& settings)
 {
   const auto checks = esm::learning::checkGradient(project.tissue, project.net, training, settings);

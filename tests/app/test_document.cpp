@@ -4,6 +4,7 @@
 #include "app/document/document.h"
 #include "core/base/file_io.h"
 #include "core/net/net_builder.h"
+#include "core/project/journal_reader.h"
 #include "core/project/project_io.h"
 #include "fuzzyeditor/fuzzy_evaluation.h"
 #include "tests/app/sheet.h"
@@ -197,7 +198,10 @@ TEST_F(DocumentTest, RegionChangesOnlySpringsInside)
 // says exactly what has changed, on undo and redo as well, from the first edit on.
 TEST_F(DocumentTest, AnEditOfTheTissueIsAPatch)
 {
-  document.startRecovered(test::sheetProject(), QString(), true, 0, {}); // its numbers are its tissue's
+  RecoveredWork work;
+  work.project = test::sheetProject();
+  work.netDerived = true; // its numbers are its tissue's
+  document.startRecovered(work, QString());
   SpringNet follower = *document.net();
   const auto held = document.net();
   const double* const place = document.project().net.stiffness.data();

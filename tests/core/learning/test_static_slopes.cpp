@@ -107,7 +107,7 @@ void checkSlopes(SpringLaw law, NetQuantity quantity)
     const double exact = (gradient[quantity] * direction).sum();
     ASSERT_NE(exact, 0.0);
     // A table's kinks must not lie within the differences.
-    const double h = law == SpringLaw::Table ? 0.1 * stepOf(quantity) : stepOf(quantity);
+    const double h = law == SpringLaw::Table ? 0.025 * stepOf(quantity) : stepOf(quantity);
     const double measured =
       richardson([&](double amount) { return valueAt(scene, statics, quantity, direction, amount); }, h);
     worst = std::max(worst, std::abs(exact - measured) / std::abs(measured));
