@@ -63,8 +63,8 @@ RecordingUnits unitsOf(const LearnOptions& options)
   return units;
 }
 
-Result<std::vector<learning::Recording>> readRecordings(const std::vector<std::string>& files, const SpringNet& net,
-                                              const RecordingUnits& units)
+Result<std::vector<learning::Recording>> readRecordings(const std::vector<std::string>& files,
+                                                        const SpringNet& net, const RecordingUnits& units)
 {
   std::vector<learning::Recording> recordings;
   for (const std::string& file : files) {
