@@ -3391,8 +3391,8 @@
         <translation>Wand aus Zellen (Hohlorgane)</translation>
     </message>
     <message>
-        <source>For hollow organs and tubes. Expected error against finite elements: 6 %, in a pinch 30 %; deep pinches may snap.</source>
-        <translation>Für Hohlorgane und Röhren. Erwarteter Fehler gegen finite Elemente: 6 %, beim Kneifen 30 %; bei tiefem Kneifen kann es umschnappen.</translation>
+        <source>For hollow organs and tubes. On a tube under small loads 6 % off finite elements, in a pinch 30 %; deep pinches may snap.</source>
+        <translation>Für Hohlorgane und Röhren. Bei einer Röhre unter kleinen Lasten 6 % neben finiten Elementen, beim Kneifen 30 %; tiefes Kneifen kann umschnappen.</translation>
     </message>
     <message>
         <source>For thin and open bodies. Expected error against finite elements: 35 %, in a pinch more than 100 %.</source>

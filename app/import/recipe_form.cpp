@@ -49,8 +49,9 @@ const char* hintOf(Interior interior)
 {
   switch (interior) {
   case Interior::Wall:
-    return QT_TR_NOOP("For hollow organs and tubes. Expected error against finite elements: 6 %, in a pinch "
-                      "30 %; deep pinches may snap.");
+    return QT_TR_NOOP(
+      "For hollow organs and tubes. On a tube under small loads 6 % off finite elements, in a pinch 30 %; "
+      "deep pinches may snap.");
   case Interior::Struts:
     return QT_TR_NOOP("For thin and open bodies. Expected error against finite elements: 35 %, in a pinch "
                       "more than 100 %.");
