@@ -289,9 +289,9 @@ StepReport SimRunner::advanceHeld(const Eigen::Vector3d& hand, const std::functi
   return report;
 }
 
-/// Along the way that the hand went since the last frame, a piece at a time: led in one leap, light tissue
-/// would ring, and be felt in whatever phase of it the frame ends. A frame that was broken off has left the
-/// hand behind; then the leap is what catches up.
+/// Along the way that the device's hand went since the last frame: what it holds evenly, the ball a piece at a time, as
+/// each asks anew whether it still touches. In one leap light tissue would ring, and be felt in whatever phase of it
+/// the frame ends. A frame that was broken off has left the hand behind; then the leap is what catches up.
 StepReport SimRunner::advanceLed(const std::function<bool()>& enough)
 {
   const ToolState& tool = m_tool.latest();
