@@ -49,22 +49,25 @@ const char* hintOf(Interior interior)
 {
   switch (interior) {
   case Interior::Wall:
-    return QT_TR_NOOP(
+    return QT_TRANSLATE_NOOP(
+      "esm::RecipeForm",
       "For hollow organs and tubes. On a tube under small loads 6 % off finite elements, in a pinch 30 %; "
       "deep pinches may snap.");
   case Interior::Struts:
-    return QT_TR_NOOP("For thin and open bodies. Expected error against finite elements: 35 %, in a pinch "
-                      "more than 100 %.");
+    return QT_TRANSLATE_NOOP(
+      "esm::RecipeForm", "For thin and open bodies. Expected error against finite elements: 35 %, in a pinch "
+                         "more than 100 %.");
   case Interior::Hub:
-    return QT_TR_NOOP("For fat organs, with the fewest springs.");
+    return QT_TRANSLATE_NOOP("esm::RecipeForm", "For fat organs, with the fewest springs.");
   case Interior::Lattice:
-    return QT_TR_NOOP("For fat organs, alike everywhere.");
+    return QT_TRANSLATE_NOOP("esm::RecipeForm", "For fat organs, alike everywhere.");
   case Interior::Tetrahedra:
-    return QT_TR_NOOP("For closed, clean surfaces.");
+    return QT_TRANSLATE_NOOP("esm::RecipeForm", "For closed, clean surfaces.");
   case Interior::None:
     break;
   }
-  return QT_TR_NOOP("The skin alone gives way like a bag. For hollow organs choose the wall.");
+  return QT_TRANSLATE_NOOP("esm::RecipeForm",
+                           "The skin alone gives way like a bag. For hollow organs choose the wall.");
 }
 
 int placeOf(LengthUnit unit)
