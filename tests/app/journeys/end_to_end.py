@@ -20,8 +20,8 @@ def journey():
     until("the file dialog is open", lambda s: s["dialog"] == "QFileDialog")
     focus("Import mesh")
     write(SAMPLES / "gallbladder.obj")
-    for _ in range(2):  # the first Return may go to the list of completions
-        time.sleep(1.0)
+    for pause in (1.0, 4.0):  # the first Return may go to the list of completions; a second one too soon, to the report
+        time.sleep(pause)
         if state().get("dialog") == "QFileDialog":
             keys("Return")
     until("the report is there", lambda s: s["dialog"] == "dlgImport" and "importOk" in s["enabled"])
