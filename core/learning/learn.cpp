@@ -24,8 +24,9 @@ Result<std::vector<Parameter>> parametersFor(const std::vector<std::string>& wha
     if (block == nullptr) {
       std::string known;
       for (const ParameterBlock& one : parameterBlocks())
-        known += (known.empty() ? "" : ", ") + std::string(one.id);
-      return invalidValue("\"" + id + "\" cannot be learned; there are " + known);
+        known.append(known.empty() ? "" : ", ").append(one.id);
+      return invalidValue(
+        std::string("\"").append(id).append("\" cannot be learned; there are ").append(known));
     }
     auto parameters = block->make(source);
     if (!parameters) return parameters.error();
