@@ -39,6 +39,7 @@ struct ForceTable {
 ///     WallAcross    from a node to that below it
 ///     WallBrace     from a node to those below its neighbours
 enum class SpringKind : std::uint8_t { Edge, Line, Strut, WallEdge, WallDiagonal, WallAcross, WallBrace };
+inline constexpr int kSpringKindCount = 7;
 inline constexpr bool isOfSupport(SpringKind kind) noexcept
 {
   return kind >= SpringKind::Strut;
@@ -87,6 +88,10 @@ struct PressureBody {
   }
 };
 
+struct SpringNet;
+/// Of the springs' rest lengths [m]; 0 without springs.
+double medianRestLength(const SpringNet& net);
+
 /// The most nodes that a net may have: passes tell their places in bytes, with 32 bits.
 inline constexpr Index kMostNetNodes = 1 << 27;
 
@@ -133,6 +138,11 @@ struct SpringNet {
   }
   double sectionOf(Index spring) const noexcept { return section.size() > 0 ? section[spring] : 0.0; }
   double volumeOf(Index node) const noexcept { return volume.size() > 0 ? volume[node] : 0.0; }
+  /// Of a spring at rest [m]: where it is, for regions and questions.
+  Eigen::Vector3d middleOf(Index spring) const
+  {
+    return 0.5 * (restPosition.col(ends(0, spring)) + restPosition.col(ends(1, spring)));
+  }
 };
 
 } // namespace esm

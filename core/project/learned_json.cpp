@@ -10,7 +10,9 @@ namespace esm::json {
 namespace {
 
 constexpr const char* kQuantities[] = {"stiffness", "law_parameter", "anchor"};
-constexpr const char* kSpringKinds[] = {"edge", "line", "strut"};
+constexpr const char* kSpringKinds[] = {"edge",          "line",        "strut",     "wall_edge",
+                                        "wall_diagonal", "wall_across", "wall_brace"};
+static_assert(std::size(kSpringKinds) == kSpringKindCount);
 constexpr std::pair<const char*, std::vector<double> SpringQuestions::*> kBorders[] = {
   {"length", &SpringQuestions::lengthBorders},
   {"normal", &SpringQuestions::normalBorders},

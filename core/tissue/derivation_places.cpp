@@ -33,8 +33,7 @@ DerivationPlaces::DerivationPlaces(const SpringNet& net)
     perModulus(springs),
     section(Eigen::ArrayXd::Zero(springs))
 {
-  for (Index s = 0; s < springs; ++s)
-    point.col(s) = 0.5 * (net.restPosition.col(net.ends(0, s)) + net.restPosition.col(net.ends(1, s)));
+  for (Index s = 0; s < springs; ++s) point.col(s) = net.middleOf(s);
   point.rightCols(nodes) = net.restPosition;
 
   for (Index node = 0; node < nodes; ++node)

@@ -28,15 +28,6 @@ int answerTo(const std::vector<double>& borders, double value)
   return static_cast<int>(std::upper_bound(borders.begin(), borders.end(), value) - borders.begin());
 }
 
-double medianLength(const SpringNet& net)
-{
-  std::vector<double> lengths(net.restLength.begin(), net.restLength.end());
-  if (lengths.empty()) return 1.0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle > 0.0 ? *middle : 1.0;
-}
-
 /// The longest principal axis of the nodes; zero where there is none.
 Eigen::Vector3d longestAxis(const SpringNet& net)
 {
@@ -96,6 +87,12 @@ std::vector<Index> nearestOnSurface(const SpringNet& net, const Eigen::Matrix3Xd
   return nearest;
 }
 
+double lengthOf(const SpringNet& net)
+{
+  const double median = medianRestLength(net);
+  return median > 0.0 ? median : 1.0;
+}
+
 /// What angles and depths are measured by.
 struct Surroundings {
   double length;
@@ -104,7 +101,7 @@ struct Surroundings {
   std::vector<Index> nearest;
 
   explicit Surroundings(const SpringNet& net)
-    : length(medianLength(net)),
+    : length(lengthOf(net)),
       axis(longestAxis(net)),
       normal(nodeNormals(net)),
       nearest(nearestOnSurface(net, normal))
@@ -165,11 +162,6 @@ private:
   std::vector<bool> m_everywhere;
 };
 
-Eigen::Vector3d middleOf(const SpringNet& net, Index s)
-{
-  return 0.5 * (net.restPosition.col(net.ends(0, s)) + net.restPosition.col(net.ends(1, s)));
-}
-
 /// "30 to 60 degrees"
 std::string between(const std::vector<double>& borders, int place, double least, double most)
 {
@@ -207,7 +199,7 @@ Status checkLearned(const LearnedLayer& layer)
       return answer >= -1 && answer <= static_cast<int>(borders.size()) && (answer < 0 || !borders.empty());
     };
     const SpringClass& of = factor.of;
-    if (of.kind < -1 || of.kind > 2 || !fits(of.length, ask.lengthBorders) ||
+    if (of.kind < -1 || of.kind >= kSpringKindCount || !fits(of.length, ask.lengthBorders) ||
         !fits(of.normal, ask.normalBorders) || !fits(of.axis, ask.axisBorders) ||
         !fits(of.depth, ask.depthBorders))
       return invalidValue("learned factor " + std::to_string(i) +
@@ -237,7 +229,11 @@ std::string classText(const SpringClass& springs, const SpringQuestions& questio
 {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   const bool german = language == Language::German;
-  constexpr const char* kKinds[2][3] = {{"edges", "lines", "struts"}, {"Kanten", "Linien", "Streben"}};
+  constexpr const char* kKinds[2][kSpringKindCount] = {
+    {"edges", "lines", "struts", "edges of the wall", "diagonals of the wall", "springs across the wall",
+     "braces of the wall"},
+    {"Kanten", "Linien", "Streben", "Kanten der Wand", "Diagonalen der Wand", "Federn quer zur Wand",
+     "Schrägen der Wand"}};
   std::string text = springs.kind >= 0 ? kKinds[german][springs.kind]
                      : german          ? "alle Federn"
                                        : "all springs";
@@ -280,7 +276,7 @@ LearnedNumbers learnedNumbers(const TissueModel& model, const SpringNet& net)
     }
     Eigen::ArrayXd& to = factor.quantity == LearnedQuantity::Stiffness ? logs : numbers.lawShift;
     for (Index s = 0; s < net.springCount(); ++s)
-      if (factor.of.contains(classes[at(s)])) to[s] += factor.value * weights.at(f, middleOf(net, s));
+      if (factor.of.contains(classes[at(s)])) to[s] += factor.value * weights.at(f, net.middleOf(s));
   }
   if (!layer.springs.empty()) {
     std::vector<std::pair<SpringId, Index>> byId(at(net.springCount()));
@@ -315,7 +311,7 @@ LearnedReasons learnedOfSpring(const TissueModel& model, const SpringNet& net, I
   for (std::size_t f = 0; f < layer.factors.size(); ++f) {
     const LearnedFactor& factor = layer.factors[f];
     if (factor.quantity == LearnedQuantity::Anchor || !factor.of.contains(answer)) continue;
-    const double weight = weights.at(f, middleOf(net, spring));
+    const double weight = weights.at(f, net.middleOf(spring));
     if (weight > 0.0)
       add(static_cast<int>(f), weight, factor.value * weight,
           factor.quantity == LearnedQuantity::Stiffness ? log : all.lawShift);

@@ -20,7 +20,7 @@ struct TissueModel;
 /// Springs are told apart by questions to geometry, not by lists: a class of springs survives another mesh of the same
 /// body, a new import and cuts, and can be said in a sentence.
 struct SpringQuestions {
-  bool byKind = false;                    ///< edge, line or strut
+  bool byKind = false;                    ///< see SpringKind
   std::vector<double> lengthBorders = {}; ///< of the rest length over the median of the net's springs [1]
   std::vector<double> normalBorders =
     {}; ///< of the angle to the normal of the nearest surface, 0 to 90 [degrees]

@@ -25,13 +25,14 @@ class Learn(ProgramTest):
                          "--interior", "struts", "--fit-modulus")
         self.project = self.read_json("tube.esm")
 
-    def record(self, name, where, force, factor=FACTOR):
-        """A table of where a net with springs stiffer by the factor rests under a poke."""
+    def record(self, name, where, force, factor=FACTOR, twice=()):
+        """A table of where a net with springs stiffer by the factor, and twice that of these kinds, rests under a poke."""
         poke = ",".join(map(str, [*where, *force, 0.006]))
         self.run_program("apply", "tube.esm", "-o", "poked.esm", "--poke", poke)
         project = self.read_json("poked.esm")
         springs = project["net"]["springs"]
-        springs["stiffness"] = [factor * k for k in springs["stiffness"]]
+        stiffer = {spring for kind in twice for spring in springs[kind]}
+        springs["stiffness"] = [factor * (1 + (i in stiffer)) * k for i, k in enumerate(springs["stiffness"])]
         project["tissue"]["parameters_from_tissue"] = False
         self.write("truth.esm", json.dumps(project))
         self.run_program("simulate", "truth.esm", "--solver", "relax", "--duration", "0.2", "--frames", "10",
@@ -45,13 +46,13 @@ class Learn(ProgramTest):
         rows += ["marker,%s,%s,%s,%s" % (i, row["x"], row["y"], row["z"]) for i, row in last.items()]
         self.write(name, "\n".join(rows) + "\n")
 
-    def record_all(self):
+    def record_all(self, **how):
         position = self.project["geometry"]["position"]
         points = [position[i:i + 3] for i in range(0, len(position), 3)]
         points.sort()
         for name, share, force in (("a.csv", 0.3, (0, 0.004, 0)), ("b.csv", 0.5, (0, 0, -0.004)),
                                    ("c.csv", 0.7, (0.002, -0.003, 0))):
-            self.record(name, points[int(share * len(points))], force)
+            self.record(name, points[int(share * len(points))], force, **how)
 
     def test_what_is_learned_is_kept_explained_and_helps(self):
         self.record_all()
@@ -83,6 +84,16 @@ class Learn(ProgramTest):
                                 "-o", "taught.esm", exit_code=3)
         self.assertIn("nothing that was learned helps", done.stderr)
         self.assertFalse((self.folder / "taught.esm").exists())
+
+    def test_a_wall_learns_by_its_kinds_of_springs(self):
+        self.run_program("import", SOURCE / "resources/samples/fallopian_tube.obj", "-o", "tube.esm", "--unit", "mm",
+                         "--interior", "wall", "--wall-thickness", "0.002")
+        self.project = self.read_json("tube.esm")
+        self.record_all(twice=("wall_edges", "wall_across"))
+        self.run_program("learn", "tube.esm", "-r", "a.csv", "b.csv", "--what", "classes", "-o", "taught.esm")
+        kinds = {factor.get("kind") for factor in self.read_json("taught.esm")["tissue"]["learned"]["factors"]}
+        self.assertTrue({"edge", "wall_edge", "wall_across", "wall_brace"} <= kinds, kinds)
+        self.run_program("validate", "taught.esm")
 
     def test_slopes_are_those_of_differences(self):
         self.record_all()

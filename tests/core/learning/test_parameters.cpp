@@ -36,6 +36,27 @@ ParameterSet setOf(const char* block, const SpringNet& net, const TissueModel& t
   return ParameterSet(net, std::move(*parameters));
 }
 
+// Springs of a wall are classes of their own: each kind has a name, in both languages, and is kept.
+TEST(Parameters, EveryKindOfSpringIsAClassWithAName)
+{
+  LearnedLayer layer;
+  layer.questions.byKind = true;
+  for (const Language language : {Language::English, Language::German}) {
+    std::set<std::string> names;
+    for (int kind = 0; kind < kSpringKindCount; ++kind) {
+      LearnedFactor factor;
+      factor.of.kind = kind;
+      layer.factors = {factor};
+      EXPECT_TRUE(checkLearned(layer)) << kind;
+      names.insert(classText(factor.of, layer.questions, language));
+    }
+    EXPECT_EQ(names.size(), static_cast<std::size_t>(kSpringKindCount));
+    EXPECT_FALSE(names.contains(""));
+  }
+  layer.factors.front().of.kind = kSpringKindCount;
+  EXPECT_FALSE(checkLearned(layer));
+}
+
 TEST(Parameters, ClassesPartAllSprings)
 {
   const SpringNet net = block({7, 4, 4});

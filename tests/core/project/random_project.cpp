@@ -117,7 +117,7 @@ SpringNet randomNet(Dice& dice)
     net.law[place] = oneLaw ? SpringLaw::Cubic : SpringLaw(dice.below(4));
     net.lawParameter[s] = net.law[place] == SpringLaw::Table ? dice.below(2) : dice.any();
     net.tensionOnly[place] = dice.coin();
-    net.kind[place] = SpringKind(dice.below(3));
+    net.kind[place] = SpringKind(dice.below(kSpringKindCount));
     if (dice.coin()) net.springId[place] = SpringId{1000 + s};
   }
   const auto anchored = dice.nodes(nodes);
@@ -166,7 +166,8 @@ LearnedLayer randomLayer(Dice& dice)
   for (int i = dice.below(4); i >= 0; --i) {
     LearnedFactor factor;
     factor.quantity = LearnedQuantity(dice.below(3));
-    factor.of = {dice.coin() ? -1 : dice.below(3), dice.below(2), dice.below(3), -1, dice.coin() ? -1 : 1};
+    factor.of = {dice.coin() ? -1 : dice.below(kSpringKindCount), dice.below(2), dice.below(3), -1,
+                 dice.coin() ? -1 : 1};
     if (dice.coin()) factor.region = dice.text();
     factor.value = dice.uniform(-3, 3);
     factor.deviation = dice.uniform(0, 1);
