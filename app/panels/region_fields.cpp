@@ -298,9 +298,7 @@ void RegionFields::refreshCount()
   const RegionShape shape(*shown);
   int inside = 0;
   for (Index s = 0; s < net.springCount(); ++s)
-    if (shape.weight(0.5 * (net.restPosition.col(net.ends(0, s)) + net.restPosition.col(net.ends(1, s)))) >
-        0.0)
-      ++inside;
+    if (shape.weight(net.middleOf(s)) > 0.0) ++inside;
   m_count->setText(tr("%n spring(s)", nullptr, inside));
 }
 

@@ -49,10 +49,7 @@ void RegionDriver::toolsChanged(const std::vector<ToolSpring>& before)
     std::vector<Index> seeds;
     for (std::size_t i = 0; i < std::max(now.size(), before.size()); ++i) {
       const bool both = i < now.size() && i < before.size();
-      const bool isLed = (i < now.size() && now[i].isLed()) || (i < before.size() && before[i].isLed());
-      if (both && !isLed && sameSpring(now[i], before[i]) && now[i].target == before[i].target &&
-          now[i].targetVelocity == before[i].targetVelocity)
-        continue;
+      if (both && now[i] == before[i] && !now[i].isLed()) continue;
       if (i < now.size()) seeds.push_back(now[i].node);
       if (i < before.size()) seeds.push_back(before[i].node);
     }

@@ -190,11 +190,12 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_loss.prepare(system);
   m_unseen.isOpen = false;
   // Who keeps time goes on by blocks, until the usual look at the bound tells more.
-  m_boundIsOld = m_byBlocks;
-  if (m_byBlocks)
+  if (m_byBlocks) {
+    m_boundIsOld = true;
     weighSteps(system);
-  else
+  } else {
     setBound(system, state);
+  }
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
   if (!m_byBlocks) layOut(m_method, system); // nothing is, after another cut
   explain();

@@ -114,8 +114,7 @@ bool StepDriver::paysOff(double saving, double price) const noexcept
 bool StepDriver::mayTakeBlocks(const System& system) const noexcept
 {
   constexpr std::size_t kFewNodes = 500;
-  const bool isLed = m_handLeads && m_blocksSuffice;
-  return m_auto && m_settings.keepsTime && (isLed || system.nodeCount() > kFewNodes);
+  return m_auto && m_settings.keepsTime && (isLedByBlocks() || system.nodeCount() > kFewNodes);
 }
 
 /// What a net that keeps time is moved by depends on what plain steps cost, of which the rest is a multiple. Where a
@@ -124,7 +123,7 @@ bool StepDriver::wantsBlocks(const System& system, double plainCost) const noexc
 {
   constexpr double kBack = 0.7; // of the effort, below which plain steps return
   if (!mayTakeBlocks(system)) return false;
-  return (m_handLeads && m_blocksSuffice) || plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
+  return isLedByBlocks() || plainCost > (m_byBlocks ? kBack : 1.0) * effort(system);
 }
 
 /// Whether what blocks are told to err is no more than may be.

@@ -177,6 +177,7 @@ private:
   double passesOf(const System& system, double step);
   bool mayTakeBlocks(const System& system) const noexcept;
   bool areBlocksWithin() const noexcept;
+  bool isLedByBlocks() const noexcept { return m_handLeads && m_blocksSuffice; }
   void followHand(const System& system);
   bool wantsBlocks(const System& system, double plainCost) const noexcept;
   void weighLeastCost(const System& system);

@@ -99,9 +99,11 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
       m_gauge.setScale(scale);
       keep(system, state, expectedError(state), m_roughOverLocal * m_roughLocal);
       report.rejectedSteps += steps;
-      m_blocksSuffice = m_blocksSuffice && areBlocksWithin();
-      if (!m_blocksSuffice) weighLeastCost(system); // where plain steps can be paid for, they err less
-    } else {                                        // that was for nothing
+      if (isLedByBlocks() && !areBlocksWithin()) { // where plain steps can be paid for, they err less
+        m_blocksSuffice = false;
+        weighLeastCost(system);
+      }
+    } else { // that was for nothing
       state = coarse;
       m_gauge.setScale(coarseScale);
       report.rejectedSteps += 2 * steps;

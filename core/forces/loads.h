@@ -55,6 +55,7 @@ struct ToolSpring {
   bool moves = false;
 
   bool isLed() const noexcept { return moves && !targetVelocity.isZero(0.0); }
+  bool operator==(const ToolSpring&) const = default;
 };
 
 } // namespace esm

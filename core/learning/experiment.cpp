@@ -12,20 +12,9 @@ namespace {
 /// Sensitivities of more parameters are not kept as a start: a gigabyte for a large net.
 constexpr Index kFewParameters = 300;
 
-Eigen::Vector3d placeOf(const Marker& marker, const NodeArray& x)
+auto placesIn(const NodeArray& x)
 {
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 3 && marker.node[k] != kNoIndex; ++k)
-    place += marker.share[k] * toVector(x[at(marker.node[k])]);
-  return place;
-}
-
-Eigen::Vector3d restOf(const Marker& marker, const SpringNet& net)
-{
-  Eigen::Vector3d place = Eigen::Vector3d::Zero();
-  for (std::size_t k = 0; k < 3 && marker.node[k] != kNoIndex; ++k)
-    place += marker.share[k] * net.restPosition.col(marker.node[k]);
-  return place;
+  return [&x](Index node) { return toVector(x[at(node)]); };
 }
 
 bool isOnFree(const Marker& marker, const SpringNet& net, const std::vector<std::uint8_t>& isHeld)
@@ -79,7 +68,7 @@ Status checkRecording(const Recording& recording, const SpringNet& net)
   double moved = 0.0;
   for (std::size_t m = 0; m < recording.markers.size(); ++m) {
     const Eigen::Vector3d way =
-      recording.position.col(static_cast<Eigen::Index>(m)) - restOf(recording.markers[m], net);
+      recording.position.col(static_cast<Eigen::Index>(m)) - recording.markers[m].at(restOf(net));
     if (way.allFinite() && isOnFree(recording.markers[m], net, isHeld)) moved = std::max(moved, way.norm());
   }
   if (!(moved > 0.0))
@@ -102,7 +91,7 @@ Experiment::Experiment(const SpringNet& net, Recording recording)
   double square = 0.0;
   for (std::size_t m = 0; m < m_recording.markers.size(); ++m) {
     const Marker& marker = m_recording.markers[m];
-    const Eigen::Vector3d rest = restOf(marker, net);
+    const Eigen::Vector3d rest = marker.at(restOf(net));
     const Eigen::Vector3d moved = m_recording.position.col(static_cast<Eigen::Index>(m)) - rest;
     if (!moved.allFinite() || !isOnFree(marker, net, isHeld)) continue;
     const double weight = m_recording.weight.empty() ? 1.0 : m_recording.weight[m];
@@ -118,7 +107,7 @@ void Experiment::findResidual()
 {
   for (std::size_t m = 0; m < m_markers.size(); ++m) {
     const Seen& seen = m_markers[m];
-    const Eigen::Vector3d moved = placeOf(seen.marker, m_statics.place()) - seen.rest;
+    const Eigen::Vector3d moved = seen.marker.at(placesIn(m_statics.place())) - seen.rest;
     m_residual.segment<3>(3 * static_cast<Eigen::Index>(m)) = seen.scale * (moved - seen.moved);
   }
 }
@@ -173,7 +162,7 @@ void Experiment::findSlopes(const SpringNet& net, const ParameterSet& set)
     slopes.changeOfPlace(changes, change);
     for (std::size_t m = 0; m < m_markers.size(); ++m)
       m_slopes.block<3, 1>(3 * static_cast<Eigen::Index>(m), j) =
-        m_markers[m].scale * placeOf(m_markers[m].marker, change);
+        m_markers[m].scale * m_markers[m].marker.at(placesIn(change));
     if (isKept) m_changes[at(j)] = change;
   }
 }

@@ -109,12 +109,8 @@ private:
     m_used = m_all;
     for (int doubled = 0; doubled < kStiffStarts; ++doubled) {
       std::vector<double> theta = before;
-      for (std::size_t j = 0; j < theta.size(); ++j) {
-        const Parameter& parameter = m_set.parameters()[j];
-        const bool isCommon = parameter.spring == SpringId{-1} && parameter.factor.region.empty() &&
-                              parameter.factor.quantity == LearnedQuantity::Stiffness;
-        if (isCommon) theta[j] += doubled * std::log(2.0);
-      }
+      for (std::size_t j = 0; j < theta.size(); ++j)
+        if (m_set.parameters()[j].isCommonStiffness()) theta[j] += doubled * std::log(2.0);
       for (Experiment* experiment : m_used) experiment->restart();
       respond(theta, {}, trials);
       if (doubled == 0) noteBefore(trials);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace esm::learning {
 namespace {
@@ -46,12 +47,6 @@ Result<std::vector<Experiment>> experimentsOf(const SpringNet& net, const std::v
   return experiments;
 }
 
-bool isCommonStiffness(const Parameter& parameter)
-{
-  return parameter.spring == SpringId{-1} && parameter.factor.region.empty() &&
-         parameter.factor.quantity == LearnedQuantity::Stiffness;
-}
-
 double errorThatDecides(const FitReport& report)
 {
   return report.validationBefore > 0.0 ? report.validationAfter : report.trainingAfter;
@@ -91,7 +86,8 @@ Result<LearnResult> learn(const TissueModel& tissue, const SpringNet& given,
   if (!exams) return exams.error();
 
   LearnResult result;
-  const auto common = std::count_if(parameters->begin(), parameters->end(), isCommonStiffness);
+  const auto common =
+    std::count_if(parameters->begin(), parameters->end(), std::mem_fn(&Parameter::isCommonStiffness));
   const auto all = static_cast<std::ptrdiff_t>(parameters->size());
   double factor = 0.0;
   std::vector<Parameter> global;
@@ -103,7 +99,7 @@ Result<LearnResult> learn(const TissueModel& tissue, const SpringNet& given,
     if (result.first.hasHelped) factor = result.first.theta[0];
   }
   for (Parameter& parameter : *parameters)
-    if (isCommonStiffness(parameter)) parameter.centre = factor;
+    if (parameter.isCommonStiffness()) parameter.centre = factor;
   const ParameterSet set(*net, std::move(*parameters));
   auto last = stage(*net, set, *lessons, *exams, settings.fit);
   if (!last) return last.error();

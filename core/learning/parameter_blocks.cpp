@@ -75,12 +75,9 @@ Parameters makeRegions(const BlockSource& source)
     Parameter parameter = parameterOf("region " + region.name, LearnedQuantity::Stiffness);
     parameter.factor.region = region.name;
     const RegionShape shape(region);
-    for (Index s = 0; s < net.springCount(); ++s) {
-      const Eigen::Vector3d middle =
-        0.5 * (net.restPosition.col(net.ends(0, s)) + net.restPosition.col(net.ends(1, s)));
-      if (const double weight = shape.weight(middle); weight > 0.0)
+    for (Index s = 0; s < net.springCount(); ++s)
+      if (const double weight = shape.weight(net.middleOf(s)); weight > 0.0)
         parameter.shares.push_back({NetQuantity::Stiffness, s, weight});
-    }
     if (!parameter.shares.empty()) parameters->push_back(std::move(parameter));
   }
   if (parameters->size() == 1)

@@ -30,6 +30,12 @@ struct Parameter {
     double weight = 1.0;
   };
   std::vector<Share> shares;
+
+  /// Whether it is a factor of springs everywhere, for all or a class of them: what makes a net stiffer as a whole.
+  bool isCommonStiffness() const noexcept
+  {
+    return spring == SpringId{-1} && factor.region.empty() && factor.quantity == LearnedQuantity::Stiffness;
+  }
 };
 
 /// The parameters of a fit over one net.

@@ -17,7 +17,20 @@ struct Marker {
   std::array<Index, 3> node = {kNoIndex, kNoIndex, kNoIndex}; ///< kNoIndex from the first that is not used
   std::array<double, 3> share = {1.0, 0.0, 0.0};              ///< sum 1
   static Marker ofNode(Index node) { return {{node, kNoIndex, kNoIndex}, {1.0, 0.0, 0.0}}; }
+  /// Where it is, if placeOf(node) is where a node is.
+  template <class PlaceOf>
+  Eigen::Vector3d at(const PlaceOf& placeOf) const
+  {
+    Eigen::Vector3d place = Eigen::Vector3d::Zero();
+    for (std::size_t k = 0; k < node.size() && node[k] != kNoIndex; ++k) place += share[k] * placeOf(node[k]);
+    return place;
+  }
 };
+/// The places of a net's nodes at rest, for Marker::at().
+inline auto restOf(const SpringNet& net)
+{
+  return [&net](Index node) -> Eigen::Vector3d { return net.restPosition.col(node); };
+}
 
 /// What was seen in one experiment in balance: loads, prescribed places, and where markers went. Plain data, SI.
 struct Recording {

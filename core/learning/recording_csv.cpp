@@ -5,6 +5,7 @@
 #include "core/base/csv_reader.h"
 #include "core/base/text_number.h"
 #include "core/geometry/distance.h"
+#include "core/geometry/nearest_weights.h"
 #include "core/learning/recording_frame.h"
 #include "core/learning/statics.h"
 
@@ -24,42 +25,10 @@ enum class Column { What, Node, X, Y, Z, VX, VY, VZ, Sd };
 constexpr const char* kColumns[] = {"what", "node", "x", "y", "z", "vx", "vy", "vz", "sd"};
 constexpr std::size_t kColumnCount = std::size(kColumns);
 
-double middleLength(const SpringNet& net)
-{
-  std::vector<double> lengths(net.restLength.begin(), net.restLength.end());
-  if (lengths.empty()) return 0.0;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
-}
-
-/// Shares of a triangle's corners at its point nearest to p (Ericson, Real-Time Collision Detection, 5.1.5).
-Eigen::Vector3d nearestShares(const Eigen::Vector3d& p, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
-                              const Eigen::Vector3d& c)
-{
-  const Eigen::Vector3d ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
-  const double d1 = ab.dot(ap), d2 = ac.dot(ap), d3 = ab.dot(bp), d4 = ac.dot(bp), d5 = ab.dot(cp),
-               d6 = ac.dot(cp);
-  if (d1 <= 0.0 && d2 <= 0.0) return {1.0, 0.0, 0.0};
-  if (d3 >= 0.0 && d4 <= d3) return {0.0, 1.0, 0.0};
-  const double vc = d1 * d4 - d3 * d2;
-  if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0) return {1.0 - d1 / (d1 - d3), d1 / (d1 - d3), 0.0};
-  if (d6 >= 0.0 && d5 <= d6) return {0.0, 0.0, 1.0};
-  const double vb = d5 * d2 - d1 * d6;
-  if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0) return {1.0 - d2 / (d2 - d6), 0.0, d2 / (d2 - d6)};
-  const double va = d3 * d6 - d5 * d4;
-  if (va <= 0.0 && d4 - d3 >= 0.0 && d5 - d6 >= 0.0) {
-    const double w = (d4 - d3) / ((d4 - d3) + (d5 - d6));
-    return {0.0, 1.0 - w, w};
-  }
-  const double all = va + vb + vc;
-  return {va / all, vb / all, vc / all};
-}
-
 class Reading {
 public:
   Reading(CsvReader reader, const std::string& fileName, const SpringNet& net, const RecordingUnits& units)
-    : m_reader(std::move(reader)), m_net(net), m_units(units), m_edge(middleLength(net))
+    : m_reader(std::move(reader)), m_net(net), m_units(units), m_edge(medianRestLength(net))
   {
     m_recording.name = fileName;
     for (Index i = 0; i < net.nodeCount(); ++i) m_nodeOf[static_cast<Index>(net.nodeId[at(i)])] = i;
@@ -267,7 +236,7 @@ private:
         const auto corner = [&](int k) -> Eigen::Vector3d {
           return m_net.restPosition.col(m_net.triangles(k, t));
         };
-        const Eigen::Vector3d share = nearestShares(loose.place, corner(0), corner(1), corner(2));
+        const Eigen::Vector3d share = nearestWeights(loose.place, corner(0), corner(1), corner(2));
         const double distance =
           (share[0] * corner(0) + share[1] * corner(1) + share[2] * corner(2) - loose.place).norm();
         if (!(distance < least)) continue;
@@ -285,16 +254,10 @@ private:
                             " m off the net, more than half an edge; is the unit of length "
                             "right (--length-unit), and are the axes those of the net?");
       m_recording.markers[loose.marker] = best;
-      m_seen[loose.marker] += pointOf(best) - loose.place; // how far it moved counts, not the way to the net
+      m_seen[loose.marker] +=
+        best.at(restOf(m_net)) - loose.place; // how far it moved counts, not the way to the net
     }
     return {};
-  }
-  Eigen::Vector3d pointOf(const Marker& marker) const
-  {
-    Eigen::Vector3d point = Eigen::Vector3d::Zero();
-    for (std::size_t k = 0; k < 3 && marker.node[k] != kNoIndex; ++k)
-      point += marker.share[k] * m_net.restPosition.col(marker.node[k]);
-    return point;
   }
 
   Status takeWeights()

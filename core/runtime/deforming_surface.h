@@ -16,11 +16,6 @@ struct SurfacePoint {
   Eigen::Vector3d weight = Eigen::Vector3d::Zero(); ///< >= 0, sum 1
 };
 
-/// The point of a triangle nearest to `point` (Ericson, Real-Time Collision Detection, 5.1.5). A triangle
-/// without area answers with a point of its edges.
-Eigen::Vector3d nearestWeights(const Eigen::Vector3d& point, const Eigen::Vector3d& a,
-                               const Eigen::Vector3d& b, const Eigen::Vector3d& c);
-
 /// The triangles of a net in motion in a tree of boxes: which is nearest, which is hit first.
 ///
 /// The tree is built once, by halving at the median; when the surface has moved the boxes are fitted again,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/tool_tip.h"
 
+#include "core/geometry/nearest_weights.h"
 #include "core/runtime/limited_pull.h"
 #include "core/runtime/tool_grip.h"
 

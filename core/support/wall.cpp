@@ -56,7 +56,6 @@ public:
     return true;
   }
 
-  double worstCell() const { return m_worst; }
   double meanCell() const { return m_volume > 0.0 ? m_errorSum / m_volume : 0.0; }
   double volume() const { return m_volume; }
   Layer layer;
@@ -78,6 +77,12 @@ private:
     return m_net.restPosition.col(node) + (static_cast<double>(sheet) / m_layers) * m_offset.depth.col(node);
   }
 
+  /// Place of side c of a triangle among all sides.
+  static std::size_t sideOf(Index t, int c) noexcept
+  {
+    return 3 * static_cast<std::size_t>(t) + static_cast<std::size_t>(c);
+  }
+
   /// For each side of a triangle the corner beyond it, if both triangles together look like a quad.
   void findQuads()
   {
@@ -88,14 +93,14 @@ private:
     std::vector<std::pair<Index, Index>> cornersOf(static_cast<std::size_t>(edges.ends.cols()),
                                                    {kNoIndex, kNoIndex});
     const auto count = static_cast<Index>(m_triangles.cols());
-    const auto edgeAt = [&](Index t, int c) { return edges.edgeOfSide[static_cast<std::size_t>(3 * t + c)]; };
+    const auto edgeAt = [&](Index t, int c) { return edges.edgeOfSide[sideOf(t, c)]; };
     for (Index t = 0; t < count; ++t)
       for (int c = 0; c < 3; ++c)
         if (const Index edge = edgeAt(t, c); edge != kNoIndex) {
           auto& [first, second] = cornersOf[static_cast<std::size_t>(edge)];
           (first == kNoIndex ? first : second) = m_triangles((c + 2) % 3, t);
         }
-    m_beyond.assign(static_cast<std::size_t>(3 * count), kNoIndex);
+    m_beyond.assign(3 * static_cast<std::size_t>(count), kNoIndex);
     for (Index t = 0; t < count; ++t)
       for (int c = 0; c < 3; ++c) {
         const Index edge = edgeAt(t, c);
@@ -106,8 +111,7 @@ private:
           return (m_net.restPosition.col(a) - m_net.restPosition.col(b)).norm();
         };
         if (length(first, second) <= kQuadSides * length(edges.ends(0, edge), edges.ends(1, edge)))
-          m_beyond[static_cast<std::size_t>(3 * t + c)] =
-            first == m_triangles((c + 2) % 3, t) ? second : first;
+          m_beyond[sideOf(t, c)] = first == m_triangles((c + 2) % 3, t) ? second : first;
       }
   }
 
@@ -119,7 +123,7 @@ private:
       const Index a = m_triangles(c, t), b = m_triangles((c + 1) % 3, t), tip = m_triangles((c + 2) % 3, t);
       bonds.push_back({at(a, above), at(a, below), SpringKind::WallAcross});
       addPair(bonds, a, b, above, below, SpringKind::WallEdge);
-      if (const Index beyond = m_beyond[static_cast<std::size_t>(3 * t + c)]; beyond != kNoIndex)
+      if (const Index beyond = m_beyond[sideOf(t, c)]; beyond != kNoIndex)
         addPair(bonds, tip, beyond, above, below, SpringKind::WallDiagonal);
     }
     return bonds;
@@ -154,7 +158,6 @@ private:
                                   bonds[i].kind == SpringKind::WallDiagonal);
     }
     const CellShares shares = shareCell(springs, normalOf(t, below));
-    m_worst = std::max(m_worst, shares.error);
     m_errorSum += volume * shares.error;
     m_volume += volume;
     for (std::size_t i = 0; i < bonds.size(); ++i) {
@@ -227,7 +230,7 @@ private:
   std::vector<Index> m_beyond;                 ///< per side of a triangle
   std::unordered_map<std::uint64_t, Index> m_springOf;
   std::unordered_map<std::uint64_t, std::size_t> m_strutOf; ///< asked only, never walked through
-  double m_worst = 0.0, m_errorSum = 0.0, m_volume = 0.0;
+  double m_errorSum = 0.0, m_volume = 0.0;
 };
 
 double meanSide(const OutwardSurface& surface, const SpringNet& net)

@@ -273,27 +273,4 @@ Result<WallOffset> offsetInwards(const SpringNet& net, const OutwardSurface& sur
   return Offset(net, surface, thickness, control).make();
 }
 
-TriangleMatrix wallBoundary(const OutwardSurface& surface, Index nodeCount)
-{
-  const TriangleMatrix& outer = surface.triangles();
-  std::vector<std::pair<Index, Index>> sides;
-  for (const auto& triangle : outer.colwise())
-    for (int k = 0; k < 3; ++k) sides.emplace_back(triangle[k], triangle[(k + 1) % 3]);
-  std::sort(sides.begin(), sides.end());
-  std::vector<std::pair<Index, Index>> open;
-  for (const auto& [a, b] : sides)
-    if (!std::binary_search(sides.begin(), sides.end(), std::pair(b, a))) open.emplace_back(a, b);
-  const Eigen::Index count = outer.cols();
-  TriangleMatrix all(3, 2 * count + 2 * static_cast<Eigen::Index>(open.size()));
-  all.leftCols(count) = outer;
-  for (Eigen::Index t = 0; t < count; ++t)
-    all.col(count + t) << nodeCount + outer(0, t), nodeCount + outer(2, t), nodeCount + outer(1, t);
-  Eigen::Index next = 2 * count;
-  for (const auto& [a, b] : open) {
-    all.col(next++) << b, a, nodeCount + a;
-    all.col(next++) << b, nodeCount + a, nodeCount + b;
-  }
-  return all;
-}
-
 } // namespace esm::support

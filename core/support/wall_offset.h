@@ -30,8 +30,4 @@ struct WallOffset {
 Result<WallOffset> offsetInwards(const SpringNet& net, const OutwardSurface& surface, double thickness,
                                  WorkControl* control);
 
-/// The boundary of the wall over the nodes (i) and the inner ones (N + i): outer and inner surface, and strips
-/// along open borders. Closed; normals out of the tissue.
-TriangleMatrix wallBoundary(const OutwardSurface& surface, Index nodeCount);
-
 } // namespace esm::support

@@ -104,17 +104,26 @@ double unseenError(const SpringNet& learned, const SpringNet& truth)
   return std::sqrt(sum / static_cast<double>(kUnseen.size()));
 }
 
+/// A net, and the same with factors for its classes that a fit does not know.
+struct HiddenClasses {
+  SpringNet net = exponentialBlock();
+  ParameterSet set = setOf("classes", net, defaultTissue(), fewQuestions());
+  std::vector<double> hidden = std::vector<double>(at(set.count()));
+  SpringNet truth = net;
+
+  HiddenClasses()
+  {
+    Dice dice(17);
+    for (double& value : hidden) value = dice.uniform(-0.6, 1.0);
+    set.apply(hidden, truth);
+  }
+};
+
 // A net with hidden factors makes the data; the fit must find them again. Bounds: train 0.01 %, unseen 0.5 %.
 TEST(Fit, HiddenFactorsOfClassesAreFoundAgain)
 {
-  const SpringNet net = exponentialBlock();
-  const TissueModel tissue = defaultTissue();
-  const ParameterSet set = setOf("classes", net, tissue, fewQuestions());
-  std::vector<double> hidden(at(set.count()));
-  Dice dice(17);
-  for (double& value : hidden) value = dice.uniform(-0.6, 1.0);
-  SpringNet truth = net;
-  set.apply(hidden, truth);
+  const HiddenClasses made;
+  const auto& [net, set, hidden, truth] = made;
 
   auto training = experiments(net, truth, kTraining);
   auto none = std::vector<Experiment>{};
@@ -207,14 +216,8 @@ TEST(Fit, AStiffInclusionIsFoundAsTheFactorOfItsRegion)
 // Noise of 5 % of the RMS displacement, and 1 % of the markers 10 deviations off.
 TEST(Fit, NoiseAndOutliersHardlyMoveTheResult)
 {
-  const SpringNet net = exponentialBlock();
-  const TissueModel tissue = defaultTissue();
-  const ParameterSet set = setOf("classes", net, tissue, fewQuestions());
-  std::vector<double> hidden(at(set.count()));
-  Dice dice(17);
-  for (double& value : hidden) value = dice.uniform(-0.6, 1.0);
-  SpringNet truth = net;
-  set.apply(hidden, truth);
+  const HiddenClasses made;
+  const auto& [net, set, hidden, truth] = made;
   const auto learnedFrom = [&](double outliers) {
     std::vector<Experiment> training;
     Dice chance(41);

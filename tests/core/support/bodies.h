@@ -30,6 +30,18 @@ inline SpringNet netOf(const Mesh& mesh)
   return std::move(*net);
 }
 
+/// A net that cannot have it is a failure of the test.
+inline SupportReport supported(SpringNet& net, const SupportOptions& options)
+{
+  const auto report = addSupport(net, options);
+  if (!report) {
+    ADD_FAILURE() << report.error().detail;
+    return {};
+  }
+  if (const Status status = checkNet(net); !status) ADD_FAILURE() << status.error().detail;
+  return *report;
+}
+
 constexpr MaterialOptions kFittedWall{MaterialOptions::Body::Wall, EdgeFormula::VanGelder, true};
 constexpr MaterialOptions kFittedSolid{MaterialOptions::Body::Solid, EdgeFormula::VanGelder, true};
 /// A net of default tissue, but of little springiness, so that what swings comes to rest within the seconds

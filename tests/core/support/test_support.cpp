@@ -13,19 +13,9 @@ namespace {
 using test::boxMesh;
 using test::netOf;
 using test::organMesh;
+using test::supported;
 using test::tubeMesh;
 using Interior = SupportOptions::Interior;
-
-SupportReport support(SpringNet& net, const SupportOptions& options)
-{
-  const auto report = addSupport(net, options);
-  if (!report) {
-    ADD_FAILURE() << report.error().detail;
-    return {};
-  }
-  if (const Status status = checkNet(net); !status) ADD_FAILURE() << status.error().detail;
-  return *report;
-}
 
 SupportOptions interior(Interior kind)
 {
@@ -64,7 +54,7 @@ TEST(Support, TheDefaultsAddNothing)
 {
   const SpringNet before = netOf(boxMesh({0.02, 0.02, 0.02}, 0.005));
   SpringNet net = before;
-  support(net, {});
+  supported(net, {});
   expectSame(net, before);
 }
 
@@ -76,7 +66,7 @@ TEST(Support, StrutsAlongTheNormalOfASlabCrossItStraight)
   SupportOptions options = interior(Interior::Struts);
   options.strutsPerNode = 1;
   const Index before = net.springCount();
-  const SupportReport report = support(net, options);
+  const SupportReport report = supported(net, options);
   ASSERT_EQ(net.springCount(), before + report.springs);
   EXPECT_FALSE(hasDoubles(net));
   Index straight = 0;
@@ -92,7 +82,7 @@ TEST(Support, StrutsAlongTheNormalOfASlabCrossItStraight)
 TEST(Support, SectionsAddUpToHalfTheSurface)
 {
   SpringNet net = netOf(organMesh({0.03, 0.02, 0.015}, 8));
-  const SupportReport report = support(net, interior(Interior::Struts));
+  const SupportReport report = supported(net, interior(Interior::Struts));
   EXPECT_TRUE(report.unsupported.empty());
   EXPECT_NEAR(net.section.sum() / (0.5 * nodeDualAreas(net).sum()), 1.0, 1e-12);
 }
@@ -104,12 +94,12 @@ TEST(Support, WhatWasAddedGoesAwayWithoutATrace)
     SpringNet net = before;
     SupportOptions options = interior(kind);
     options.anchors = SupportOptions::Anchors::All;
-    const SupportReport report = support(net, options);
+    const SupportReport report = supported(net, options);
     EXPECT_GT(report.springs, 100);
     EXPECT_EQ(report.anchors, before.nodeCount());
     EXPECT_FALSE(hasDoubles(net));
     const SpringNet once = net;
-    support(net, options); // made anew, not twice
+    supported(net, options); // made anew, not twice
     expectSame(net, once);
     std::vector<Index> map;
     EXPECT_TRUE(removeSupport(net, &map));
@@ -183,7 +173,7 @@ TEST(Support, StrutsGoInwardsWhateverTheOrientation)
   for (Eigen::Index t = 0; t < mesh.triangles.cols(); t += 3)
     std::swap(mesh.triangles(0, t), mesh.triangles(1, t));
   SpringNet net = netOf(mesh);
-  const SupportReport report = support(net, interior(Interior::Struts));
+  const SupportReport report = supported(net, interior(Interior::Struts));
   EXPECT_TRUE(report.unsupported.empty());
   EXPECT_GT(report.shortest, 2.0 * 0.02 * std::cos(0.6) * 0.85); // snapping moves an end by half a cell
   EXPECT_LE(report.longest, 0.04 * (1.0 + 1e-12));
@@ -192,7 +182,7 @@ TEST(Support, StrutsGoInwardsWhateverTheOrientation)
 TEST(Support, AnOpenTubeGetsStrutsAcrossItsLumen)
 {
   SpringNet net = netOf(tubeMesh(0.005, 0.06, 20, 40));
-  const SupportReport report = support(net, interior(Interior::Struts));
+  const SupportReport report = supported(net, interior(Interior::Struts));
   EXPECT_LT(report.unsupported.size(), 5U);
   EXPECT_GT(report.shortest, 0.005);
 }
@@ -207,7 +197,7 @@ TEST(Support, StrutsOfAHollowBodyStayInItsWall)
   mesh.triangles.resize(3, outer.triangles.cols() + inner.triangles.cols());
   mesh.triangles << outer.triangles, (inner.triangles.array() + outer.vertexCount()).matrix();
   SpringNet net = netOf(mesh);
-  const SupportReport report = support(net, interior(Interior::Struts));
+  const SupportReport report = supported(net, interior(Interior::Struts));
   EXPECT_LT(report.longest, 2.0 * std::sqrt(0.03 * 0.03 - 0.02 * 0.02)); // a chord that touches the cavity
   for (Index s = 0; s < net.springCount(); ++s) {
     if (net.kind[static_cast<std::size_t>(s)] != SpringKind::Strut) continue;
@@ -225,7 +215,7 @@ TEST(Support, TissueGivesTheLayerItsNumbers)
   options.anchors = SupportOptions::Anchors::Part;
   options.anchorPart = {{0.03, 0, 0}, {0.01, 0.03, 0.03}, Eigen::Quaterniond::Identity()};
   options.anchorLength = 0.03;
-  const SupportReport report = support(net, options);
+  const SupportReport report = supported(net, options);
   EXPECT_GT(report.anchors, 0);
   EXPECT_LT(report.anchors, net.nodeCount() / 3);
   const TissueModel model = defaultTissue();

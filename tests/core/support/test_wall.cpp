@@ -25,6 +25,7 @@ namespace {
 using test::boxMesh;
 using test::netOf;
 using test::organMesh;
+using test::supported;
 using test::tubeMesh;
 
 SupportOptions wallOf(double thickness, int layers = 0)
@@ -56,15 +57,29 @@ Mesh quadTube(double radius, double length)
   return mesh;
 }
 
-SupportReport addWall(SpringNet& net, const SupportOptions& options)
+/// The boundary of the wall over the nodes (i) and the inner ones (N + i): outer and inner surface, and strips
+/// along open borders. Closed; normals out of the tissue.
+TriangleMatrix wallBoundary(const OutwardSurface& surface, Index nodeCount)
 {
-  const auto report = addSupport(net, options);
-  if (!report) {
-    ADD_FAILURE() << report.error().detail;
-    return {};
+  const TriangleMatrix& outer = surface.triangles();
+  std::vector<std::pair<Index, Index>> sides;
+  for (const auto& triangle : outer.colwise())
+    for (int k = 0; k < 3; ++k) sides.emplace_back(triangle[k], triangle[(k + 1) % 3]);
+  std::sort(sides.begin(), sides.end());
+  std::vector<std::pair<Index, Index>> open;
+  for (const auto& [a, b] : sides)
+    if (!std::binary_search(sides.begin(), sides.end(), std::pair(b, a))) open.emplace_back(a, b);
+  const Eigen::Index count = outer.cols();
+  TriangleMatrix all(3, 2 * count + 2 * static_cast<Eigen::Index>(open.size()));
+  all.leftCols(count) = outer;
+  for (Eigen::Index t = 0; t < count; ++t)
+    all.col(count + t) << nodeCount + outer(0, t), nodeCount + outer(2, t), nodeCount + outer(1, t);
+  Eigen::Index next = 2 * count;
+  for (const auto& [a, b] : open) {
+    all.col(next++) << b, a, nodeCount + a;
+    all.col(next++) << b, nodeCount + a, nodeCount + b;
   }
-  if (const Status status = checkNet(net); !status) ADD_FAILURE() << status.error().detail;
-  return *report;
+  return all;
 }
 
 /// The boundary of a wall as a mesh.
@@ -79,7 +94,7 @@ Mesh boundaryOf(const SpringNet& net, double thickness)
   }
   mesh.position.resize(3, 2 * net.nodeCount());
   mesh.position << net.restPosition, net.restPosition + offset->depth;
-  mesh.triangles = support::wallBoundary(surface, net.nodeCount());
+  mesh.triangles = wallBoundary(surface, net.nodeCount());
   return mesh;
 }
 
@@ -173,7 +188,7 @@ TEST(Wall, ASphereShellHasItsVolumeAndArea)
                   (4.0 * std::numbers::pi * inner * inner),
                 1.0, 3.0 * missed)
       << n;
-    addWall(net, wallOf(outer - inner));
+    supported(net, wallOf(outer - inner));
     EXPECT_NEAR(net.volume.sum() / test::volumeWithin(mesh.triangles, mesh.position), 1.0, 1e-9) << n;
   }
 }
@@ -188,7 +203,7 @@ TEST(Wall, AnOpenTubeIsClosedAtItsRims)
   const Mesh mesh = boundaryOf(net, t);
   EXPECT_TRUE(isWatertight(mesh.triangles));
   EXPECT_NEAR(test::volumeWithin(mesh.triangles, mesh.position) / volume, 1.0, 1e-9);
-  const SupportReport report = addWall(net, wallOf(t));
+  const SupportReport report = supported(net, wallOf(t));
   EXPECT_NEAR(net.volume.sum() / volume, 1.0, 1e-9);
   EXPECT_EQ(report.nodes, 420);
   EXPECT_GT(net.section.minCoeff(), 0.0);
@@ -198,7 +213,7 @@ TEST(Wall, AnOpenTubeIsClosedAtItsRims)
 TEST(Wall, ANodeHasTheNeighboursOfABrick)
 {
   SpringNet net = netOf(quadTube(0.005, 0.03));
-  addWall(net, wallOf(0.003, 2));
+  supported(net, wallOf(0.003, 2));
   std::map<Index, std::map<SpringKind, int>> kinds;
   for (Index s = 0; s < net.springCount(); ++s)
     for (int end = 0; end < 2; ++end) ++kinds[net.ends(end, s)][net.kind[static_cast<std::size_t>(s)]];
@@ -216,7 +231,7 @@ TEST(Wall, PullsBackWithYoungsModulus)
 {
   for (const Mesh& mesh : {tubeMesh(0.005, 0.06, 24, 24), quadTube(0.005, 0.06)}) {
     SpringNet net = netOf(mesh);
-    addWall(net, wallOf(0.003, 1));
+    supported(net, wallOf(0.003, 1));
     const Moduli moduli = moduliAlong(net, 2);
     EXPECT_NEAR(moduli.tension, 1.0, 0.32);
     EXPECT_NEAR(moduli.shear, 0.36, 0.15);
@@ -241,7 +256,7 @@ TEST(Wall, MassIsDensityTimesVolume)
 {
   const double density = TissueField::create(defaultTissue())->base().density;
   SpringNet net = netOf(organMesh({0.03, 0.02, 0.02}, 8));
-  addWall(net, wallOf(0.004));
+  supported(net, wallOf(0.004));
   const double volume = net.volume.sum();
   for (const auto body : {MaterialOptions::Body::Wall, MaterialOptions::Body::Solid}) {
     MaterialOptions options;
@@ -267,8 +282,8 @@ TEST(Wall, DoesNotDependOnTheOrderOfTheFile)
   for (Index t = 0; t < triangles; ++t)
     for (int k = 0; k < 3; ++k) other.triangles((k + 1) % 3, triangles - 1 - t) = moved(mesh.triangles(k, t));
   SpringNet first = netOf(mesh), second = netOf(other);
-  addWall(first, wallOf(0.003));
-  addWall(second, wallOf(0.003));
+  supported(first, wallOf(0.003));
+  supported(second, wallOf(0.003));
   ASSERT_EQ(first.springCount(), second.springCount());
   using Place = std::array<long, 3>;
   const auto sectionsOf = [](const SpringNet& net) {
@@ -295,9 +310,9 @@ TEST(Wall, GoesAwayWithoutATrace)
 {
   const SpringNet before = netOf(organMesh({0.03, 0.02, 0.015}, 6));
   SpringNet net = before;
-  addWall(net, wallOf(0.003));
+  supported(net, wallOf(0.003));
   const SpringNet once = net;
-  addWall(net, wallOf(0.003)); // anew, not twice
+  supported(net, wallOf(0.003)); // anew, not twice
   EXPECT_EQ(net.ends, once.ends);
   EXPECT_TRUE((net.section == once.section).all());
   EXPECT_TRUE(removeSupport(net));
@@ -330,7 +345,7 @@ TEST(Wall, StaysThinnerWhereTheBodyIsThin)
   const Mesh boundary = boundaryOf(net, 0.006);
   EXPECT_TRUE(isWatertight(boundary.triangles));
   EXPECT_TRUE(findSelfIntersections(boundary, 0.0).pairs.empty());
-  const SupportReport report = addWall(net, wallOf(0.006));
+  const SupportReport report = supported(net, wallOf(0.006));
   EXPECT_TRUE(std::any_of(report.notes.begin(), report.notes.end(),
                           [](const std::string& note) { return note.find("thinner") != std::string::npos; }));
 }
@@ -345,8 +360,8 @@ TEST(Wall, SeveralPartsAndRoughSurfaces)
   mesh.triangles.conservativeResize(Eigen::NoChange, 2 * part.triangleCount());
   mesh.triangles.rightCols(part.triangleCount()) = part.triangles.array() + part.vertexCount();
   SpringNet whole = netOf(mesh), single = netOf(part);
-  addWall(whole, wallOf(0.003));
-  addWall(single, wallOf(0.003));
+  supported(whole, wallOf(0.003));
+  supported(single, wallOf(0.003));
   EXPECT_EQ(whole.springCount(), 2 * single.springCount());
   EXPECT_NEAR(whole.volume.sum() / (2.0 * single.volume.sum()), 1.0, 1e-9);
 
@@ -355,7 +370,7 @@ TEST(Wall, SeveralPartsAndRoughSurfaces)
   mesh.position.col(mesh.triangles(1, 0)) =
     mesh.position.col(mesh.triangles(0, 0)) + Eigen::Vector3d(1e-9, 0, 0);
   SpringNet rough = netOf(mesh);
-  addWall(rough, wallOf(0.003));
+  supported(rough, wallOf(0.003));
   EXPECT_GT(rough.volume.sum(), 0.0);
   EXPECT_TRUE(rough.section.allFinite());
 }
