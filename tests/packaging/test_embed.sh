@@ -45,7 +45,8 @@ package)
   make static -DCMAKE_PREFIX_PATH="$tree/else where"
   check static
   make shared -DCMAKE_PREFIX_PATH="$tree/else where" -DBUILD_SHARED_LIBS=ON
-  ldd shared/move | grep -q libesm.so || { echo "the shared library is not what the program took"; exit 1; }
+  libraries=$(ldd shared/move) # not piped: a grep that ends at its first line would end ldd by a signal
+  [[ $libraries == *libesm.so* ]] || { echo "the shared library is not what the program took: $libraries"; exit 1; }
   check shared
   # All public headers in one program, by themselves: none needs a file that is not installed, nor warns.
   (cd "else where"/include/esm-*/ && find . -name '*.h' | sed 's|^\./\(.*\)|#include "\1"|') >headers.cpp
