@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/project/export.h"
 #include "core/base/json_line.h"
+#include "core/dynamics/simulation.h"
 
 #include "cli/arguments.h"
 #include "cli/commands.h"

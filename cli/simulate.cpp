@@ -25,11 +25,19 @@ struct SimulateOptions {
   bool verify = false, json = false, acceptRough = false;
 };
 
+/// Of a part of the net whose energy is not accounted for; null: all is well. A large part excuses no small one.
+const EnergyReport* unaccountedEnergy(const RunSummary& summary, double tolerance)
+{
+  const auto bad = std::ranges::find_if(summary.energyOfParts,
+                                        [&](const EnergyReport& part) { return !part.isKept(tolerance); });
+  return bad == summary.energyOfParts.end() ? nullptr : &*bad;
+}
+
 /// @return whether the numerics went well, the tolerance was not given up, and no energy has come or gone that
 /// nobody accounts for
 bool isGood(const RunSummary& summary, double tolerance)
 {
-  return summary.steps.good() && !summary.steps.rough && summary.energy.isKept(tolerance);
+  return summary.steps.good() && !summary.steps.rough && unaccountedEnergy(summary, tolerance) == nullptr;
 }
 
 JsonLine jsonOf(const RunSummary& summary, const Project& project)
@@ -43,6 +51,7 @@ JsonLine jsonOf(const RunSummary& summary, const Project& project)
   line.add("newton_iterations", summary.steps.newtonIterations);
   line.add("nodes_awake", summary.steps.nodesAwake);
   line.add("mean_nodes_awake", summary.nodesAwake);
+  line.add("parts", static_cast<std::int64_t>(summary.energyOfParts.size()));
   line.add("smallest_step", summary.steps.smallestStep);
   line.add("solver", summary.solver);
   line.add("reason", summary.reason);
@@ -108,15 +117,16 @@ bool sayVerification(const SimulateOptions& options, const RunSummary& summary, 
 /// @return whether the energy is accounted for
 bool sayEnergy(const SimulateOptions& options, const RunSummary& summary, double tolerance)
 {
-  if (summary.energy.isKept(tolerance)) return true;
-  if (summary.energy.hasAdded(tolerance)) {
-    say(options.file + ": by its own estimate the method has added " + formatDouble(-summary.energy.loss, 3) +
-        " J to the motion, beside " + formatDouble(summary.energy.heat, 3) +
+  const EnergyReport* energy = unaccountedEnergy(summary, tolerance);
+  if (energy == nullptr) return true;
+  if (energy->hasAdded(tolerance)) {
+    say(options.file + ": by its own estimate the method has added " + formatDouble(-energy->loss, 3) +
+        " J to the motion, beside " + formatDouble(energy->heat, 3) +
         " J of heat; use a smaller --tolerance, or a smaller --step where one is given");
     return false;
   }
-  say(options.file + ": energy is not accounted for: " + formatDouble(summary.energy.residual(), 3) +
-      " J of " + formatDouble(summary.energy.largestTerm(), 3) + " J, more than the tolerance of " +
+  say(options.file + ": energy is not accounted for: " + formatDouble(energy->residual(), 3) + " J of " +
+      formatDouble(energy->largestTerm(), 3) + " J, more than the tolerance of " +
       formatDouble(tolerance, 3) +
       " bears; use a smaller --tolerance, or a smaller --step where one is given");
   return false;

@@ -7,6 +7,7 @@
 #include "core/base/file_io.h"
 #include "core/base/machine_memory.h"
 #include "core/base/text_number.h"
+#include "core/dynamics/simulation.h"
 #include "core/dynamics/tolerance_check.h"
 #include "core/project/export.h"
 
@@ -249,6 +250,7 @@ Status Runner::compute(Run& run, SpringNet net, SolverSettings solver, const std
     progress.show(summary.frames++, last);
   }
   summary.energy = simulation.energyReport();
+  summary.energyOfParts = simulation.islandEnergies();
   summary.errorGrowth = simulation.errorGrowth();
   summary.errorGrowthTime = simulation.errorGrowthTime();
   summary.solver = simulation.solverName();

@@ -33,9 +33,10 @@ struct RunSummary {
   Index nodes = 0, springs = 0;    ///< of the net
   long long frames = 0;            ///< computed, frame 0 included
   StepReport steps;
-  double nodesAwake = 0.0;   ///< at the ends of the frames, on average
-  double largestForce = 0.0; ///< over all frames [N]
-  EnergyReport energy;       ///< since t = 0
+  double nodesAwake = 0.0;                 ///< at the ends of the frames, on average
+  double largestForce = 0.0;               ///< over all frames [N]
+  EnergyReport energy;                     ///< since t = 0
+  std::vector<EnergyReport> energyOfParts; ///< that move on their own
   double errorGrowth = 1.0,
          errorGrowthTime = 0.0; ///< see Simulation; not looked for in runs that are verified
   std::string solver, reason;

@@ -10,10 +10,10 @@ namespace esm {
 /// How much one Simulation::advance() may take. What it has done when that is spent is kept, as long as it is a
 /// good state.
 struct Budget {
-  /// Substeps; 0: any number. Ends at the same one on every machine.
+  /// Substeps of each part of the net that moves on its own; 0: any number. Ends at the same one on every machine.
   std::int64_t steps = 0;
   /// Asked after each piece of work of kPiece or less: true ends the call there. For whoever keeps time with
-  /// a clock, or may be called away. Must not throw. Null: nobody is asked. Runs of steps that are longer than
+  /// a clock, or may be called away. Must not throw; several threads ask, one at a time. Null: nobody is asked. Runs of steps that are longer than
   /// a piece are divided for it, which changes the last bits of some methods.
   std::function<bool()> isSpent = nullptr;
 

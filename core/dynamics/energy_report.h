@@ -9,6 +9,13 @@ struct Energies {
   double elastic = 0.0; ///< springs, anchors and tool springs [J]
   double gravity = 0.0; ///< - sum m g.p, zero at the origin [J]
   double total() const noexcept { return kinetic + elastic + gravity; }
+  Energies& operator+=(const Energies& other) noexcept
+  {
+    kinetic += other.kinetic;
+    elastic += other.elastic;
+    gravity += other.gravity;
+    return *this;
+  }
 };
 
 /// Where the energy of a motion has gone since t = 0 [J]:
@@ -22,6 +29,17 @@ struct EnergyReport {
   double heat = 0.0;     ///< made by viscosity and mass damping, and where motion ends in rest
   double loss = 0.0;     ///< taken away by the method, by its own estimate; negative where it adds
   double restored = 0.0; ///< given to bodies that nothing holds, with the momentum that steps had taken
+
+  EnergyReport& operator+=(const EnergyReport& other) noexcept
+  {
+    atStart += other.atStart;
+    atEnd += other.atEnd;
+    work += other.work;
+    heat += other.heat;
+    loss += other.loss;
+    restored += other.restored;
+    return *this;
+  }
 
   double residual() const noexcept;
   double largestTerm() const noexcept;

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/integrator.h"
+#include "core/dynamics/solver_settings.h"
 #include "core/forces/spring_pass.h"
 
 #include <array>
@@ -105,6 +106,14 @@ ESM_CPU_CLONES double probe(std::size_t count, const Lanes* x, const Lanes* v) n
 bool allFinite(const NodeArray& x, const NodeArray& v) noexcept
 {
   return probe(x.size(), x.data(), v.data()) == 0.0;
+}
+
+std::vector<SolverInfo> solverNames()
+{
+  std::vector<SolverInfo> names;
+  for (const IntegratorEntry& entry : integratorTable())
+    names.push_back({std::string(entry.name), std::string(entry.description)});
+  return names;
 }
 
 } // namespace esm

@@ -15,10 +15,10 @@ constexpr double kGlance = 0.381966011250105;
 
 } // namespace
 
-RegionDriver::RegionDriver(SolverSettings settings, Body& body)
+RegionDriver::RegionDriver(SolverSettings settings, Body& body, std::vector<Index> names)
   : m_settings(std::move(settings)),
     m_body(body),
-    m_driver(m_settings),
+    m_driver(m_settings, std::move(names)),
     m_on(m_settings.skipResting && !(m_settings.fixedStep > 0.0))
 {}
 

@@ -50,8 +50,9 @@ struct Body {
 /// one or is pushed: no look at its nodes tells that such a motion would go on for good.
 class RegionDriver {
 public:
-  /// @param body  not owned, outlives this.
-  RegionDriver(SolverSettings settings, Body& body);
+  /// @param body   not owned, outlives this.
+  /// @param names  by which why() calls its nodes; empty: their places.
+  RegionDriver(SolverSettings settings, Body& body, std::vector<Index> names);
 
   void begin(); ///< after creation and reset of the body
   /// The body has other parameters now. Costs what the change touches, and a choice of method and step for what is awake.

@@ -5,7 +5,9 @@
 #include "core/base/result.h"
 #include "core/dynamics/budget.h"
 #include "core/dynamics/energy_report.h"
+#include "core/dynamics/net_state.h"
 #include "core/dynamics/parameter_change.h"
+#include "core/dynamics/solver_settings.h"
 #include "core/dynamics/step_report.h"
 #include "core/forces/loads.h"
 #include "core/net/spring_net.h"
@@ -17,45 +19,12 @@
 
 namespace esm {
 
-/// Positions and velocities at one instant. Plain data.
-struct NetState {
-  Eigen::Matrix3Xd position; ///< 3 x N [m]
-  Eigen::Matrix3Xd velocity; ///< 3 x N [m/s]
-  double time = 0.0;         ///< [s]
-};
-
-struct SolverSettings {
-  std::string solver = "auto"; ///< a name of solverNames(), or "auto"
-  double tolerance = 1e-3;     ///< wanted error, metric of docs/FILE_FORMAT.md (relative, RMS), > 0
-  double fixedStep = 0.0; ///< [s]; > 0 takes this substep without error control (for convergence studies)
-  /// Threads that may share the work, the caller's included; more than there are processors do not help, and
-  /// nets of less than 30,000 springs are left to one. The motion is the same bit for bit on any number.
-  int threads = 1;
-  /// Spring evaluations (about 8 ns each) that `auto` may spend on a sixtieth of a second of motion. Where
-  /// the tolerance asks for more, it is given up, the net stays bounded by implicit steps of up to 1/60 s,
-  /// and why() says so. The default is half a second of one core; whoever keeps time with a clock asks for
-  /// less.
-  double effort = 1e8;
-  /// Most force passes over the net for each sixtieth of a second of a run, in the mean up to the end of
-  /// advance() or of `duration`, whichever is later; a step counts as one at least. At the limit advance()
-  /// ends before its time (StepReport::stepLimit). `auto` plans to stay below. 0: none, for whoever keeps
-  /// time with a clock and asks for little effort.
-  double workLimit = 2e5;
-  /// For whoever keeps time with a clock: where plain steps would cost more than the effort, `auto` moves a net
-  /// of some hundreds of nodes or more by one step of `block-descent` for each sixtieth of a second, before it
-  /// has tried and failed. Its error is some per cent of a hand's way, which the report calls rough.
-  bool keepsTime = false;
-  /// How long the motion will be looked at, from t = 0 [s]; 0 = unknown, as in a window that runs on. Errors
-  /// of a short run have less time to add up, so each step may err more; beyond it the tolerance is kept as
-  /// if it had never been known.
-  double duration = 0.0;
-  /// Nodes at rest sleep until something moves them, and cost nothing; what they miss stays within the
-  /// tolerance. Without effect on fixed steps.
-  bool skipResting = true;
-};
-
 /// A net in motion: the one door to the dynamics for the command line, the window, the benches.
 /// Owns a copy of the net. One thread at a time; nothing static is shared between two Simulations.
+///
+/// Parts of the net that nothing joins (findIslands()) move each under its own control, as they would alone: with its
+/// own method, steps, sleep, pressure, and with the tolerance of its own displacement. What SolverSettings allow, each
+/// may take; whoever keeps time shares the effort among those that are awake.
 ///
 ///     auto simulation = Simulation::create(net, loads, {});
 ///     while (time < 2) simulation->advance(1.0 / 60.0);
@@ -93,9 +62,11 @@ public:
   // === What it knows
   const SpringNet& net() const noexcept;
   const Loads& loads() const noexcept;
+  /// After an advance() that its budget ended, parts of the net may be ahead of the time, by that interval at most.
   const NetState& state() const noexcept;
-  Eigen::Vector3d momentum() const;        ///< sum m v [kg m/s]
-  Eigen::Vector3d angularMomentum() const; ///< about the origin [kg m^2/s]
+  std::size_t islandCount() const noexcept; ///< parts of the net that move each under its own control
+  Eigen::Vector3d momentum() const;         ///< sum m v [kg m/s]
+  Eigen::Vector3d angularMomentum() const;  ///< about the origin [kg m^2/s]
   Energies energies() const;
   /// Work done on the net since t = 0 by nodal forces, prescribed motions and tools [J] (gravity is in
   /// energies()).
@@ -104,6 +75,7 @@ public:
   double dissipatedEnergy() const;
   /// Where the energy has gone since t = 0. What new parameters change of it counts as initial energy.
   EnergyReport energyReport() const;
+  std::vector<EnergyReport> islandEnergies() const; ///< the same of each island
   /// From now on looks whether the motion multiplies small errors, for some hundredths of the work where it
   /// does not. The motion stays the same.
   void watchGrowth();
@@ -123,6 +95,7 @@ public:
   /// Largest substep [s] that explicit integration bears now, and the node that sets it.
   double stableStep() const;
   Index stiffestNode() const;
+  // Of the part that failed last, or else takes most of the work.
   const std::string& solverName() const noexcept; ///< what "auto" chose
   const std::string&
   why() const noexcept; ///< one English sentence: the choice, or what went wrong and the cure
@@ -132,12 +105,5 @@ private:
   explicit Simulation(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> m_impl;
 };
-
-/// The names that SolverSettings::solver takes, "auto" excluded; with one line on each.
-struct SolverInfo {
-  std::string name;
-  std::string description;
-};
-std::vector<SolverInfo> solverNames();
 
 } // namespace esm

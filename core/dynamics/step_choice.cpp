@@ -47,8 +47,11 @@ double extentOf(const System& system, const NodeArray& x)
 
 } // namespace
 
-StepDriver::StepDriver(SolverSettings settings)
-  : m_settings(std::move(settings)), m_firstTolerance(m_settings.tolerance), m_firstEffort(m_settings.effort)
+StepDriver::StepDriver(SolverSettings settings, std::vector<Index> names)
+  : m_settings(std::move(settings)),
+    m_firstTolerance(m_settings.tolerance),
+    m_firstEffort(m_settings.effort),
+    m_names(std::move(names))
 {
   m_auto = m_settings.solver == "auto";
   const std::span<const IntegratorEntry> table = integratorTable();
@@ -69,7 +72,7 @@ StepDriver::StepDriver(SolverSettings settings)
 
 void StepDriver::begin(System& system, const MotionState& state)
 {
-  m_names.clear();
+  m_places.clear();
   m_start = state;
   m_startEnergies.reset();
   if (system.nodeCount() <= System::kLarge) { // room for later
@@ -181,7 +184,7 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
 void StepDriver::partChanged(System& system, const MotionState& state, NetPart part)
 {
   m_gauge.setPart(part.rest, part.wholeCount, part.squareElsewhere);
-  m_names = std::move(part.nodes);
+  m_places = std::move(part.nodes);
   m_onset.longest = 0.0;
   m_grown = 0.0; // what a larger part had gained could be more than all that this one has
   for (Candidate& candidate : m_candidates) candidate.prepared = false;

@@ -6,8 +6,9 @@
 #include "core/dynamics/frame.h"
 #include "core/dynamics/free_bodies.h"
 #include "core/dynamics/integrator.h"
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/solver_settings.h"
 #include "core/dynamics/step_loss.h"
+#include "core/dynamics/step_report.h"
 
 #include <cmath>
 #include <limits>
@@ -48,7 +49,8 @@ struct NetPart {
 class StepDriver {
 public:
   static constexpr double kInfinity = std::numeric_limits<double>::infinity();
-  explicit StepDriver(SolverSettings settings);
+  /// @param names  by which why() calls the nodes of the whole net; empty: their places.
+  explicit StepDriver(SolverSettings settings, std::vector<Index> names = {});
 
   /// After creation and reset.
   void begin(System& system, const MotionState& state);
@@ -312,7 +314,8 @@ private:
   std::int64_t m_maxSteps = 0;   ///< of this advance(); 0: any number
   double m_mostWork = kInfinity; ///< of this advance() [spring evaluations]
 
-  std::vector<Index> m_names; ///< of nodes in the whole net; empty: the system is the whole net
+  std::vector<Index> m_names;  ///< of the whole net's nodes; empty: their places
+  std::vector<Index> m_places; ///< of the system's nodes in the whole net; empty: it is the whole net
   ErrorGauge m_gauge;
   MotionState m_start; ///< of the present stretch
   MotionState m_probe; ///< the same stretch by another method

@@ -19,7 +19,8 @@ std::string microseconds(double seconds)
 
 Index StepDriver::nameOf(Index node) const noexcept
 {
-  return m_names.empty() ? node : m_names[static_cast<std::size_t>(node)];
+  const Index place = m_places.empty() ? node : m_places[static_cast<std::size_t>(node)];
+  return m_names.empty() ? place : m_names[static_cast<std::size_t>(place)];
 }
 
 void StepDriver::sayToleranceGivenUp()

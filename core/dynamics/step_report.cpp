@@ -6,23 +6,30 @@
 
 namespace esm {
 
+void StepReport::join(const StepReport& beside) noexcept
+{
+  steps += beside.steps;
+  rejectedSteps += beside.rejectedSteps;
+  springsEvaluated += beside.springsEvaluated;
+  factorizations += beside.factorizations;
+  newtonIterations += beside.newtonIterations;
+  nodesAwake += beside.nodesAwake;
+  if (beside.smallestStep > 0.0)
+    smallestStep = smallestStep > 0.0 ? std::min(smallestStep, beside.smallestStep) : beside.smallestStep;
+  largestForce = std::max(largestForce, beside.largestForce);
+  nonFinite = nonFinite || beside.nonFinite;
+  notConverged = notConverged || beside.notConverged;
+  rough = rough || beside.rough;
+  stepLimit = stepLimit || beside.stepLimit;
+  interrupted = interrupted || beside.interrupted;
+}
+
 void StepReport::add(const StepReport& next) noexcept
 {
-  steps += next.steps;
-  rejectedSteps += next.rejectedSteps;
-  springsEvaluated += next.springsEvaluated;
-  factorizations += next.factorizations;
-  newtonIterations += next.newtonIterations;
-  if (next.smallestStep > 0.0)
-    smallestStep = smallestStep > 0.0 ? std::min(smallestStep, next.smallestStep) : next.smallestStep;
+  join(next);
   nodesAwake = next.nodesAwake;
   largestForce = next.largestForce;
   simulatedTime += next.simulatedTime;
-  nonFinite = nonFinite || next.nonFinite;
-  notConverged = notConverged || next.notConverged;
-  rough = rough || next.rough;
-  stepLimit = stepLimit || next.stepLimit;
-  interrupted = interrupted || next.interrupted;
 }
 
 } // namespace esm

@@ -7,7 +7,7 @@
 namespace esm {
 
 /// What one Simulation::advance() cost and whether it went well. Counters start at 0 with each call;
-/// add() sums calls up.
+/// add() sums calls up, join() what parts of the net did in the same call.
 struct StepReport {
   std::int64_t steps = 0;         ///< substeps taken (those of failed attempts included)
   std::int64_t rejectedSteps = 0; ///< of failed attempts, and of methods that were only probed
@@ -28,6 +28,7 @@ struct StepReport {
   bool good() const noexcept { return !nonFinite && !notConverged && !stepLimit; }
   bool nothingMoved() const noexcept { return steps == 0 && nodesAwake == 0; } ///< all rested throughout
   void add(const StepReport& next) noexcept;
+  void join(const StepReport& beside) noexcept; ///< but for simulatedTime, which stays
 };
 
 } // namespace esm

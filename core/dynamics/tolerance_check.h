@@ -2,7 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/net_state.h"
+#include "core/dynamics/solver_settings.h"
+#include "core/dynamics/step_report.h"
 
 #include <cstdint>
 #include <optional>

@@ -43,34 +43,35 @@ std::vector<Index> staying(const std::vector<std::uint8_t>& gone)
 }
 
 template <class List>
-void keepOnly(List& list, const std::vector<Index>& stay)
+List only(const List& list, const std::vector<Index>& stay)
 {
-  if (list.size() == 0) return; // absent
+  List kept;
+  if (list.size() == 0) return kept; // absent
+  kept.resize(static_cast<decltype(list.size())>(stay.size()));
   for (std::size_t i = 0; i < stay.size(); ++i)
-    list[static_cast<decltype(list.size())>(i)] = list[static_cast<decltype(list.size())>(stay[i])];
-  if constexpr (requires { list.conservativeResize(0); })
-    list.conservativeResize(static_cast<Eigen::Index>(stay.size()));
-  else
-    list.resize(stay.size());
+    kept[static_cast<decltype(list.size())>(i)] = list[static_cast<decltype(list.size())>(stay[i])];
+  return kept;
 }
 
 template <class Matrix>
-void keepColumns(Matrix& matrix, const std::vector<Index>& stay)
+Matrix onlyColumns(const Matrix& matrix, const std::vector<Index>& stay)
 {
-  if (matrix.cols() == 0) return;
-  for (std::size_t i = 0; i < stay.size(); ++i)
-    matrix.col(static_cast<Eigen::Index>(i)) = matrix.col(stay[i]).eval();
-  matrix.conservativeResize(Eigen::NoChange, static_cast<Eigen::Index>(stay.size()));
+  Matrix kept(matrix.rows(), matrix.cols() == 0 ? 0 : static_cast<Eigen::Index>(stay.size()));
+  for (Eigen::Index i = 0; i < kept.cols(); ++i) kept.col(i) = matrix.col(stay[static_cast<std::size_t>(i)]);
+  return kept;
+}
+
+AnchorSet onlyAnchors(const AnchorSet& anchors, const std::vector<Index>& stay)
+{
+  return {only(anchors.node, stay), onlyColumns(anchors.point, stay), only(anchors.stiffness, stay),
+          only(anchors.viscosity, stay), only(anchors.bandLength, stay)};
 }
 
 } // namespace
 
 void keepAnchors(AnchorSet& anchors, const std::vector<Index>& stay)
 {
-  keepOnly(anchors.node, stay);
-  keepColumns(anchors.point, stay);
-  for (Eigen::ArrayXd* array : {&anchors.stiffness, &anchors.viscosity, &anchors.bandLength})
-    keepOnly(*array, stay);
+  anchors = onlyAnchors(anchors, stay);
 }
 
 void growNet(SpringNet& net, Index nodes, Index springs)
@@ -98,51 +99,60 @@ void growNet(SpringNet& net, Index nodes, Index springs)
 
 std::vector<Index> shrinkNet(SpringNet& net, const NetCut& cut)
 {
+  std::vector<Index> newOf;
+  net = remainingNet(net, cut, &newOf);
+  return newOf;
+}
+
+SpringNet remainingNet(const SpringNet& net, const NetCut& cut, std::vector<Index>* newOfNode)
+{
   const std::vector<Index> nodes = staying(cut.node);
   std::vector<Index> newOf(cut.node.size(), kNoIndex);
   for (std::size_t i = 0; i < nodes.size(); ++i)
     newOf[static_cast<std::size_t>(nodes[i])] = static_cast<Index>(i);
-  const auto newOfNode = [&newOf](Index node) { return newOf[static_cast<std::size_t>(node)]; };
-  const auto isGone = [&newOfNode](Index node) { return newOfNode(node) == kNoIndex; };
+  const auto placeOf = [&newOf](Index node) { return newOf[static_cast<std::size_t>(node)]; };
+  const auto isGone = [&placeOf](Index node) { return placeOf(node) == kNoIndex; };
 
-  std::vector<std::uint8_t> spring = cut.spring, anchor(net.anchors.node.size(), 0),
-                            triangle(static_cast<std::size_t>(net.triangleCount()), 0);
+  std::vector<Index> springs, anchors, triangles;
   for (Index s = 0; s < net.springCount(); ++s)
-    if (isGone(net.ends(0, s)) || isGone(net.ends(1, s))) spring[static_cast<std::size_t>(s)] = 1;
-  for (std::size_t a = 0; a < anchor.size(); ++a) anchor[a] = isGone(net.anchors.node[a]);
+    if (!cut.spring[static_cast<std::size_t>(s)] && !isGone(net.ends(0, s)) && !isGone(net.ends(1, s)))
+      springs.push_back(s);
+  for (Index a = 0; a < net.anchors.count(); ++a)
+    if (!isGone(net.anchors.node[static_cast<std::size_t>(a)])) anchors.push_back(a);
   for (Index t = 0; t < net.triangleCount(); ++t)
-    for (int k = 0; k < 3; ++k)
-      if (isGone(net.triangles(k, t))) triangle[static_cast<std::size_t>(t)] = 1;
+    if (!net.triangles.col(t).unaryExpr(isGone).any()) triangles.push_back(t);
 
-  keepColumns(net.restPosition, nodes);
-  keepColumns(net.initialVelocity, nodes);
-  keepOnly(net.mass, nodes);
-  keepOnly(net.massDamping, nodes);
-  keepOnly(net.fixed, nodes);
-  keepOnly(net.nodeId, nodes);
-  keepOnly(net.volume, nodes);
-  keepOnly(net.supportNode, nodes);
+  SpringNet left;
+  left.restPosition = onlyColumns(net.restPosition, nodes);
+  left.initialVelocity = onlyColumns(net.initialVelocity, nodes);
+  left.mass = only(net.mass, nodes);
+  left.massDamping = only(net.massDamping, nodes);
+  left.fixed = only(net.fixed, nodes);
+  left.nodeId = only(net.nodeId, nodes);
+  left.volume = only(net.volume, nodes);
+  left.supportNode = only(net.supportNode, nodes);
 
-  const std::vector<Index> springs = staying(spring);
-  keepColumns(net.ends, springs);
-  for (Eigen::ArrayXd* array :
-       {&net.restLength, &net.stiffness, &net.viscosity, &net.lawParameter, &net.section})
-    keepOnly(*array, springs);
-  keepOnly(net.law, springs);
-  keepOnly(net.tensionOnly, springs);
-  keepOnly(net.kind, springs);
-  keepOnly(net.springId, springs);
+  left.ends = onlyColumns(net.ends, springs).unaryExpr(placeOf);
+  left.restLength = only(net.restLength, springs);
+  left.stiffness = only(net.stiffness, springs);
+  left.viscosity = only(net.viscosity, springs);
+  left.law = only(net.law, springs);
+  left.lawParameter = only(net.lawParameter, springs);
+  left.tensionOnly = only(net.tensionOnly, springs);
+  left.kind = only(net.kind, springs);
+  left.springId = only(net.springId, springs);
+  left.section = only(net.section, springs);
+  left.tables = net.tables;
 
-  keepAnchors(net.anchors, staying(anchor));
-  keepColumns(net.triangles, staying(triangle));
-  std::erase_if(net.pressure,
-                [&isGone](const PressureBody& body) { return body.triangles.unaryExpr(isGone).any(); });
-
-  net.ends = net.ends.unaryExpr(newOfNode);
-  net.triangles = net.triangles.unaryExpr(newOfNode);
-  for (Index& node : net.anchors.node) node = newOfNode(node);
-  for (PressureBody& body : net.pressure) body.triangles = body.triangles.unaryExpr(newOfNode);
-  return newOf;
+  left.anchors = onlyAnchors(net.anchors, anchors);
+  for (Index& node : left.anchors.node) node = placeOf(node);
+  left.triangles = onlyColumns(net.triangles, triangles).unaryExpr(placeOf);
+  left.material = net.material;
+  for (const PressureBody& body : net.pressure)
+    if (!body.triangles.unaryExpr(isGone).any())
+      left.pressure.push_back({body.triangles.unaryExpr(placeOf), body.bulkModulus});
+  if (newOfNode != nullptr) *newOfNode = std::move(newOf);
+  return left;
 }
 
 } // namespace esm

@@ -22,6 +22,8 @@ struct NetCut {
 /// goes. A pressure body that loses a node is open, and goes as a whole. Ids of what stays stay. @return
 /// old-to-new map of the nodes, kNoIndex for those that are gone.
 std::vector<Index> shrinkNet(SpringNet& net, const NetCut& cut);
+/// What shrinkNet() would leave of a net that stays whole. @param newOfNode  the map, if not null.
+SpringNet remainingNet(const SpringNet& net, const NetCut& cut, std::vector<Index>* newOfNode = nullptr);
 
 /// Leaves those anchors alone. @param stay their numbers, rising.
 void keepAnchors(AnchorSet& anchors, const std::vector<Index>& stay);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/solver_settings.h"
 #include "core/forces/loads.h"
 #include "core/net/spring_net.h"
 #include "core/project/import_recipe.h"

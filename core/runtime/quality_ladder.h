@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/result.h"
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/solver_settings.h"
 
 #include <cstddef>
 #include <cstdint>

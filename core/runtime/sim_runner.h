@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/base/triple_buffer.h"
+#include "core/dynamics/simulation.h"
 #include "core/runtime/hand_over.h"
 #include "core/runtime/sim_command.h"
 #include "core/runtime/sim_thread.h"

@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/net_state.h"
+#include "core/forces/loads.h"
 #include "core/runtime/hand_over.h"
 #include "core/runtime/limited_pull.h"
 #include "core/runtime/node_hold.h"

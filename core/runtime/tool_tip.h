@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/base/grouped.h"
-#include "core/dynamics/simulation.h"
+#include "core/dynamics/net_state.h"
 #include "core/runtime/deforming_surface.h"
 #include "core/runtime/hand_over.h"
 #include "core/runtime/node_links.h"

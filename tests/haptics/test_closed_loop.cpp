@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
+#include "core/dynamics/simulation.h"
 #include "core/net/net_builder.h"
 #include "core/runtime/sim_runner.h"
 #include "servo_bench.h"

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // A hand's force and dent on one organ in meshes of 4, 2 and 1 mm, and what it costs on the samples.
+#include "core/dynamics/simulation.h"
 #include "core/project/project_io.h"
 #include "core/runtime/tool_grip.h"
 #include "core/runtime/tool_tip.h"
