@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: MIT
-# Installs what is missing, builds, and runs every test: once as it is, and once more (without the slow ones) in a
-# German locale, where numbers have a comma. Programs of others are built against the library, too (docs/EMBEDDING.md).
+# Installs what is missing, builds, and runs every test: once as it is, and once more (without the slow ones, and those of
+# the engine, which reads and writes no text) in a German locale, where numbers have a comma. Programs of others are built against the library, too (docs/EMBEDDING.md).
 # usage: scripts/test.sh [--preset NAME] [ctest options...]
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/lib.sh"
@@ -32,7 +32,7 @@ esm_say "Testing in German ($preset)"
 mkdir "$home/locale"
 localedef -i de_DE -f UTF-8 "$home/locale/de_DE.UTF-8"
 localedef -i C -f UTF-8 "$home/locale/C.UTF-8" 2>/dev/null || true
-LOCPATH=$home/locale LC_ALL=de_DE.UTF-8 ctest --preset "$preset" -LE slow "$@" | tee -a "$home/run.log"
+LOCPATH=$home/locale LC_ALL=de_DE.UTF-8 ctest --preset "$preset" -LE 'slow|engine' "$@" | tee -a "$home/run.log"
 
 esm_say "What took how long (both runs, seconds of all processes)"
 awk '$2 == "=" && $4 == "sec*proc" { seconds[$1] += $3 } END { for (l in seconds) printf "%8.1f  %s\n", seconds[l], l }' \
