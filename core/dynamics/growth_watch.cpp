@@ -27,6 +27,10 @@ constexpr double kShareOfStable = 0.9; ///< of the stable step, as stiffness may
 /// Of that, where no damper is: steps at their limit turn the waves by other angles than the motion has done, and
 /// a frame after the other of that multiplies what the motion does not. With 0.9 a free pair seemed to.
 constexpr double kFineness = 0.25;
+/// Of what the motion's own frame took, that following it may: explicit steps take a few times that. Where the motion
+/// goes by implicit steps they may take a million.
+constexpr double kMostOfFrame = 12.0;
+constexpr double kAnyFrame = 2e5; ///< besides, of any motion [spring evaluations]
 
 bool isDamped(const SpringNet& net)
 {
@@ -55,6 +59,7 @@ void GrowthWatch::begin(const SpringNet& net, const Loads& loads)
 void GrowthWatch::pay(double passes) noexcept
 {
   m_work += passes;
+  m_framePasses = passes;
   m_debt = std::max(m_debt - kDebtShare * passes, 0.0);
 }
 
@@ -156,15 +161,20 @@ bool GrowthWatch::onlyDrifts() noexcept
 
 void GrowthWatch::carryOn(const MotionState& motion)
 {
+  const double step = m_share == kShareUndamped ? kFineness * m_step : m_step;
+  const double springs = std::max(static_cast<double>(m_system.forces().activeSprings()), 1.0);
+  if (!(2.0 * (motion.time - m_before.time) / step <= kMostOfFrame * m_framePasses + kAnyFrame / springs)) {
+    m_hasStart = false;
+    m_left = 0;
+    return;
+  }
   m_here = m_beside = m_before;
   for (std::size_t i = 0; i < m_x.size(); ++i) {
     m_beside.x[i] += m_x[i];
     m_beside.v[i] += m_v[i];
   }
   m_system.springsEvaluated = 0;
-  const double step = m_share == kShareUndamped ? kFineness * m_step : m_step;
   const bool done = run(m_here, motion.time, step) && run(m_beside, motion.time, step);
-  const double springs = std::max(static_cast<double>(m_system.forces().activeSprings()), 1.0);
   const double passes = static_cast<double>(m_system.springsEvaluated) / springs;
   m_debt += passes;
   m_spent += passes;

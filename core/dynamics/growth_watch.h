@@ -22,7 +22,7 @@ public:
   void begin(const SpringNet& net, const Loads& loads);
   /// Before a frame.
   void remember(const MotionState& motion);
-  /// After it. @param passes  that it took [force passes]
+  /// After it. @param passes  that it took [force passes]; carryOn() takes a dozen times that at most
   void pay(double passes) noexcept;
   bool isFollowing() const noexcept { return m_left > 0; }
   bool lookIsDue() const noexcept; ///< while it does not follow
@@ -49,15 +49,16 @@ private:
   NodeArray m_x, m_v;  ///< the difference [m, m/s]
   std::unique_ptr<Integrator> m_integrator;
   StiffnessCg m_stiffness;
-  double m_extent = 1.0; ///< [m]
-  double m_step = 0.0;   ///< [s]
-  double m_share = 0.0;  ///< of the motion's work that looks may take
-  double m_work = 0.0;   ///< of the motion since the last look [force passes]
-  double m_debt = 0.0;   ///< that following has cost and the motion has not paid yet [force passes]
-  double m_size = 0.0;   ///< logarithm of the difference now, as it would be had it not been made small
-  double m_least = 0.0;  ///< of it so far
-  int m_frames = 0;      ///< followed since then
-  int m_mark = 1;        ///< a power of two of them, the last that was passed
+  double m_extent = 1.0;      ///< [m]
+  double m_step = 0.0;        ///< [s]
+  double m_share = 0.0;       ///< of the motion's work that looks may take
+  double m_work = 0.0;        ///< of the motion since the last look [force passes]
+  double m_framePasses = 0.0; ///< of the last frame alone
+  double m_debt = 0.0;        ///< that following has cost and the motion has not paid yet [force passes]
+  double m_size = 0.0;        ///< logarithm of the difference now, as it would be had it not been made small
+  double m_least = 0.0;       ///< of it so far
+  int m_frames = 0;           ///< followed since then
+  int m_mark = 1;             ///< a power of two of them, the last that was passed
   double m_mostSoFar = 0.0, m_mostAtMark = 0.0, m_mostAtFormerMark = 0.0; ///< of it since then
   double m_burstStart = 0.0; ///< of it, when the present frames began
   int m_left = 0;            ///< frames still to follow

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Whether small errors are multiplied: an exponential, and not what only drifts.
+#include "tests/support/dice.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 
@@ -55,6 +56,32 @@ TEST(GrowthWatch, TumblingMassesMultiplyErrors)
   Loads loads;
   loads.gravity = {-9.81, 1e-3, 0.0}; // along the chain, which stands on its held end
   EXPECT_GT(growthOf(net, loads, 2.0), 100.0);
+}
+
+// A star of stiff and viscous springs, many of them pressed: the motion goes by implicit steps, and to follow a difference
+// explicitly took hundreds of thousands for each frame.
+TEST(GrowthWatch, CostsNoMoreThanTheMotionBears)
+{
+  SpringNet net;
+  Dice dice(5);
+  const Index hub = addNode(net, {0, 0, 0});
+  for (int leaf = 0; leaf < 100; ++leaf) {
+    const Eigen::Vector3d place =
+      5.0 * Eigen::Vector3d(dice.uniform(-1, 1), dice.uniform(-1, 1), dice.uniform(-1, 1));
+    const Index spring = addSpring(net, hub, addNode(net, place), 1e5, 2e4);
+    net.restLength[spring] = place.norm() * dice.uniform(0.0, 2.0);
+  }
+  net.mass.setConstant(0.0044);
+  net.fixed.back() = 1;
+  Simulation simulation = simulate(net);
+  simulation.watchGrowth();
+  std::int64_t springs = 0;
+  constexpr int kFrames = 10;
+  for (int frame = 0; frame < kFrames; ++frame) springs += simulation.advance(1.0 / 60.0).springsEvaluated;
+  const double passes = static_cast<double>(springs) / static_cast<double>(net.springCount());
+  const double free = 2e5 / static_cast<double>(net.springCount()) * kFrames;
+  EXPECT_LE(simulation.errorGrowthPasses(),
+            2.0 * (13.0 * passes + free)); // twice: stages of dampers are counted, too
 }
 
 } // namespace esm::test
