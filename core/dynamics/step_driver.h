@@ -106,7 +106,7 @@ private:
   static constexpr int kSettling = 2; ///< checks before a method that has just been chosen may be left
   static constexpr double kGuessedRough = 0.1; ///< see m_roughOverLocal, before the first check
   static constexpr int kSecondBlock = 2;       ///< the first one has a hand that has just come
-  static constexpr int kRoughCheckGap = 16;
+  static constexpr int kRoughCheckGap = 16, kLeastRoughGap = 6;
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
   /// saves 3 % of all passes; a quarter is too short to tell: errors of uteri and organs came out up to five
@@ -217,6 +217,7 @@ private:
   Run stretchByDescent(System& system, MotionState& state, double end, StepReport& report);
   Run stretchByBlocks(System& system, MotionState& state, double end, StepReport& report);
   void learnRough(double error, double local) noexcept;
+  double roughError() const noexcept;
   Run runRoughly(Method method, System& system, MotionState& state, double end, std::int64_t steps,
                  StepReport& report);
   /// Since the start of the stretch [J].
@@ -299,17 +300,19 @@ private:
   int m_descentTerm = 0;                ///< how many there were after the last failure
   int m_untilCheck = 0;                 ///< stretches until the next one that is done twice
   int m_checkGap = 1;
-  double m_checkedError = 0.0;                  ///< that the present steps add, by the last check [m/s]
-  double m_checkedPower = 0.0;                  ///< of the dampers then [W]
-  double m_localError = 0.0;                    ///< of the present stretch's first run, see Integrator [m]
-  double m_roughLocal = 0.0;                    ///< the same of the last rough stretch
-  double m_roughOverLocal = kGuessedRough;      ///< its error over that [1]
-  int m_untilRoughCheck = kSecondBlock;         ///< stretches by blocks
-  double m_errorOverLocal = 0.0;                ///< error of a stretch over that [1]; 0: not known
-  double m_growing = 1.0;                       ///< part of it that goes on to grow
-  double m_coarseWork = 0.0, m_finerWork = 0.0; ///< of the two runs of a check [spring evaluations]
-  double m_checkedShare = 0.0;                  ///< of the budget, that the last check found
-  double m_checkedTime = 0.0;                   ///< when the last check that passed began [s]
+  double m_checkedError = 0.0;             ///< that the present steps add, by the last check [m/s]
+  double m_checkedPower = 0.0;             ///< of the dampers then [W]
+  double m_localError = 0.0;               ///< of the present stretch's first run, see Integrator [m]
+  double m_roughLocal = 0.0;               ///< the same of the last rough stretch
+  double m_roughOverLocal = kGuessedRough; ///< its error over that [1]
+  std::int64_t m_checkedSteps = 0;         ///< of a stretch, by the last check
+  double m_unsweptOverLocal = 0.0, m_unswept = 0.0; ///< what the last check found beyond [1], [m]
+  int m_untilRoughCheck = kSecondBlock;             ///< stretches by blocks
+  double m_errorOverLocal = 0.0;                    ///< error of a stretch over that [1]; 0: not known
+  double m_growing = 1.0;                           ///< part of it that goes on to grow
+  double m_coarseWork = 0.0, m_finerWork = 0.0;     ///< of the two runs of a check [spring evaluations]
+  double m_checkedShare = 0.0;                      ///< of the budget, that the last check found
+  double m_checkedTime = 0.0;                       ///< when the last check that passed began [s]
   Onset m_onset;
   std::int64_t m_maxSteps = 0;   ///< of this advance(); 0: any number
   double m_mostWork = kInfinity; ///< of this advance() [spring evaluations]

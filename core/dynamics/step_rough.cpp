@@ -32,7 +32,7 @@ StepDriver::Run StepDriver::runRoughly(Method method, System& system, MotionStat
   if (result == Run::Done) {
     report.rough = true;
     m_roughLocal = m_gauge.rmsOfWhole(m_candidates[method].integrator->takeLocalError());
-    keep(system, state, expectedError(state), m_roughOverLocal * m_roughLocal);
+    keep(system, state, expectedError(state), roughError());
   }
   return result;
 }
@@ -86,18 +86,23 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
     return runRoughly(m_blocks, system, state, end, finer * steps, report);
   };
   const Run result = run(1);
-  if (result == Run::Done && --m_untilRoughCheck <= 0 && !system.isInterrupted()) {
+  --m_untilRoughCheck;
+  // What shorter steps have told is not true of longer ones.
+  if (2 * steps <= m_checkedSteps && m_untilRoughCheck <= kRoughCheckGap - kLeastRoughGap)
+    m_untilRoughCheck = 0;
+  if (result == Run::Done && m_untilRoughCheck <= 0 && !system.isInterrupted()) {
     const MotionState coarse = state;
     const ErrorScale coarseScale = m_gauge.scale();
     const double local = m_roughLocal;
     m_untilRoughCheck = kRoughCheckGap;
+    m_checkedSteps = steps;
     state = m_start; // same size: no allocation
     state.loss = lost;
     m_gauge.setScale(scale);
     if (run(2) == Run::Done && !system.isInterrupted()) {
       learnRough(2.0 * m_gauge.distance(coarse.x, state), local);
       m_gauge.setScale(scale);
-      keep(system, state, expectedError(state), m_roughOverLocal * m_roughLocal);
+      keep(system, state, expectedError(state), roughError());
       report.rejectedSteps += steps;
       if (isLedByBlocks() && !areBlocksWithin()) { // where plain steps can be paid for, they err less
         m_blocksSuffice = false;
@@ -114,12 +119,21 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
   return result;
 }
 
-/// What of the local errors of such a step is left at its end, as a check has found.
+/// What of the local errors of such a step is left at its end, as a check has found. What is more than they say comes from
+/// sweeps that were too few, and lives on in the steps that follow.
 /// @param error  of the step, @param local  the same by the step itself [m]
 void StepDriver::learnRough(double error, double local) noexcept
 {
   const double found = error / local;
-  if (std::isfinite(found) && found > 0.0) m_roughOverLocal = std::min(found, 1.0);
+  if (!std::isfinite(found) || !(found > 0.0)) return;
+  m_roughOverLocal = std::min(found, 1.0);
+  m_unsweptOverLocal = std::max(found - 1.0, 0.0);
+  m_unswept = std::max(error - local, 0.0);
+}
+
+double StepDriver::roughError() const noexcept
+{
+  return m_roughOverLocal * m_roughLocal + std::min(m_unsweptOverLocal * m_roughLocal, m_unswept);
 }
 
 } // namespace esm
