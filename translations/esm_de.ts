@@ -5402,6 +5402,14 @@
         <translation>Kanten, über die sich Nachbarn auf keine Seite einigen können: %1. Die Fläche ist verdreht wie ein Möbiusband.</translation>
     </message>
     <message>
+        <source>The axes that the file states for a patient could not be read; choose them yourself.</source>
+        <translation>Die Achsen eines Patienten, die die Datei angibt, waren nicht lesbar; bitte selbst wählen.</translation>
+    </message>
+    <message>
+        <source>The unit that the file states, “%1”, is no length and is not used; choose it yourself.</source>
+        <translation>Die Einheit, die die Datei angibt, „%1“, ist keine Länge und gilt nicht; bitte selbst wählen.</translation>
+    </message>
+    <message>
         <source>The file states %1, which is used.</source>
         <translation>Die Datei gibt an: %1. Das gilt.</translation>
     </message>

@@ -164,7 +164,7 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
     return reply;
   }
   reply.format = ending + " (assimp)";
-  const SceneStart start = startOf(*scene, archive.text.empty() ? bytes : archive.text, ending);
+  const SceneStart start = startOf(*scene, archive.text.empty() ? bytes : archive.text, ending, reply.notes);
   reply.stated = start.stated;
   Result<Mesh> mesh = SceneCollector(*scene, origin).run(start.root, reply.notes);
   if (mesh)
