@@ -10,6 +10,7 @@
 #include "core/project/project_io.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace esm::cli {
 
@@ -114,12 +115,21 @@ bool sayVerification(const SimulateOptions& options, const RunSummary& summary, 
   return check.kept;
 }
 
+/// Whether the balance bears out what the method says it has added: what nobody accounts for is less than any
+/// other energy of the run.
+bool isBorneOut(const EnergyReport& energy)
+{
+  EnergyReport others = energy;
+  others.loss = 0.0;
+  return std::abs(energy.residual()) <= others.largestTerm();
+}
+
 /// @return whether the energy is accounted for
 bool sayEnergy(const SimulateOptions& options, const RunSummary& summary, double tolerance)
 {
   const EnergyReport* energy = unaccountedEnergy(summary, tolerance);
   if (energy == nullptr) return true;
-  if (energy->hasAdded(tolerance)) {
+  if (energy->hasAdded(tolerance) && isBorneOut(*energy)) {
     say(options.file + ": by its own estimate the method has added " + formatDouble(-energy->loss, 3) +
         " J to the motion, beside " + formatDouble(energy->heat, 3) +
         " J of heat; use a smaller --tolerance, or a smaller --step where one is given");

@@ -74,14 +74,6 @@ StatedFrame statedByDxf(std::string_view bytes)
   return stated;
 }
 
-StatedFrame axesNamed(std::string_view name)
-{
-  StatedFrame stated;
-  if (equalIgnoringCase(name, "LPS")) stated.patientAxes = PatientAxes::Lps;
-  if (equalIgnoringCase(name, "RAS")) stated.patientAxes = PatientAxes::Ras;
-  return stated;
-}
-
 /// "... SPACE=LPS ..."; "WORKSPACE=LPS" and "SPACE=LPST" mean something else.
 StatedFrame statedBySpace(std::string_view text)
 {
@@ -93,7 +85,9 @@ StatedFrame statedBySpace(std::string_view text)
   for (std::size_t at = text.find(kSpace); at != text.npos; at = text.find(kSpace, at + 1)) {
     const std::size_t name = at + kSpace.size();
     if ((at > 0 && isInWord(at - 1)) || isInWord(name + 3)) continue;
-    if (const StatedFrame stated = axesNamed(text.substr(name, 3)); stated.patientAxes) return stated;
+    StatedFrame stated;
+    stateAxes(stated, text.substr(name, 3));
+    if (stated.patientAxes) return stated;
   }
   return {};
 }
@@ -116,29 +110,16 @@ std::string_view leadingComments(std::string_view bytes)
   return bytes.substr(0, end);
 }
 
-/// The field data of 3D Slicer, if it is written as text: the letters as numbers.
-StatedFrame statedByFieldData(std::string_view bytes)
+/// A unit by an attribute. One that is no length is told, and not taken for metres in silence.
+void stateUnit(StatedFrame& stated, std::string_view value, double metres, std::vector<std::string>& notes)
 {
-  XmlTags tags(bytes);
-  for (XmlTag tag; tags.next(tag) && tag.name != "Piece";) {
-    if (tag.name != "Array" || tag.attribute("Name") != "SPACE" || tag.attribute("format") != "ascii")
-      continue;
-    std::string name;
-    std::string_view numbers = tags.content();
-    while (!numbers.empty()) {
-      const std::size_t first = std::min(numbers.find_first_not_of(" \t\r\n"), numbers.size());
-      numbers.remove_prefix(first);
-      const std::size_t end = std::min(numbers.find_first_of(" \t\r\n"), numbers.size());
-      if (const auto code = parseInteger(numbers.substr(0, end)); code && *code > 32 && *code < 127)
-        name += static_cast<char>(*code);
-      numbers.remove_prefix(end);
-    }
-    return axesNamed(name);
-  }
-  return {};
+  stateMetres(stated, metres);
+  if (!stated.metres && !value.empty())
+    notes.push_back("The unit that the file states, '" + std::string(value.substr(0, 40)) +
+                    "', is no length and is not used; --unit states it.");
 }
 
-StatedFrame statedByCollada(std::string_view bytes)
+StatedFrame statedByCollada(std::string_view bytes, std::vector<std::string>& notes)
 {
   StatedFrame stated;
   stated.up = UpAxis::Y; // where a file says nothing, by the standard
@@ -146,7 +127,7 @@ StatedFrame statedByCollada(std::string_view bytes)
   for (XmlTag tag; tags.next(tag) && !(tag.isEnd && tag.name == "asset");) {
     if (tag.name.substr(0, 8) == "library_") break;
     if (tag.name == "unit" && !tag.isEnd)
-      stateMetres(stated, parseDouble(tag.attribute("meter")).value_or(0.0));
+      stateUnit(stated, tag.attribute("meter"), parseDouble(tag.attribute("meter")).value_or(0.0), notes);
     if (tag.name != "up_axis" || tag.isEnd) continue;
     if (tags.content().find("Z_UP") != std::string_view::npos) stated.up = UpAxis::Z;
     if (tags.content().find("X_UP") != std::string_view::npos) stated.up = UpAxis::X;
@@ -155,7 +136,7 @@ StatedFrame statedByCollada(std::string_view bytes)
 }
 
 /// The attribute "unit" of the root of AMF and 3MF; both mean millimetres where there is none.
-StatedFrame statedByPrinter(std::string_view bytes, std::string_view root)
+StatedFrame statedByPrinter(std::string_view bytes, std::string_view root, std::vector<std::string>& notes)
 {
   StatedFrame stated;
   XmlTags tags(bytes);
@@ -164,20 +145,22 @@ StatedFrame statedByPrinter(std::string_view bytes, std::string_view root)
     const std::string_view name = tag.attribute("unit");
     const auto unit = std::find_if(std::begin(kPrinterUnits), std::end(kPrinterUnits),
                                    [&](const NamedLength& u) { return equalIgnoringCase(u.name, name); });
-    if (unit != std::end(kPrinterUnits)) stated.metres = unit->metres;
     if (name.empty()) stated.metres = 1e-3;
+    stateUnit(stated, name, unit == std::end(kPrinterUnits) ? 0.0 : unit->metres, notes);
     break;
   }
   return stated;
 }
 
-StatedFrame statedByX3d(std::string_view bytes)
+StatedFrame statedByX3d(std::string_view bytes, std::vector<std::string>& notes)
 {
   StatedFrame stated;
   XmlTags tags(bytes);
   for (XmlTag tag; tags.next(tag) && !equalIgnoringCase(tag.name, "Scene");)
-    if (equalIgnoringCase(tag.name, "unit") && tag.attribute("category") == "length")
-      stateMetres(stated, parseDouble(tag.attribute("conversionFactor")).value_or(0.0));
+    if (equalIgnoringCase(tag.name, "unit") && tag.attribute("category") == "length") {
+      const std::string_view factor = tag.attribute("conversionFactor");
+      stateUnit(stated, factor, parseDouble(factor).value_or(0.0), notes);
+    }
   return stated;
 }
 
@@ -188,10 +171,21 @@ void stateMetres(StatedFrame& stated, double metres)
   if (std::isfinite(metres) && metres > 0.0) stated.metres = metres;
 }
 
+void stateAxes(StatedFrame& stated, std::string_view name)
+{
+  if (equalIgnoringCase(name, "LPS")) stated.patientAxes = PatientAxes::Lps;
+  if (equalIgnoringCase(name, "RAS")) stated.patientAxes = PatientAxes::Ras;
+}
+
+std::string unreadAxes(const std::string& why)
+{
+  return "The axes that the field data states (SPACE) are not read: " + why +
+         "; --patient-axes lps or ras states them.";
+}
+
 StatedFrame statedInText(std::string_view bytes, std::string_view reader)
 {
   if (reader == "DXF") return statedByDxf(bytes);
-  if (reader == "VTU") return statedByFieldData(bytes.substr(0, kMostHeader));
   if (reader == "STL") return statedBySpace(bytes.substr(0, kStlHeader));
   if (reader == "VTK") return statedBySpace(firstLines(bytes, 2));
   if (reader == "PLY") return statedBySpace(bytes.substr(0, std::min(bytes.find("end_header"), kMostHeader)));
@@ -199,12 +193,12 @@ StatedFrame statedInText(std::string_view bytes, std::string_view reader)
   return {};
 }
 
-StatedFrame statedInXml(std::string_view bytes, std::string_view ending)
+StatedFrame statedInXml(std::string_view bytes, std::string_view ending, std::vector<std::string>& notes)
 {
-  if (ending == "dae") return statedByCollada(bytes);
-  if (ending == "amf") return statedByPrinter(bytes.substr(0, kMostHeader), "amf");
-  if (ending == "3mf") return statedByPrinter(bytes.substr(0, kMostHeader), "model");
-  if (ending == "x3d") return statedByX3d(bytes.substr(0, kMostHeader));
+  if (ending == "dae") return statedByCollada(bytes, notes);
+  if (ending == "amf") return statedByPrinter(bytes.substr(0, kMostHeader), "amf", notes);
+  if (ending == "3mf") return statedByPrinter(bytes.substr(0, kMostHeader), "model", notes);
+  if (ending == "x3d") return statedByX3d(bytes.substr(0, kMostHeader), notes);
   return {};
 }
 

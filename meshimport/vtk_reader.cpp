@@ -6,6 +6,7 @@
 #include "core/base/text_encoding.h"
 #include "meshimport/cells.h"
 #include "meshimport/number_source.h"
+#include "meshimport/stated_frame.h"
 
 #include <utility>
 
@@ -56,9 +57,9 @@ public:
     : m_source(bytes), m_origin(origin), m_control(control), m_cells(m_raw)
   {}
 
-  Result<Mesh> run(std::string& format, std::vector<std::string>& notes)
+  Result<Mesh> run(FileStory& story)
   {
-    if (Status status = header(format); !status) return status.error();
+    if (Status status = header(story.format); !status) return status.error();
     while (m_source.skipToWord()) {
       const std::string keyword(m_source.word().substr(0, 40));
       const auto is = [&keyword](std::string_view word) { return equalIgnoringCase(keyword, word); };
@@ -81,7 +82,9 @@ public:
     }
     if (!m_list.end.empty() && !m_hasTypes)
       return wrong("its cells have no CELL_TYPES; it is cut short, fetch it again");
-    return m_cells.finish(m_origin, notes, m_control);
+    if (!m_axes.empty()) stateAxes(story.stated, m_axes);
+    if (m_hasUnreadAxes) story.notes.push_back(unreadAxes("they are no string"));
+    return m_cells.finish(m_origin, story.notes, m_control);
   }
 
 private:
@@ -136,7 +139,7 @@ private:
     std::uint64_t componentsBefore = 0;
     for (std::uint64_t i = 0; i < *arrays;) {
       if (!m_source.skipToWord()) return noNumber();
-      const std::string_view name = m_source.word();
+      const std::string name(m_source.word().substr(0, 40));
       if (name == "METADATA" && i > 0) {
         metadata(componentsBefore);
         continue;
@@ -150,7 +153,9 @@ private:
       const std::string type(m_source.word().substr(0, 40));
       m_source.nextLine();
       if (*components > kMostItems || *tuples > kMostItems) return tooSmall(*tuples, "values of a field");
+      const NumberSource values = m_source;
       if (Status status = passValues(type, *components * *tuples); !status) return status;
+      if (name == kAxesArray && *components * *tuples > 0) readAxes(values, type, *components * *tuples);
       componentsBefore = *components;
     }
     // What comes behind the last array belongs to it.
@@ -160,6 +165,24 @@ private:
       metadata(componentsBefore);
     }
     return {};
+  }
+
+  /// The axes that 3D Slicer names there: the first string, or letters as numbers.
+  void readAxes(NumberSource values, const std::string& type, std::uint64_t count)
+  {
+    const auto is = [&type](std::string_view word) { return equalIgnoringCase(type, word); };
+    const std::optional<Scalar> scalar = vtkScalar(type);
+    if ((is("string") || is("utf8_string")) && values.binary) {
+      m_axes = passString(values).value_or(std::string_view());
+    } else if (is("string") || is("utf8_string")) {
+      m_axes = values.word().substr(0, 4);
+    } else if (scalar && scalarSize(*scalar) == 1) {
+      long long letter = 0;
+      while (count-- > 0 && m_axes.size() < 4 && values.next(*scalar, letter) && letter > 32 && letter < 127)
+        m_axes += static_cast<char>(letter);
+    } else {
+      m_hasUnreadAxes = true;
+    }
   }
 
   Status passValues(const std::string& type, std::uint64_t values)
@@ -172,9 +195,9 @@ private:
         if (m_source.atEnd()) return noNumber();
     } else if (isString) {
       for (std::uint64_t i = 0; i < values; ++i)
-        if (!passString()) return noNumber();
+        if (!passString(m_source)) return noNumber();
     } else if (is("bit") && m_source.binary) {
-      if (!passBytes((values + 7) / 8)) return noNumber();
+      if (!passBytes(m_source, (values + 7) / 8)) return noNumber();
     } else if (scalar || is("bit")) {
       if (!m_source.hasRoomFor(values, scalar.value_or(Scalar::UInt8)))
         return tooSmall(values, "values of a field");
@@ -188,23 +211,23 @@ private:
     }
     return {};
   }
-  bool passBytes(std::uint64_t bytes)
+  static bool passBytes(NumberSource& source, std::uint64_t bytes)
   {
-    if (bytes > m_source.rest().size()) return false;
-    m_source.skipBytes(bytes);
+    if (bytes > source.rest().size()) return false;
+    source.skipBytes(bytes);
     return true;
   }
   /// In binary files a string begins with its length, in as many bytes as the two highest bits say.
-  bool passString()
+  static std::optional<std::string_view> passString(NumberSource& source)
   {
-    const std::string_view bytes = m_source.rest();
-    if (bytes.empty()) return false;
+    const std::string_view bytes = source.rest();
+    if (bytes.empty()) return std::nullopt;
     const std::size_t size = std::size_t{1} << (3 - (static_cast<unsigned char>(bytes[0]) >> 6));
-    if (bytes.size() < size) return false;
+    if (bytes.size() < size) return std::nullopt;
     std::uint64_t length = static_cast<unsigned char>(bytes[0]) & 0x3Fu;
     for (std::size_t i = 1; i < size; ++i) length = length << 8 | static_cast<unsigned char>(bytes[i]);
-    m_source.skipBytes(size);
-    return passBytes(length);
+    source.skipBytes(size);
+    return passBytes(source, length) ? std::optional(bytes.substr(size, length)) : std::nullopt;
   }
 
   Result<std::uint64_t> count()
@@ -358,6 +381,8 @@ private:
   CellList m_list;                ///< of an unstructured grid, until its types come
   std::uint64_t m_components = 1; ///< of the array that was read last
   bool m_hasTypes = false;
+  std::string m_axes; ///< of a patient, by the field data
+  bool m_hasUnreadAxes = false;
 };
 
 bool recognisesVtk(std::string_view bytes, std::string_view)
@@ -369,10 +394,8 @@ bool recognisesVtk(std::string_view bytes, std::string_view)
 Result<Mesh> readVtk(std::string_view bytes, const std::string& origin, FileStory& story,
                      WorkControl* control)
 {
-  std::string& format = story.format;
-  std::vector<std::string>& notes = story.notes;
-  format = "VTK";
-  return VtkParser(bytes, origin, control).run(format, notes);
+  story.format = "VTK";
+  return VtkParser(bytes, origin, control).run(story);
 }
 
 } // namespace

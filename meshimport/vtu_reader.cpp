@@ -4,6 +4,7 @@
 
 #include "core/base/text_number.h"
 #include "meshimport/cells.h"
+#include "meshimport/stated_frame.h"
 #include "meshimport/vtu_arrays.h"
 #include "meshimport/xml_tags.h"
 
@@ -32,15 +33,16 @@ public:
     : m_bytes(bytes), m_origin(origin), m_control(control), m_cells(m_raw)
   {}
 
-  Result<Mesh> run(std::string& format, std::vector<std::string>& notes)
+  Result<Mesh> run(FileStory& story)
   {
     if (Status status = outline(); !status) return status.error();
-    format = m_isGrid ? "VTU" : "VTP";
+    story.format = m_isGrid ? "VTU" : "VTP";
+    readAxes(story);
     for (std::size_t i = 0; i < m_pieces.size(); ++i) {
       tellDone(m_control, static_cast<double>(i) / static_cast<double>(m_pieces.size()));
       if (Status status = piece(m_pieces[i]); !status) return status.error();
     }
-    return m_cells.finish(m_origin, notes, m_control);
+    return m_cells.finish(m_origin, story.notes, m_control);
   }
 
 private:
@@ -64,6 +66,9 @@ private:
           if (Status status = fileTag(tag); !status) return status;
       } else if (tag.name == "Piece" && !tag.isEnd) {
         m_pieces.push_back({parseInteger(tag.attribute("NumberOfPoints")).value_or(-1), {}});
+      } else if ((tag.name == "Array" || tag.name == "DataArray") && section == "FieldData" && !tag.isEnd &&
+                 tag.attribute("Name") == kAxesArray) {
+        m_axes = arrayOf(tag, tags, section, vtuScalar(tag.attribute("type")).value_or(Scalar::UInt8));
       } else if (tag.name == "DataArray" && !tag.isEnd) {
         if (Status status = arrayTag(tag, section, tags); !status) return status;
       } else if (tag.name == "AppendedData") {
@@ -99,23 +104,49 @@ private:
   Status arrayTag(const XmlTag& tag, std::string_view section, const XmlTags& tags)
   {
     if (m_pieces.empty()) return {}; // data of the field, such as the time
-    VtuArray array;
-    array.section = section;
-    array.name = tag.attribute("Name");
     if (!isGeometry(section)) return {};
     const std::optional<Scalar> type = vtuScalar(tag.attribute("type"));
     if (!type) return wrong("an array has a type that VTK does not know");
-    array.type = *type;
+    const std::optional<VtuArray> array = arrayOf(tag, tags, section, *type);
+    if (!array) return wrong("an array begins before the data");
+    m_pieces.back().arrays.push_back(*array);
+    return {};
+  }
+
+  /// None if it begins before the data.
+  static std::optional<VtuArray> arrayOf(const XmlTag& tag, const XmlTags& tags, std::string_view section,
+                                         Scalar type)
+  {
+    VtuArray array;
+    array.section = section;
+    array.name = tag.attribute("Name");
+    array.type = type;
     const std::string_view format = tag.attribute("format");
     array.format = format == "appended" ? VtuArray::Format::Appended
                    : format == "binary" ? VtuArray::Format::Binary
                                         : VtuArray::Format::Ascii;
     const long long offset = parseInteger(tag.attribute("offset")).value_or(0);
-    if (offset < 0) return wrong("an array begins before the data");
+    if (offset < 0) return std::nullopt;
     array.offset = static_cast<std::uint64_t>(offset);
     if (!tag.isEmpty) array.content = tags.content();
-    m_pieces.back().arrays.push_back(array);
-    return {};
+    return array;
+  }
+
+  /// The axes in the field data: letters up to a 0, an array of bytes if its type is String.
+  void readAxes(FileStory& story) const
+  {
+    if (!m_axes) return;
+    const Result<std::vector<long long>> letters = vtuIntegers(*m_axes, m_storage);
+    if (!letters) {
+      story.notes.push_back(unreadAxes(letters.error().detail));
+      return;
+    }
+    std::string name;
+    for (const long long letter : *letters) {
+      if (letter <= 32 || letter >= 127 || name.size() > 3) break;
+      name += static_cast<char>(letter);
+    }
+    stateAxes(story.stated, name);
   }
 
   static const VtuArray* find(const Piece& piece, std::string_view section, std::string_view name)
@@ -208,6 +239,7 @@ private:
   const std::string& m_origin;
   WorkControl* m_control;
   VtuStorage m_storage;
+  std::optional<VtuArray> m_axes; ///< of a patient, as 3D Slicer writes them
   std::vector<Piece> m_pieces;
   bool m_isGrid = true;
   RawMesh m_raw;
@@ -226,10 +258,8 @@ bool recognisesVtu(std::string_view bytes, std::string_view)
 Result<Mesh> readVtu(std::string_view bytes, const std::string& origin, FileStory& story,
                      WorkControl* control)
 {
-  std::string& format = story.format;
-  std::vector<std::string>& notes = story.notes;
-  format = "VTU";
-  return VtuParser(bytes, origin, control).run(format, notes);
+  story.format = "VTU";
+  return VtuParser(bytes, origin, control).run(story);
 }
 
 } // namespace

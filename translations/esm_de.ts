@@ -1410,6 +1410,218 @@
         <translation>eine Datenbank</translation>
     </message>
     <message>
+        <source>a film or HEIF picture</source>
+        <translation>ein Film oder HEIF-Bild</translation>
+    </message>
+    <message>
+        <source>a sound, picture or film</source>
+        <translation>ein Ton, Bild oder Film</translation>
+    </message>
+    <message>
+        <source>an empty ZIP archive</source>
+        <translation>ein leeres ZIP-Archiv</translation>
+    </message>
+    <message>
+        <source>a MetaImage</source>
+        <translation>ein MetaImage</translation>
+    </message>
+    <message>
+        <source>an HDF5 file, as CGNS, MED, Exodus or MINC use it</source>
+        <translation>eine HDF5-Datei, wie CGNS, MED, Exodus oder MINC sie nutzen</translation>
+    </message>
+    <message>
+        <source>a NetCDF file, as Exodus uses it</source>
+        <translation>eine NetCDF-Datei, wie Exodus sie nutzt</translation>
+    </message>
+    <message>
+        <source>a STEP file, which holds surfaces and no mesh</source>
+        <translation>eine STEP-Datei, die Flächen enthält und kein Netz</translation>
+    </message>
+    <message>
+        <source>an IGES file, which holds surfaces and no mesh</source>
+        <translation>eine IGES-Datei, die Flächen enthält und kein Netz</translation>
+    </message>
+    <message>
+        <source>an OpenFOAM file</source>
+        <translation>eine OpenFOAM-Datei</translation>
+    </message>
+    <message>
+        <source>a Tecplot file</source>
+        <translation>eine Tecplot-Datei</translation>
+    </message>
+    <message>
+        <source>a TetGen file</source>
+        <translation>eine TetGen-Datei</translation>
+    </message>
+    <message>
+        <source>an XDMF file</source>
+        <translation>eine XDMF-Datei</translation>
+    </message>
+    <message>
+        <source>a DWG drawing</source>
+        <translation>eine DWG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>a Rhino model</source>
+        <translation>ein Rhino-Modell</translation>
+    </message>
+    <message>
+        <source>a SketchUp model</source>
+        <translation>ein SketchUp-Modell</translation>
+    </message>
+    <message>
+        <source>an FEBio model</source>
+        <translation>ein FEBio-Modell</translation>
+    </message>
+    <message>
+        <source>a Gmsh geometry</source>
+        <translation>eine Gmsh-Geometrie</translation>
+    </message>
+    <message>
+        <source>an OpenSCAD script</source>
+        <translation>ein OpenSCAD-Skript</translation>
+    </message>
+    <message>
+        <source>a web page</source>
+        <translation>eine Webseite</translation>
+    </message>
+    <message>
+        <source>a packed XGL scene</source>
+        <translation>eine gepackte XGL-Szene</translation>
+    </message>
+    <message>
+        <source>a CAD part of NX or Creo</source>
+        <translation>ein CAD-Teil von NX oder Creo</translation>
+    </message>
+    <message>
+        <source>a SolidWorks assembly</source>
+        <translation>eine SolidWorks-Baugruppe</translation>
+    </message>
+    <message>
+        <source>an Autodesk Inventor assembly</source>
+        <translation>eine Autodesk-Inventor-Baugruppe</translation>
+    </message>
+    <message>
+        <source>a part of SolidWorks, Inventor or Solid Edge, a 3ds Max scene or an old office document</source>
+        <translation>ein Teil von SolidWorks, Inventor oder Solid Edge, eine 3ds-Max-Szene oder ein altes Office-Dokument</translation>
+    </message>
+    <message>
+        <source>a pointer of Git LFS to the file</source>
+        <translation>ein Zeiger von Git LFS auf die Datei</translation>
+    </message>
+    <message>
+        <source>fetch the file itself with git lfs pull</source>
+        <translation>die Datei selbst mit git lfs pull holen</translation>
+    </message>
+    <message>
+        <source>a table of numbers, perhaps points</source>
+        <translation>eine Tabelle von Zahlen, vielleicht von Punkten</translation>
+    </message>
+    <message>
+        <source>a universal (UNV) deck</source>
+        <translation>ein Universal-Deck (UNV)</translation>
+    </message>
+    <message>
+        <source>an Abaqus or CalculiX deck</source>
+        <translation>ein Deck von Abaqus oder CalculiX</translation>
+    </message>
+    <message>
+        <source>a %1 deck</source>
+        <translation>ein %1-Deck</translation>
+    </message>
+    <message>
+        <source>an %1 deck</source>
+        <translation>ein %1-Deck</translation>
+    </message>
+    <message>
+        <source>JSON text, but no glTF</source>
+        <translation>JSON-Text, aber kein glTF</translation>
+    </message>
+    <message>
+        <source>XML text of an unknown kind</source>
+        <translation>XML-Text unbekannter Art</translation>
+    </message>
+    <message>
+        <source>choose the mesh file that it names</source>
+        <translation>die Netzdatei wählen, die darin genannt ist</translation>
+    </message>
+    <message>
+        <source>convert it with tetgen -k, which writes VTK</source>
+        <translation>mit tetgen -k umwandeln, das VTK schreibt</translation>
+    </message>
+    <message>
+        <source>mesh it in Gmsh and save that as .msh</source>
+        <translation>in Gmsh vernetzen und das als .msh speichern</translation>
+    </message>
+    <message>
+        <source>render it in OpenSCAD and save that as STL or OFF</source>
+        <translation>in OpenSCAD berechnen und das als STL oder OFF speichern</translation>
+    </message>
+    <message>
+        <source>save it as DXF in text (ASCII) or as STL</source>
+        <translation>als DXF in Textform (ASCII) oder als STL speichern</translation>
+    </message>
+    <message>
+        <source>the key &quot;%1&quot; occurs twice in one object</source>
+        <translation>der Schlüssel „%1“ steht zweimal in einem Objekt</translation>
+    </message>
+    <message>
+        <source>its part &apos;%1&apos; is missing here</source>
+        <translation>ihr Teil „%1“ fehlt hier</translation>
+    </message>
+    <message>
+        <source>it lies outside the model&apos;s folder and stays closed</source>
+        <translation>es liegt außerhalb des Ordners des Modells und bleibt geschlossen</translation>
+    </message>
+    <message>
+        <source>it is no regular file and stays closed</source>
+        <translation>es ist keine gewöhnliche Datei und bleibt geschlossen</translation>
+    </message>
+    <message>
+        <source>there is no such file in the model&apos;s folder</source>
+        <translation>im Ordner des Modells gibt es keine solche Datei</translation>
+    </message>
+    <message>
+        <source>nothing is fetched from other machines</source>
+        <translation>von anderen Rechnern wird nichts geholt</translation>
+    </message>
+    <message>
+        <source>the archive does not hold it</source>
+        <translation>das Archiv enthält es nicht</translation>
+    </message>
+    <message>
+        <source>it would be a part of itself</source>
+        <translation>es wäre ein Teil von sich selbst</translation>
+    </message>
+    <message>
+        <source>it cannot be read</source>
+        <translation>es ist nicht lesbar</translation>
+    </message>
+    <message>
+        <source>%1 more of its parts are missing</source>
+        <translation>weitere fehlende Teile: %1</translation>
+    </message>
+    <message>
+        <source>put its parts beside it, or save it as OBJ, PLY or STL in the program it comes from</source>
+        <translation>die Teile daneben legen, oder sie in dem Programm, aus dem sie kommt, als OBJ, PLY oder STL speichern</translation>
+    </message>
+    <message>
+        <source>files that an OBJ calls are not read</source>
+        <translation>Dateien, die eine OBJ-Datei aufruft, werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>of an X3D scene only X3D parts are read</source>
+        <translation>von einer X3D-Szene werden nur X3D-Teile gelesen</translation>
+    </message>
+    <message>
+        <source>parts of parts of an X3D scene are not read</source>
+        <translation>Teile von Teilen einer X3D-Szene werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>parts in other COLLADA files are not read</source>
+        <translation>Teile in anderen COLLADA-Dateien werden nicht gelesen</translation>
+    </message>
+    <message>
         <source>a %1 picture</source>
         <translation>ein %1-Bild</translation>
     </message>
@@ -5400,6 +5612,14 @@
     <message>
         <source>Edges over which neighbours cannot agree on a side: %1. The surface is twisted like a Moebius strip.</source>
         <translation>Kanten, über die sich Nachbarn auf keine Seite einigen können: %1. Die Fläche ist verdreht wie ein Möbiusband.</translation>
+    </message>
+    <message>
+        <source>The axes that the file states for a patient could not be read; choose them yourself.</source>
+        <translation>Die Achsen eines Patienten, die die Datei angibt, waren nicht lesbar; bitte selbst wählen.</translation>
+    </message>
+    <message>
+        <source>The unit that the file states, “%1”, is no length and is not used; choose it yourself.</source>
+        <translation>Die Einheit, die die Datei angibt, „%1“, ist keine Länge und gilt nicht; bitte selbst wählen.</translation>
     </message>
     <message>
         <source>The file states %1, which is used.</source>

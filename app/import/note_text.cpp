@@ -163,6 +163,14 @@ constexpr KnownSentence kNotes[] = {
    QT_TRANSLATE_NOOP("esm::ImportNote", "The file states %1, which is used.")},
   {R"(The file states (.+), which is used and not .+ \(--ignore-stated uses the choices\)\.)",
    QT_TRANSLATE_NOOP("esm::ImportNote", "The file states %1, which is used.")},
+  {R"(The axes that the field data states \(SPACE\) are not read: .+; --patient-axes lps or ras states them\.)",
+   QT_TRANSLATE_NOOP("esm::ImportNote",
+                     "The axes that the file states for a patient could not be read; choose "
+                     "them yourself.")},
+  {R"(The unit that the file states, '(.*)', is no length and is not used; --unit states it\.)",
+   QT_TRANSLATE_NOOP(
+     "esm::ImportNote",
+     "The unit that the file states, “%1”, is no length and is not used; choose it yourself.")},
   {R"(The file states (.+); as wished, the choices hold and not that\.)",
    QT_TRANSLATE_NOOP("esm::ImportNote", "The file states %1; as wished, the choices hold and not that.")},
 };

@@ -103,11 +103,11 @@ QString filled(const QString& text, const QStringList& parts)
 QString errorDetail(const QString& detail)
 {
   if (const auto known = knownSentence(detail)) return *known;
-  for (const QString& border : {QStringLiteral(": "), QStringLiteral("; ")})
-    if (const qsizetype place = detail.indexOf(border); place > 0)
-      return knownSentence(detail.left(place)).value_or(detail.left(place)) + border +
-             errorDetail(detail.mid(place + border.size()));
-  return detail;
+  static const QRegularExpression border(QStringLiteral("[:;] "));
+  const qsizetype place = detail.indexOf(border);
+  if (place <= 0) return detail;
+  return knownSentence(detail.left(place)).value_or(detail.left(place)) + detail.mid(place, 2) +
+         errorDetail(detail.mid(place + 2));
 }
 
 QString errorDetail(const Error& error)

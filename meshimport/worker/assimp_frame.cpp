@@ -111,13 +111,14 @@ Eigen::Matrix4d matrixOf(const aiMatrix4x4& m)
   return out;
 }
 
-SceneStart startOf(const aiScene& scene, std::string_view bytes, std::string_view ending)
+SceneStart startOf(const aiScene& scene, std::string_view bytes, std::string_view ending,
+                   std::vector<std::string>& notes)
 {
   SceneStart start{{}, Eigen::Matrix4d::Identity()};
   if (scene.mRootNode) start.root = matrixOf(scene.mRootNode->mTransformation);
   if (ending == "fbx" && scene.mMetaData) return startOfFbx(*scene.mMetaData, start.root);
   start.stated =
-    ending == "ogex" ? statedByOpenGex(bytes) : statedInXml(bytes, ending == "zae" ? "dae" : ending);
+    ending == "ogex" ? statedByOpenGex(bytes) : statedInXml(bytes, ending == "zae" ? "dae" : ending, notes);
   if (ending == "dae" || ending == "zae") start.root.setIdentity(); // unit and axes, nothing else
   if (ending == "glb" || ending == "gltf") start.stated = {1.0, UpAxis::Y, {}};
   if (isOneOf(ending, kIfc)) start.stated = {metresOfIfc(bytes), UpAxis::Y, {}};

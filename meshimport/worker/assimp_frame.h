@@ -26,6 +26,8 @@ struct SceneStart {
 /// they are told apart, so that each is used once: COLLADA keeps its own numbers; IFC comes in metres; what
 /// the library laid down (3DS, Quake's models, ...) is told to have y up, as glTF has.
 /// @param bytes of the file; the text of a COLLADA or a model part if the file is an archive
-SceneStart startOf(const aiScene& scene, std::string_view bytes, std::string_view ending);
+/// @param notes get what is to be said of a unit that cannot be used
+SceneStart startOf(const aiScene& scene, std::string_view bytes, std::string_view ending,
+                   std::vector<std::string>& notes);
 
 } // namespace esm

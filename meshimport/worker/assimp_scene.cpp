@@ -111,6 +111,19 @@ bool tellsOfTheEnd(std::string_view complaint)
                      [&](std::string_view sign) { return text.find(sign) != text.npos; });
 }
 
+/// A file whose parts are missing may well be sound itself.
+Error refusalOf(const std::string& complaint, const std::vector<std::string>& lostParts,
+                const std::string& origin)
+{
+  const std::string wayOut = "save it as OBJ, PLY or STL in the program it comes from";
+  if (!lostParts.empty())
+    return fault(ErrorCode::FileUnreadable, origin, 0,
+                 withSemicolons(lostParts).substr(2) + "; put its parts beside it, or " + wayOut);
+  return fault(ErrorCode::BadFormat, origin, 0,
+               "the assimp library cannot read it (" + complaint +
+                 (tellsOfTheEnd(complaint) ? "); fetch it again, it may be cut short, or " : "); ") + wayOut);
+}
+
 bool endsWithOneOf(std::string_view name, std::span<const std::string_view> endings)
 {
   const std::size_t point = name.rfind('.');
@@ -155,16 +168,11 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
   for (const std::string& path : archive.lost)
     reply.notes.push_back("Its part '" + path + "' is missing here: the archive does not hold it.");
   if (!scene) {
-    const std::string complaint = importer.GetErrorString();
-    reply.refusal =
-      fault(ErrorCode::BadFormat, origin, 0,
-            "the assimp library cannot read it (" + complaint + ")" + withSemicolons(reply.notes) +
-              (tellsOfTheEnd(complaint) ? "; fetch it again, it may be cut short, or" : ";") +
-              " save it as OBJ, PLY or STL in the program it comes from");
+    reply.refusal = refusalOf(importer.GetErrorString(), reply.notes, origin);
     return reply;
   }
   reply.format = ending + " (assimp)";
-  const SceneStart start = startOf(*scene, archive.text.empty() ? bytes : archive.text, ending);
+  const SceneStart start = startOf(*scene, archive.text.empty() ? bytes : archive.text, ending, reply.notes);
   reply.stated = start.stated;
   Result<Mesh> mesh = SceneCollector(*scene, origin).run(start.root, reply.notes);
   if (mesh)

@@ -37,5 +37,18 @@ for name, extra in (("esm_de.ts", []), ("esm_en.ts", ["-pluralonly"])):
                     if set(re.findall(r"%\d|%n", text)) != set(re.findall(r"%\d|%n", form)):
                         problems.append(f"{where} has other placeholders than {form!r}")
         print(f"{name}: {messages} texts")
+
+# What a foreign file is: a sentence of its own, or a general one around a name ("a %1 mesh", not "a STEP file, which holds
+# surfaces and no mesh" taken as one).
+texts = {message.findtext("source") for context in tree.parse(source / "translations" / "esm_de.ts").getroot().findall("context")
+         if context.findtext("name") == "esm::ErrorDetail" for message in context.findall("message")}
+kinds = (source / "meshimport" / "foreign_kinds.cpp").read_text()
+named = re.findall(r'\{"([^"]+)",\s*(?:k\w+Out|"([^"]+)")\}', kinds) + re.findall(r'k\w+\{"([^"]+)", ()k\w+Out\}', kinds)
+for text in {text for pair in named for text in pair if text} | set(re.findall(r'k\w+Out =\s*"([^"]+)"', kinds)):
+    names = [re.fullmatch(re.escape(one).replace("%1", "(.+)"), text) for one in texts if "%1" in one]
+    if text not in texts and not any(match and re.fullmatch(r"[A-Z0-9]\S*( [A-Z0-9]\S*)*|gzip|tar|zstd|xz|bzip2|[37]\S+( [A-Z]\S*)*",
+                                                             match[1]) for match in names if match):
+        problems.append(f"foreign_kinds.cpp: {text!r} has no sentence in app/text/error_sentences.cpp")
+print(f"foreign_kinds.cpp: {len(named)} kinds")
 if problems:
     sys.exit("\n".join(problems))

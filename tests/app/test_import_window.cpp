@@ -412,6 +412,13 @@ TEST_F(WindowTest, NotesOfTheImporterAreInTheWindowsLanguage)
     EXPECT_TRUE(importNoteText("1 of the element 'tristrips' were read as " + std::string(shape) + ".")
                   .startsWith("Aus dem Element „tristrips“ als "))
       << shape;
+  EXPECT_EQ(
+    importNoteText("The unit that the file states, '0,001', is no length and is not used; --unit states it."),
+    "Die Einheit, die die Datei angibt, „0,001“, ist keine Länge und gilt nicht; bitte selbst wählen.");
+  EXPECT_EQ(importNoteText(
+              "The axes that the field data states (SPACE) are not read: the array 'SPACE' ends early; the "
+              "file is damaged; --patient-axes lps or ras states them."),
+            "Die Achsen eines Patienten, die die Datei angibt, waren nicht lesbar; bitte selbst wählen.");
   EXPECT_EQ(importNoteText("Something new."), "Something new.");
 }
 

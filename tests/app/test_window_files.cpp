@@ -180,6 +180,16 @@ TEST_F(WindowTest, TheWatchOfChangedFilesLeavesDevicesAndPipesAlone)
 
 namespace {
 
+/// A sound glTF whose numbers are in another file.
+std::string gltfOf(const std::string& buffer)
+{
+  return R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0]}], "nodes": [{"mesh": 0}], )"
+         R"("meshes": [{"primitives": [{"attributes": {"POSITION": 0}}]}], "accessors": [{"bufferView": 0, )"
+         R"("componentType": 5126, "count": 3, "type": "VEC3", "min": [0, 0, 0], "max": [1, 1, 0]}], )"
+         R"("bufferViews": [{"buffer": 0, "byteLength": 36}], "buffers": [{"byteLength": 36, "uri": ")" +
+         buffer + R"("}]})";
+}
+
 /// What core says of files that are wrong in the ways that users meet.
 std::vector<Error> errorsOfFiles(const QTemporaryDir& folder)
 {
@@ -203,6 +213,7 @@ std::vector<Error> errorsOfFiles(const QTemporaryDir& folder)
         written("cut.esm", good.substr(0, 700)),
         written("newer.esm", with("\"schema_version\": 1", "\"schema_version\": 7")),
         written("key.esm", with("\"name\"", "\"nom\"")),
+        written("twice.esm", with("\"name\"", "\"name\": \"a\", \"name\"")),
         written("type.esm", with("\"name\": \"sheet\"", "\"name\": 5")),
         written("solver.esm", with("\"solver\": \"auto\"", "\"solver\": \"magic\""))}) {
     const auto project = loadProject(path);
@@ -217,7 +228,10 @@ std::vector<Error> errorsOfFiles(const QTemporaryDir& folder)
         written("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
         written("cloud.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
                              "y\nproperty float z\nend_header\n0 0 0\n"),
-        written("picture.obj", "\x89PNG\r\n\x1a\n"), written("old.off", "OFF\n3 1 0\n0 0 0\n"),
+        written("picture.obj", "\x89PNG\r\n\x1a\n"), written("plate.step", "ISO-10303-21;\nHEADER;\n"),
+        written("deck.inp", "*HEADING\n*NODE\n"), written("paged.obj", "<!doctype html>\n"),
+        written("lost.gltf", gltfOf("../outside.bin")), written("gone.gltf", gltfOf("gone.bin")),
+        written("old.off", "OFF\n3 1 0\n0 0 0\n"),
         written("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")}) {
     const auto mesh = importMesh(path);
     EXPECT_FALSE(mesh) << path;
@@ -237,6 +251,24 @@ std::vector<Error> errorsOfFiles(const QTemporaryDir& folder)
 
 } // namespace
 
+// The file is sound, only its part stays closed or is not there.
+TEST_F(WindowTest, AFileWhosePartsAreMissingIsNotCalledDamaged)
+{
+  const std::string path = folder.filePath("a.gltf").toStdString();
+  ASSERT_TRUE(writeFileAtomically(path, gltfOf("../outside.bin")));
+  const auto mesh = importMesh(path);
+  ASSERT_FALSE(mesh);
+  EXPECT_EQ(errorLead(mesh.error().code), "The file cannot be read.");
+  language.set(Language::German);
+  EXPECT_EQ(errorLead(mesh.error().code), "Die Datei kann nicht gelesen werden.");
+  EXPECT_EQ(
+    errorDetail(mesh.error()),
+    QString::fromStdString(path) +
+      ": ihr Teil „../outside.bin“ fehlt hier: es liegt außerhalb des Ordners des Modells und bleibt "
+      "geschlossen; die Teile daneben legen, oder sie in dem Programm, aus dem sie kommt, als OBJ, PLY oder "
+      "STL speichern");
+}
+
 // Should a sentence of the core change, its translation is missed here: in German each part is another text.
 TEST_F(WindowTest, WhatIsWrongWithAFileIsSaidInTheWindowsLanguage)
 {
@@ -252,6 +284,12 @@ TEST_F(WindowTest, WhatIsWrongWithAFileIsSaidInTheWindowsLanguage)
   EXPECT_EQ(errorDetail(QStringLiteral(
               "/a: b/x.obj: line 3: a vertex needs three coordinates; is the file cut short?")),
             "/a: b/x.obj: Zeile 3: eine Ecke braucht drei Koordinaten; ist die Datei abgeschnitten?");
+  EXPECT_EQ(
+    errorDetail(
+      QStringLiteral("x.step: this is a STEP file, which holds surfaces and no mesh; mesh it in the "
+                     "CAD program and save that as STL or OBJ")),
+    "x.step: das ist eine STEP-Datei, die Flächen enthält und kein Netz; im CAD-Programm vernetzen und das "
+    "als STL oder OBJ speichern");
   EXPECT_EQ(errorDetail(QStringLiteral("x.esm: cannot be read (Permission denied)")),
             "x.esm: nicht lesbar (keine Berechtigung)");
   EXPECT_EQ(errorDetail(QStringLiteral("%2.obj: line 1: '%1' is no corner (as 7, 7/1, 7//3 or 7/1/3)")),

@@ -45,6 +45,16 @@ class Energy(ProgramTest):
         report = self.read_json("d.json")
         self.assertLessEqual(abs(report["energy_residual"]), 1e-9 * report["external_work"])
 
+    def test_an_estimate_that_the_balance_refutes_is_not_repeated(self):
+        # Damped steps, which gain nothing: 2.3e7 J become 2 J, while the method's estimate speaks of 1e10 J gained.
+        done = self.run_program("simulate", NETS / "exploding_star.json", "--duration", "0.5", "--report", "r.json",
+                                exit_code=3)
+        report = self.read_json("r.json")
+        self.assertLess(report["energy"], 1e-3 * report["initial_energy"])
+        self.assertLess(report["method_loss"], -10 * report["initial_energy"])
+        self.assertIn("energy is not accounted for", done.stderr)
+        self.assertNotIn("has added", done.stderr)
+
     def test_a_net_that_folds_multiplies_errors_and_it_is_said(self):
         # Exact integrators part by 7e-2 on it after half a second, where 1e-4 had been asked for.
         done = self.run_program("simulate", NETS / "folding_sheet.json", "--tolerance", "1e-4", "--report", "r.json",

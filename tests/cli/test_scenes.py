@@ -159,7 +159,10 @@ class ScenesTest(ProgramTest):
                     "bufferViews": [{"buffer": 0, "byteLength": 36}],
                     "buffers": [{"byteLength": 36, "uri": "gone.bin"}]}
         self.write("a.gltf", json.dumps(document))
-        self.assertIn("its part 'gone.bin' is missing here: there is no such file", self.refused("inspect", "a.gltf"))
+        said = self.refused("inspect", "a.gltf")
+        self.assertIn("its part 'gone.bin' is missing here: there is no such file", said)
+        self.assertIn("put its parts beside it", said)
+        self.assertNotIn("library cannot read", said)
         (self.folder / "outside.bin").write_bytes(struct.pack("<9f", 0, 0, 0, 1, 0, 0, 0, 1, 0))
         document["buffers"][0]["uri"] = "../outside.bin"
         self.write("scene/a.gltf", json.dumps(document))

@@ -1,12 +1,14 @@
 # SPDX-FileCopyrightText: 2026 The ESM authors
 # SPDX-License-Identifier: MIT
 """Unit and axes that a mesh file states itself: used once, whatever the flags say, and said."""
+import base64
 import io
 import itertools
 import json
 import struct
 import unittest
 import zipfile
+import zlib
 
 from program import ProgramTest
 
@@ -95,6 +97,49 @@ def obj(comment):
 def vtk(title):
     return (f"# vtk DataFile Version 4.2\n{title}\nASCII\nDATASET POLYDATA\nPOINTS 8 float\n{TEXT}\n"
             f"POLYGONS 12 48\n" + "".join("3 {} {} {}\n".format(*t) for t in TRIANGLES))
+
+
+def vtp_of_bytes(field, encoding="base64", how="", appended=b""):
+    """As vtp(), with the given array of field data and bytes in the appended part."""
+    tail = b'<AppendedData encoding="' + encoding.encode() + b'">_' + appended + b"</AppendedData>" if appended else b""
+    text = vtp("").replace('<Array type="String" Name="SPACE" NumberOfTuples="1" format="ascii"> 0</Array>', field)
+    text = text.replace(' byte_order="LittleEndian"', ' byte_order="LittleEndian" ' + how)
+    return text.encode().replace(b"</VTKFile>", tail + b"</VTKFile>")
+
+
+def spaces_of_vtk(space):
+    """The ways in which VTK writes a string into the field data: name, content, whether it can be read."""
+    text = space.encode() + b"\0"
+    plain = struct.pack("<I", 4) + text
+    packed = zlib.compress(text)
+    # The sizes of zipped blocks and the blocks are two base64 texts.
+    zipped = base64.b64encode(struct.pack("<4I", 1, 4, 0, len(packed))) + base64.b64encode(packed)
+    zlib_says = 'compressor="vtkZLibDataCompressor"'
+    tag = '<Array type="String" Name="SPACE" NumberOfTuples="1" format="{}"{}>{}</Array>'
+    binary = lambda content: tag.format("binary", "", content.decode())
+    appended = tag.format("appended", ' offset="0"', "")
+    codes = " ".join(str(c) for c in text[:3])
+    box = vtk("by hand").split("POINTS", 1)
+    ascii_vtk = lambda field: (box[0] + "FIELD FieldData 1\n" + field + "\nPOINTS" + box[1]).encode()
+    string = bytes([0xC0 | 3]) + space.encode()
+    points = struct.pack(">24f", *(x for corner in CORNERS for x in corner))
+    cells = b"".join(struct.pack(">4i", 3, *t) for t in TRIANGLES)
+    big = lambda field: (b"# vtk DataFile Version 4.2\nby hand\nBINARY\nDATASET POLYDATA\nFIELD FieldData 1\n" + field +
+                         b"\nPOINTS 8 float\n" + points + b"\nPOLYGONS 12 48\n" + cells + b"\n")
+    return [("binary.vtp", vtp_of_bytes(binary(base64.b64encode(plain))), True),
+            ("zipped.vtp", vtp_of_bytes(binary(zipped), how=zlib_says), True),
+            ("appended.vtp", vtp_of_bytes(appended, appended=base64.b64encode(plain)), True),
+            ("raw.vtp", vtp_of_bytes(appended, encoding="raw", appended=plain), True),
+            ("raw_zip.vtp", vtp_of_bytes(appended, encoding="raw", how=zlib_says,
+                                         appended=struct.pack("<4I", 1, 4, 0, len(packed)) + packed), True),
+            ("bytes.vtp", vtp_of_bytes(f'<DataArray type="Int8" Name="SPACE" format="ascii">{codes}</DataArray>'), True),
+            ("long.vtp", vtp_of_bytes(binary(base64.b64encode(struct.pack("<Q", 4) + text)), how='header_type="UInt64"'), True),
+            ("cut.vtp", vtp_of_bytes(binary(base64.b64encode(plain[:6]))), False),
+            ("field.vtk", ascii_vtk("SPACE 1 1 string\n" + space), True),
+            ("letters.vtk", ascii_vtk("SPACE 1 3 char\n" + codes), True),
+            ("field_big.vtk", big(b"SPACE 1 1 string\n" + string), True),
+            ("letters_big.vtk", big(b"SPACE 1 3 unsigned_char\n" + text[:3]), True),
+            ("variant.vtk", ascii_vtk("SPACE 1 1 variant\n13 " + space), False)]
 
 
 def vtp(space):
@@ -254,6 +299,29 @@ class UnitsTest(ProgramTest):
                 for got, want in zip(made["after"]["bbox_min"], low):
                     self.assertAlmostEqual(got, want, delta=1e-8, msg=name)
                 self.assertIn(f"The file states a patient's axes ({space}), which is used", " ".join(made["notes"]))
+
+    def test_axes_in_field_data_are_used_or_asked_for(self):
+        for space, low in (("LPS", [-0.01, -0.02, 0]), ("RAS", [0, 0, 0])):
+            for name, content, is_read in spaces_of_vtk(space):
+                self.write(name, content)
+                made = self.json_of("import", name, "-o", "a.esm", "--unit", "mm")
+                notes = " ".join(made["notes"])
+                self.assertEqual(f"The file states a patient's axes ({space}), which is used" in notes, is_read, name + notes)
+                self.assertEqual("(SPACE) are not read: " in notes and "--patient-axes lps or ras" in notes, not is_read, name + notes)
+                for got, want in zip(made["after"]["bbox_min"], low if is_read else (0, 0, 0)):
+                    self.assertAlmostEqual(got, want, delta=1e-8, msg=name)
+
+    def test_units_that_are_no_length_are_told(self):
+        for unit in ("0,001", "0", "-1", "inf", "mm"):
+            for name, content in (("a.dae", collada(f'<asset><unit meter="{unit}"/><up_axis>Z_UP</up_axis></asset>')),
+                                  ("a.3mf", three_mf(f' unit="{unit}"')),
+                                  ("a.x3d", x3d(f'<head><unit category="length" name="u" conversionFactor="{unit}"/></head>'))):
+                self.write(name, content)
+                for flags, metre in (((), 1.0), (("--unit", "mm"), 0.001)):
+                    made = self.json_of("import", name, "-o", "a.esm", *flags)
+                    self.assertIn(f"The unit that the file states, '{unit}', is no length and is not used; --unit states it.",
+                                  " ".join(made["notes"]), name)
+                    self.assertAlmostEqual(max(made["size_mm"]) / 1000, 40 * metre, delta=1e-4 * metre, msg=name)
 
     def test_the_organ_of_80_mm(self):
         size = [80, 40, 40]

@@ -17,7 +17,7 @@ namespace {
 
 class FclReader {
 public:
-  FclReader(const FunctionBlock& block, Notes& notes) : m_scan(block.text), m_notes(notes)
+  FclReader(const FunctionBlock& block, Notes& notes) : m_scan(block.text), m_notes(notes), m_once(notes)
   {
     m_system.name = block.name;
     if (!block.name.empty()) m_scan.take();
@@ -123,11 +123,20 @@ private:
   {
     m_scan.expect(":=");
     m_scan.expect("(");
+    const char* from = m_scan.word().data();
     variable.minimum = m_scan.number();
     m_scan.expect("..");
     variable.maximum = m_scan.number();
+    giveUpToHere("RANGE", variable, from);
     m_scan.expect(")");
     m_scan.accept(";");
+  }
+
+  template <class Variable>
+  void giveUpToHere(std::string_view key, const Variable& variable, const char* from)
+  {
+    const auto length = static_cast<std::size_t>(m_scan.word().data() - from);
+    m_once.give(key, '\'' + variable.name + '\'', trimmed(std::string_view(from, length)));
   }
 
   /// What both kinds of variables have.
@@ -138,6 +147,7 @@ private:
       readRange(variable);
     } else if (m_scan.accept("ENABLED")) {
       m_scan.expect(":");
+      m_once.give("ENABLED", '\'' + variable.name + '\'', m_scan.word());
       variable.enabled = m_scan.is("TRUE");
       if (!m_scan.accept("TRUE")) m_scan.expect("FALSE");
     } else if (m_scan.accept("LOCK")) {
@@ -165,10 +175,12 @@ private:
         addTerm(output);
       } else if (m_scan.accept("METHOD")) {
         m_scan.expect(":");
+        m_once.give("METHOD", '\'' + output.name + '\'', m_scan.word());
         output.defuzzifier = readMethod();
         m_hasMethod.insert(output.name);
       } else if (m_scan.accept("ACCU")) {
         m_scan.expect(":");
+        m_once.give("ACCU", '\'' + output.name + '\'', m_scan.word());
         output.aggregation = readNorm<SNorm>(fcl::kSNorms, fcl::kForeignSNorms, sNormNamed);
       } else if (m_scan.accept("DEFAULT")) {
         readDefault(output);
@@ -194,7 +206,9 @@ private:
       output.lockPrevious = true;
       return;
     }
+    const char* from = m_scan.word().data();
     output.defaultValue = m_scan.number();
+    giveUpToHere("DEFAULT", output, from);
     if (!m_scan.accept("|")) return;
     m_scan.expect("NC");
     output.lockPrevious = true;
@@ -237,23 +251,26 @@ private:
                                                        "ENABLED", "ACCU", "END_RULEBLOCK"};
     if (indexIn(kKeys, m_scan.word()) < 0) block.name = std::string(m_scan.take());
     NormWords words;
+    OnceKeys once(m_notes);
     while (!m_scan.accept("END_RULEBLOCK")) {
       if (m_scan.accept("RULE")) {
         m_scan.upTo(':'); // its number or name
         m_scan.expect(":");
         m_rules.emplace_back(m_system.blocks.size() - 1, m_scan.restOfStatement());
       } else {
-        readBlockKey(block, words);
+        readBlockKey(block, words, once);
       }
       m_scan.accept(";");
     }
     completeNorms(block, words);
   }
 
-  void readBlockKey(RuleBlock& block, NormWords& words)
+  void readBlockKey(RuleBlock& block, NormWords& words, OnceKeys& once)
   {
     const std::string_view key = m_scan.take();
     m_scan.expect(":");
+    for (const std::string_view known : {"AND", "OR", "ACT", "ENABLED"}) // accumulate() gives ACCU
+      if (equalIgnoringCase(key, known)) once.give(known, '\'' + block.name + '\'', m_scan.word());
     if (equalIgnoringCase(key, "AND")) {
       words.conjunction = m_scan.word();
       block.conjunction = readNorm<TNorm>(fcl::kTNorms, fcl::kForeignTNorms, tNormNamed);
@@ -341,6 +358,7 @@ private:
   };
   FclScanner m_scan;
   Notes& m_notes;
+  OnceKeys m_once; ///< of variables; a block has its own
   System m_system;
   std::vector<std::pair<std::size_t, std::string_view>> m_rules;
   std::vector<Accumulation> m_accumulations;

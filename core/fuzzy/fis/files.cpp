@@ -27,7 +27,7 @@ Result<System> readSystem(Format format, std::string_view text, std::string_view
     return Error{ErrorCode::InvalidValue, std::string(fileName) + ": only FCL has function blocks to choose"};
   switch (format) {
   case Format::Fll:
-    return readFll(text, fileName);
+    return readFll(text, fileName, options);
   case Format::Fcl:
     return readFcl(text, fileName, options);
   case Format::Fis:

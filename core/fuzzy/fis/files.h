@@ -32,7 +32,7 @@ struct ReadOptions {
 /// Reads a whole text. What real files carry is taken: CR LF, comments, byte order marks, UTF-8, UTF-16 and
 /// Latin-1, surplus parameters and expressions in FIS, names in quotes (blanks are left out of names), keys
 /// of older versions. Errors: one, "file:line:column: what". Any bytes give a checked System or an error.
-Result<System> readFll(std::string_view text, std::string_view fileName);
+Result<System> readFll(std::string_view text, std::string_view fileName, const ReadOptions& options = {});
 Result<System> readFcl(std::string_view text, std::string_view fileName, const ReadOptions& options = {});
 Result<System> readFis(std::string_view text, std::string_view fileName, const ReadOptions& options = {});
 Result<System> readSystem(Format format, std::string_view text, std::string_view fileName,

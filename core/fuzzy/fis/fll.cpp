@@ -77,7 +77,7 @@ Term readTerm(std::string_view text)
 /// Reads line by line; each line is "key: value".
 class FllReader {
 public:
-  explicit FllReader(SourceText& source) : m_source(source) {}
+  FllReader(SourceText& source, Notes& notes) : m_source(source), m_once(notes) {}
 
   System read()
   {
@@ -145,6 +145,7 @@ private:
     } else {
       return false;
     }
+    if (key != "Engine") m_once.forget();
     return true;
   }
 
@@ -157,7 +158,16 @@ private:
       known = readVariableKey(m_system.outputs.back(), key, value) ||
               readOutputKey(m_system.outputs.back(), key, value);
     if (m_part == Part::Block) known = readBlockKey(m_system.blocks.back(), key, value, off);
+    if (known && key != "term" && key != "rule") m_once.give(keyNow(key, value), {}, value);
     if (!known) throw Fault{key.data(), shown(key) + " is no key that may stand here"};
+  }
+
+  /// What version 6 calls a key of version 5.
+  static std::string_view keyNow(std::string_view key, std::string_view value)
+  {
+    if (key == "accumulation") return "aggregation";
+    if (key == "lock-valid") return "lock-previous";
+    return key == "activation" && tNormNamed(value) ? "implication" : key;
   }
 
   template <class Variable>
@@ -255,6 +265,7 @@ private:
   };
   SourceText& m_source;
   System m_system;
+  OnceKeys m_once; ///< of the part
   Part m_part = Part::System;
   bool m_hasEngine = false;
   std::vector<PendingRule> m_rules;
@@ -424,11 +435,12 @@ private:
 
 } // namespace
 
-Result<System> readFll(std::string_view text, std::string_view fileName)
+Result<System> readFll(std::string_view text, std::string_view fileName, const ReadOptions& options)
 {
   const std::string utf8 = toUtf8(text);
   SourceText source(utf8, fileName);
-  return runReader(source, [&] { return FllReader(source).read(); });
+  Notes notes(source, options.notes);
+  return runReader(source, [&] { return FllReader(source, notes).read(); });
 }
 
 Written writeFll(const System& system)

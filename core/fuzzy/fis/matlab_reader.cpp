@@ -40,7 +40,7 @@ std::string_view withoutComment(std::string_view line)
 
 class FisReader {
 public:
-  FisReader(SourceText& source, Notes& notes) : m_source(source), m_notes(notes) {}
+  FisReader(SourceText& source, Notes& notes) : m_source(source), m_notes(notes), m_once(notes) {}
 
   System read()
   {
@@ -64,8 +64,10 @@ private:
 
   void startSection(std::string_view line)
   {
+    m_title = line;
     if (line.substr(0, 7) == "[System") {
       m_section = Section::System;
+      m_title.clear();
     } else if (line.substr(0, 6) == "[Input") {
       m_section = Section::Input;
       m_place = placeOf(line.substr(6), m_system.inputs.size());
@@ -115,6 +117,7 @@ private:
       known = readVariableKey(m_system.outputs[m_place], key, value) ||
               readOutputKey(m_system.outputs[m_place], key, value);
     if (!known) throw Fault{key.data(), shown(key) + " is no key that may stand here"};
+    if (key.substr(0, 2) != "MF" && !isRedundant(key)) m_once.give(key, m_title, unquoted(value));
   }
 
   bool readSystemKey(std::string_view key, std::string_view value)
@@ -143,11 +146,14 @@ private:
       if (method < 0 && !word.empty()) throw Fault{word.data(), shown(word) + " is no known defuzzification"};
       m_defuzzifier = static_cast<Defuzzifier>(std::max(method, 0));
     } else {
-      for (const std::string_view redundant : {"Version", "NumMFs", "TypeReductionMethod"})
-        if (key == redundant) return true;
-      return false;
+      return isRedundant(key);
     }
     return true;
+  }
+
+  static bool isRedundant(std::string_view key)
+  {
+    return key == "Version" || key == "Type" || key == "NumMFs" || key == "TypeReductionMethod";
   }
 
   /// A name without what would not fit on one line of FLL.
@@ -349,6 +355,8 @@ private:
 
   SourceText& m_source;
   Notes& m_notes;
+  OnceKeys m_once;
+  std::string m_title; ///< "[Input1]"; empty for [System]
   System m_system;
   std::size_t m_place = 0; ///< of the section's variable
   std::array<int, 3> m_announced = {-1, -1, -1};

@@ -46,6 +46,15 @@ void Notes::add(const char* at, const std::string& what)
   m_list->push_back(at ? m_source.error({at, what}).detail : std::string(m_source.fileName()) + ": " + what);
 }
 
+void OnceKeys::give(std::string_view key, const std::string& owner, std::string_view value)
+{
+  std::string_view& given = m_given.try_emplace({std::string(key), owner}, value).first->second;
+  if (given != value)
+    m_notes.add(value.data(), std::string(key) + (owner.empty() ? "" : " of " + owner) + " is given again: " +
+                                shown(value) + " holds, " + shown(given) + " is passed over");
+  given = value;
+}
+
 std::string_view trimmed(std::string_view text)
 {
   const std::size_t from = text.find_first_not_of(kBlanks);

@@ -6,8 +6,10 @@
 #include "core/base/ascii_case.h"
 #include "core/fuzzy/fis/system.h"
 
+#include <map>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace esm::fis {
@@ -45,6 +47,21 @@ public:
 private:
   const SourceText& m_source;
   std::vector<std::string>* m_list;
+};
+
+/// Keys that count once. Of one that is given again the last value holds, as with the programs whose formats
+/// these are, and a note names the one that is passed over.
+class OnceKeys {
+public:
+  explicit OnceKeys(Notes& notes) : m_notes(notes) {}
+  /// @param owner what the key belongs to, as "'tip'"; empty: the whole system
+  /// @param value its place is that of the note
+  void give(std::string_view key, const std::string& owner, std::string_view value);
+  void forget() { m_given.clear(); }
+
+private:
+  Notes& m_notes;
+  std::map<std::pair<std::string, std::string>, std::string_view> m_given;
 };
 
 std::string_view trimmed(std::string_view text);

@@ -359,6 +359,51 @@ TEST(FclNotes, NameWhatIsPassedOver)
   EXPECT_EQ(joined(notes), "t.fcl: the terms of 'y' are singletons: METHOD : COG is read as COGS\n");
 }
 
+// With two of a kind the last holds, as with jFuzzyLogic, and the other is named; equal ones say nothing.
+TEST(FclNotes, NameWhatIsGivenAgain)
+{
+  Fcl fcl;
+  fcl.range = "RANGE := (0 .. 10);";
+  fcl.input += " RANGE := (0 .. 20);";
+  fcl.output += " METHOD : COGS; METHOD : LM; METHOD : COGS; DEFAULT := 0; DEFAULT := 1;";
+  fcl.norms =
+    "AND : MIN; AND : PROD; and : prod; OR : MAX; OR : ASUM; ACT : MIN; ACT : PROD; ENABLED : FALSE; "
+    "ENABLED : TRUE;";
+  std::vector<std::string> notes;
+  const auto system = withNotes(fcl.text(), notes);
+  ASSERT_TRUE(system) << system.error().detail;
+  EXPECT_NEAR(valueOf(system, {2.5}), 3.0, 1e-12);
+  EXPECT_EQ(system->blocks[0].conjunction, TNorm::AlgebraicProduct);
+  EXPECT_EQ(joined(notes),
+            "t.fcl:10:38: RANGE of 'x' is given again: '0 .. 20' holds, '0 .. 10' is passed over\n"
+            "t.fcl:16:40: METHOD of 'y' is given again: 'LM' holds, 'COGS' is passed over\n"
+            "t.fcl:16:53: METHOD of 'y' is given again: 'COGS' holds, 'LM' is passed over\n"
+            "t.fcl:16:84: DEFAULT of 'y' is given again: '1' holds, '0' is passed over\n"
+            "t.fcl:19:19: AND of 'one' is given again: 'PROD' holds, 'MIN' is passed over\n"
+            "t.fcl:19:31: AND of 'one' is given again: 'prod' holds, 'PROD' is passed over\n"
+            "t.fcl:19:52: OR of 'one' is given again: 'ASUM' holds, 'MAX' is passed over\n"
+            "t.fcl:19:75: ACT of 'one' is given again: 'PROD' holds, 'MIN' is passed over\n"
+            "t.fcl:19:108: ENABLED of 'one' is given again: 'TRUE' holds, 'FALSE' is passed over\n");
+}
+
+TEST(FllNotes, NameWhatIsGivenAgain)
+{
+  const std::string text =
+    "Engine: e\nInputVariable: x\n  range: 0 10\n  range: 0 10\n  term: a Ramp 10 0\n  term: b Ramp 0 10\n"
+    "OutputVariable: y\n  range: 0 10\n  aggregation: Maximum\n  accumulation: none\n"
+    "  defuzzifier: Centroid\n  defuzzifier: WeightedAverage\n  term: l Constant 2\n  term: h Constant 6\n"
+    "RuleBlock: r\n  conjunction: Minimum\n  conjunction: AlgebraicProduct\n  activation: Minimum\n"
+    "  implication: AlgebraicProduct\n  activation: General\n  rule: if x is a then y is l\n"
+    "  rule: if x is b then y is h\nRuleBlock: s\n  conjunction: Minimum\n";
+  std::vector<std::string> notes;
+  EXPECT_NEAR(valueOf(readFll(text, "t.fll", {&notes, {}}), {2.5}), 3.0, 1e-12);
+  EXPECT_EQ(joined(notes),
+            "t.fll:10:17: aggregation is given again: 'none' holds, 'Maximum' is passed over\n"
+            "t.fll:12:16: defuzzifier is given again: 'WeightedAverage' holds, 'Centroid' is passed over\n"
+            "t.fll:17:16: conjunction is given again: 'AlgebraicProduct' holds, 'Minimum' is passed over\n"
+            "t.fll:19:16: implication is given again: 'AlgebraicProduct' holds, 'Minimum' is passed over\n");
+}
+
 // a OR b AND c: 1/4 or (3/4 and 0) by the standard; brackets leave no doubt and nothing to say.
 TEST(FclNotes, MixedConditionsSayHowTheyAreJoined)
 {
@@ -431,6 +476,24 @@ const std::string kFisOutput =
 const std::string kFisRules = "1, 1 (1) : 1\n2, 2 (1) : 1\n";
 
 } // namespace
+
+TEST(FisNotes, NameWhatIsGivenAgain)
+{
+  std::vector<std::string> notes;
+  const auto system =
+    readFis("[System]\nAndMethod='min'\nAndMethod='prod'\nDefuzzMethod='mom'\n[Input1]\nName='x'\n"
+            "Range=[0 10]\nRange=[0 20]\nMF1='a':'trimf',[0 0 10]\n[Output1]\nName='y'\n"
+            "Range=[0 10]\nMF1='a':'trimf',[0 0 10]\n[System]\nDefuzzMethod='centroid'\n"
+            "[Rules]\n1, 1 (1) : 1\n",
+            "t.fis", {&notes, {}});
+  ASSERT_TRUE(system) << system.error().detail;
+  EXPECT_EQ(system->blocks[0].conjunction, TNorm::AlgebraicProduct);
+  EXPECT_EQ(system->outputs[0].defuzzifier, Defuzzifier::Centroid);
+  EXPECT_EQ(joined(notes),
+            "t.fis:3:12: AndMethod is given again: 'prod' holds, 'min' is passed over\n"
+            "t.fis:8:7: Range of [Input1] is given again: '[0 20]' holds, '[0 10]' is passed over\n"
+            "t.fis:15:15: DefuzzMethod is given again: 'centroid' holds, 'mom' is passed over\n");
+}
 
 TEST(FisNames, MayOccurAgainSinceRulesGoByNumber)
 {
