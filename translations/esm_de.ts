@@ -4311,8 +4311,8 @@
         <translation>%1 von %2 wach</translation>
     </message>
     <message>
-        <source>real time %1×, error %2 %</source>
-        <translation>Echtzeit %1×, Fehler %2 %</translation>
+        <source>real time %1×, tolerance %2 %</source>
+        <translation>Echtzeit %1×, Toleranz %2 %</translation>
     </message>
     <message>
         <source>%1 of %2 nodes awake; the others rest and cost nothing</source>
