@@ -285,6 +285,7 @@ void StatusStrip::setDerived(const DerivationReport& report, double time)
 void StatusStrip::clearDerived()
 {
   m_lastApply.reset();
+  m_derived->clear();
   retranslate();
 }
 
