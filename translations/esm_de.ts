@@ -466,6 +466,10 @@
         <translation>eine Datei angeben</translation>
     </message>
     <message>
+        <source>save it under another name</source>
+        <translation>bitte unter anderem Namen speichern</translation>
+    </message>
+    <message>
         <source>is in the way, a folder of this name is needed</source>
         <translation>steht im Weg: ein Ordner dieses Namens wird gebraucht</translation>
     </message>

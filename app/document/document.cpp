@@ -8,6 +8,7 @@
 #include "app/document/region_commands.h"
 #include "app/document/tissue_commands.h"
 #include "core/base/assert.h"
+#include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"
 #include "core/tissue/region_edit.h"
@@ -127,6 +128,10 @@ Status Document::open(const QString& path)
 
 Status Document::saveAs(const QString& path)
 {
+  // Whoever writes into a device or a pipe has no file afterwards. A shell may want that, a window does not.
+  if (const std::string kind = specialFileKind(path.toStdString()); !kind.empty())
+    return Error{ErrorCode::FileUnwritable,
+                 path.toStdString() + ": cannot be written, it is " + kind + "; save it under another name"};
   // Mesh files are named as seen from where the project is saved; here they are absolute, for it may move.
   emit ruleTextWanted();
   const ImportRecipe source = m_project.source;

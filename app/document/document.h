@@ -69,7 +69,7 @@ public:
   /// Steps before those on the undo stack, which an earlier process has counted (JournalState::undoIndex).
   int stepsBeforeUndo() const noexcept { return m_stepsBefore; }
   Status open(const QString& path);   ///< on error everything is as before
-  Status saveAs(const QString& path); ///< atomic; the former file stays as .bak
+  Status saveAs(const QString& path); ///< atomic, into files only; the former one stays as .bak
   /// Whether somebody else has written the file since it was opened or saved: saving would lose that.
   bool fileChangedOnDisk() const;
   void setView(const ViewSettings& view); ///< saved with the project, no edit

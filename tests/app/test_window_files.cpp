@@ -62,6 +62,22 @@ TEST_F(WindowFilesTest, SavesWithoutAQuestionWhatNobodyElseTouched)
   EXPECT_EQ(nameOnDisk(), "mine again");
 }
 
+// What is written into a device is nowhere: the window says so, and the work stays unsaved work.
+TEST_F(WindowFilesTest, SavesIntoFilesOnly)
+{
+  for (const char* device : {"/dev/null", "/dev/full"}) {
+    ASSERT_TRUE(QFile::remove(path));
+    ASSERT_TRUE(QFile::link(device, path));
+    Answer error("dlgError", "");
+    EXPECT_FALSE(window->saveProject());
+    EXPECT_TRUE(error.given);
+    EXPECT_TRUE(error.said.contains("a device") && error.said.contains("another name")) << qPrintable(error.said);
+    EXPECT_TRUE(window->document()->isModified());
+  }
+  ASSERT_TRUE(window->document()->saveAs(folder.filePath("elsewhere.esm")));
+  EXPECT_FALSE(window->document()->isModified());
+}
+
 // What somebody else has saved in the meantime is lost only by a word of the user.
 TEST_F(WindowFilesTest, AsksBeforeAnotherVersionIsOverwritten)
 {
