@@ -2763,8 +2763,8 @@
         <translation>„%1“ wurde von anderer Seite geändert, seit es hier geöffnet wurde.</translation>
     </message>
     <message>
-        <source>Overwriting replaces that version by yours; it stays beside it as a backup (.bak).</source>
-        <translation>Überschreiben ersetzt jene Fassung durch die hiesige; jene bleibt daneben als Sicherung (.bak).</translation>
+        <source>Overwriting replaces that version by yours; it stays beside it as “%1”.</source>
+        <translation>Überschreiben ersetzt jene Fassung durch die hiesige; jene bleibt daneben als „%1“.</translation>
     </message>
     <message>
         <source>&amp;Overwrite</source>

@@ -105,7 +105,7 @@ private:
   void watchFiles();
   bool writeProject(const QString& path);
   enum class OtherVersion { Overwrite, SaveElsewhere, Keep };
-  OtherVersion askAboutOtherVersion();
+  OtherVersion askAboutOtherVersion(const QString& kept);
   void commitTyped();
   void tellSaved();
   bool mayDropChanges(); ///< saved, or the user lets them go

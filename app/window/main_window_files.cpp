@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that deals with files, and with what must not get lost.
 #include "app/dialogs/import_dialog.h"
+#include "app/document/other_version.h"
 #include "app/document/recovery.h"
 #include "app/import/changed_files_bar.h"
 #include "app/sample_files.h"
@@ -258,8 +259,13 @@ bool MainWindow::saveProject()
   commitTyped();
   if (m_document->path().isEmpty()) return saveProjectAs();
   if (!m_document->fileChangedOnDisk()) return writeProject(m_document->path());
-  switch (askAboutOtherVersion()) {
+  const QString kept = nameForOtherVersion(m_document->path());
+  switch (askAboutOtherVersion(kept)) {
   case OtherVersion::Overwrite:
+    if (auto other = keepOtherVersion(m_document->path(), kept); !other) {
+      showError(tr("Save project"), other.error());
+      return false;
+    }
     return writeProject(m_document->path());
   case OtherVersion::SaveElsewhere:
     return saveProjectAs();
@@ -303,8 +309,9 @@ void MainWindow::tellSaved()
   rememberFile(m_document->path());
 }
 
-/// What becomes of a version of the project's file that somebody else has written.
-MainWindow::OtherVersion MainWindow::askAboutOtherVersion()
+/// What becomes of a version of the project's file that somebody else has written. @param kept the name that it
+/// gets if it is overwritten.
+MainWindow::OtherVersion MainWindow::askAboutOtherVersion(const QString& kept)
 {
   const QString name = QFileInfo(m_document->path()).fileName();
   QMessageBox box(QMessageBox::Warning, tr("Save project"),
@@ -312,7 +319,7 @@ MainWindow::OtherVersion MainWindow::askAboutOtherVersion()
                   QMessageBox::Cancel, this);
   box.setObjectName(QStringLiteral("dlgOtherVersion"));
   box.setInformativeText(
-    tr("Overwriting replaces that version by yours; it stays beside it as a backup (.bak)."));
+    tr("Overwriting replaces that version by yours; it stays beside it as “%1”.").arg(QFileInfo(kept).fileName()));
   QPushButton* overwrite = box.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
   QPushButton* elsewhere = box.addButton(tr("Save &as…"), QMessageBox::AcceptRole);
   overwrite->setObjectName(QStringLiteral("otherVersionOverwrite"));

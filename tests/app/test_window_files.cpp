@@ -93,12 +93,21 @@ TEST_F(WindowFilesTest, AsksBeforeAnotherVersionIsOverwritten)
   EXPECT_TRUE(window->saveProject());
   EXPECT_TRUE(overwrite.given);
   EXPECT_EQ(nameOnDisk(), "mine");
-  EXPECT_EQ(*readFile(path.toStdString() + ".bak"), theirs); // as the question promised
+  EXPECT_TRUE(overwrite.said.contains("organ.esm.other.bak")) << qPrintable(overwrite.said);
 
   window->document()->rename("once more"); // from now on it is this window's version
-  Answer none("dlgOtherVersion", "");
+  auto none = std::make_unique<Answer>("dlgOtherVersion", "");
   EXPECT_TRUE(window->saveProject());
-  EXPECT_FALSE(none.given);
+  EXPECT_FALSE(none->given);
+  none.reset();
+  EXPECT_EQ(*readFile(path.toStdString() + ".other.bak"), theirs) << "no save touches what was promised to stay";
+
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs + "\n"));
+  Answer again("dlgOtherVersion", "otherVersionOverwrite");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_TRUE(again.said.contains("organ.esm.other2.bak")) << qPrintable(again.said);
+  EXPECT_EQ(*readFile(path.toStdString() + ".other.bak"), theirs);
+  EXPECT_EQ(*readFile(path.toStdString() + ".other2.bak"), theirs + "\n");
 }
 
 TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
