@@ -2767,6 +2767,14 @@
         <translation>Überschreiben ersetzt jene Fassung durch die hiesige; jene bleibt daneben als „%1“.</translation>
     </message>
     <message>
+        <source>“%1” holds another model, which was replaced here.</source>
+        <translation>„%1“ enthält ein anderes Modell, das hier ersetzt wurde.</translation>
+    </message>
+    <message>
+        <source>Overwriting puts the new model in its place; under another name, both stay.</source>
+        <translation>Überschreiben setzt das neue Modell an seine Stelle; unter anderem Namen bleiben beide.</translation>
+    </message>
+    <message>
         <source>&amp;Overwrite</source>
         <translation>Ü&amp;berschreiben</translation>
     </message>

@@ -71,7 +71,8 @@ TEST_F(WindowFilesTest, SavesIntoFilesOnly)
     Answer error("dlgError", "");
     EXPECT_FALSE(window->saveProject());
     EXPECT_TRUE(error.given);
-    EXPECT_TRUE(error.said.contains("a device") && error.said.contains("another name")) << qPrintable(error.said);
+    EXPECT_TRUE(error.said.contains("a device") && error.said.contains("another name"))
+      << qPrintable(error.said);
     EXPECT_TRUE(window->document()->isModified());
   }
   ASSERT_TRUE(window->document()->saveAs(folder.filePath("elsewhere.esm")));
@@ -100,7 +101,8 @@ TEST_F(WindowFilesTest, AsksBeforeAnotherVersionIsOverwritten)
   EXPECT_TRUE(window->saveProject());
   EXPECT_FALSE(none->given);
   none.reset();
-  EXPECT_EQ(*readFile(path.toStdString() + ".other.bak"), theirs) << "no save touches what was promised to stay";
+  EXPECT_EQ(*readFile(path.toStdString() + ".other.bak"), theirs)
+    << "no save touches what was promised to stay";
 
   ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs + "\n"));
   Answer again("dlgOtherVersion", "otherVersionOverwrite");
@@ -108,6 +110,48 @@ TEST_F(WindowFilesTest, AsksBeforeAnotherVersionIsOverwritten)
   EXPECT_TRUE(again.said.contains("organ.esm.other2.bak")) << qPrintable(again.said);
   EXPECT_EQ(*readFile(path.toStdString() + ".other.bak"), theirs);
   EXPECT_EQ(*readFile(path.toStdString() + ".other2.bak"), theirs + "\n");
+}
+
+// Another organ does not take the file of the former one by the way.
+TEST_F(WindowFilesTest, AsksBeforeAnotherModelTakesTheFile)
+{
+  Document* document = window->document();
+  const auto bring = [&](bool replace) {
+    IncomingModel model;
+    model.name = "other";
+    model.net = test::sheetProject(3).net;
+    ASSERT_TRUE(document->importModel(std::move(model), replace));
+  };
+  const std::string before = onDisk();
+  ASSERT_NO_FATAL_FAILURE(bring(true));
+  Answer cancel("dlgOtherModel", "");
+  EXPECT_FALSE(window->saveProject());
+  EXPECT_TRUE(cancel.said.contains("organ.esm")) << qPrintable(cancel.said);
+  EXPECT_EQ(onDisk(), before);
+  EXPECT_TRUE(document->isModified());
+
+  document->undoStack()->undo(); // and the question with it
+  auto none = std::make_unique<Answer>("dlgOtherModel", "");
+  EXPECT_TRUE(window->saveProject());
+  ASSERT_NO_FATAL_FAILURE(bring(false)); // what is added takes nothing away
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_FALSE(none->given);
+  none.reset();
+  document->undoStack()->undo();
+
+  ASSERT_NO_FATAL_FAILURE(bring(true));
+  Answer overwrite("dlgOtherModel", "otherVersionOverwrite");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_TRUE(overwrite.given);
+  EXPECT_EQ(loadProject(path.toStdString())->net.nodeCount(), 9);
+  document->rename("later"); // it is this organ's file now
+  Answer again("dlgOtherModel", "");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_FALSE(again.given);
+  document->undoStack()->undo();
+  document->undoStack()->undo(); // the former organ is another one than the file's
+  EXPECT_FALSE(window->saveProject());
+  EXPECT_TRUE(again.given);
 }
 
 TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
