@@ -144,6 +144,8 @@ void SimulationController::stepOnce()
 
 void SimulationController::reset()
 {
+  m_view->letGo(); // its ring and line, too
+  endPull();
   m_sim.reset();
 }
 

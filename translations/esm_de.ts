@@ -466,6 +466,10 @@
         <translation>eine Datei angeben</translation>
     </message>
     <message>
+        <source>save it under another name</source>
+        <translation>bitte unter anderem Namen speichern</translation>
+    </message>
+    <message>
         <source>is in the way, a folder of this name is needed</source>
         <translation>steht im Weg: ein Ordner dieses Namens wird gebraucht</translation>
     </message>
@@ -2971,8 +2975,16 @@
         <translation>„%1“ wurde von anderer Seite geändert, seit es hier geöffnet wurde.</translation>
     </message>
     <message>
-        <source>Overwriting replaces that version by yours; it stays beside it as a backup (.bak).</source>
-        <translation>Überschreiben ersetzt jene Fassung durch die hiesige; jene bleibt daneben als Sicherung (.bak).</translation>
+        <source>Overwriting replaces that version by yours; it stays beside it as “%1”.</source>
+        <translation>Überschreiben ersetzt jene Fassung durch die hiesige; jene bleibt daneben als „%1“.</translation>
+    </message>
+    <message>
+        <source>“%1” holds another model, which was replaced here.</source>
+        <translation>„%1“ enthält ein anderes Modell, das hier ersetzt wurde.</translation>
+    </message>
+    <message>
+        <source>Overwriting puts the new model in its place; under another name, both stay.</source>
+        <translation>Überschreiben setzt das neue Modell an seine Stelle; unter anderem Namen bleiben beide.</translation>
     </message>
     <message>
         <source>&amp;Overwrite</source>
@@ -4523,8 +4535,8 @@
         <translation>%1 von %2 wach</translation>
     </message>
     <message>
-        <source>real time %1×, error %2 %</source>
-        <translation>Echtzeit %1×, Fehler %2 %</translation>
+        <source>real time %1×, tolerance %2 %</source>
+        <translation>Echtzeit %1×, Toleranz %2 %</translation>
     </message>
     <message>
         <source>%1 of %2 nodes awake; the others rest and cost nothing</source>

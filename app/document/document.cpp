@@ -8,6 +8,7 @@
 #include "app/document/region_commands.h"
 #include "app/document/tissue_commands.h"
 #include "core/base/assert.h"
+#include "core/base/file_io.h"
 #include "core/net/net_builder.h"
 #include "core/project/project_io.h"
 #include "core/tissue/region_edit.h"
@@ -70,6 +71,7 @@ void Document::begin(Project project, const QString& path, const RecoveredWork* 
   m_netNumber = ++m_netNumbers;
   m_path = path;
   m_file.reset();
+  m_model = m_savedModel = ++m_models;
   m_target = -1;
   m_undo.clear();
   m_savedRules = m_project.tissue.rules;
@@ -127,6 +129,10 @@ Status Document::open(const QString& path)
 
 Status Document::saveAs(const QString& path)
 {
+  // Whoever writes into a device or a pipe has no file afterwards. A shell may want that, a window does not.
+  if (const std::string kind = specialFileKind(path.toStdString()); !kind.empty())
+    return Error{ErrorCode::FileUnwritable,
+                 path.toStdString() + ": cannot be written, it is " + kind + "; save it under another name"};
   // Mesh files are named as seen from where the project is saved; here they are absolute, for it may move.
   emit ruleTextWanted();
   const ImportRecipe source = m_project.source;
@@ -136,6 +142,7 @@ Status Document::saveAs(const QString& path)
   if (!saved) return saved.error();
   m_path = path;
   m_file = identityOf(path.toStdString());
+  m_savedModel = m_model;
   m_stepsRecovered = 0;
   m_undo.setClean();
   countSteps(m_undo.index());
@@ -330,6 +337,7 @@ Status Document::importModel(IncomingModel model, bool replace)
 {
   ModelPart part;
   part.derived = true;
+  part.model = replace && m_project.net.nodeCount() > 0 ? ++m_models : m_model;
   part.parametersFromTissue = true;
   part.loads.gravity = m_project.loads.gravity;
   part.tissue = model.tissue ? std::move(*model.tissue) : m_project.tissue;
@@ -355,6 +363,7 @@ Status Document::importModel(IncomingModel model, bool replace)
 void Document::replaceNet(Project project, const QString& undoText)
 {
   ModelPart part;
+  part.model = m_model; // the same organ, as its files hold it now
   part.name = m_project.name;
   part.tissue = m_project.tissue;
   part.source = std::move(project.source);

@@ -69,9 +69,11 @@ public:
   /// Steps before those on the undo stack, which an earlier process has counted (JournalState::undoIndex).
   int stepsBeforeUndo() const noexcept { return m_stepsBefore; }
   Status open(const QString& path);   ///< on error everything is as before
-  Status saveAs(const QString& path); ///< atomic; the former file stays as .bak
+  Status saveAs(const QString& path); ///< atomic, into files only; the former one stays as .bak
   /// Whether somebody else has written the file since it was opened or saved: saving would lose that.
   bool fileChangedOnDisk() const;
+  /// Whether the model was replaced by another organ since the file was opened or saved: saving would lose that.
+  bool fileHoldsAnotherModel() const { return !m_path.isEmpty() && m_model != m_savedModel; }
   void setView(const ViewSettings& view); ///< saved with the project, no edit
 
   /// Nets of one number differ at most in held nodes and in what the tissue gives them; undo brings numbers
@@ -173,6 +175,8 @@ private:
   fuzzy::RuleBase m_savedRules;
   QUndoStack m_undo;
   QString m_path;
+  /// Of the organ, of that in the file, and how many were given; undo brings numbers back.
+  int m_model = 0, m_savedModel = 0, m_models = 0;
   std::optional<FileIdentity> m_file; ///< at m_path, as it was opened or saved
   int m_stepsRecovered = 0;           ///< not saved by the process that was lost, where they cannot be undone
   int m_stepsBefore = 0;

@@ -24,6 +24,8 @@ protected:
   bool netIsDerived() const { return m_document->m_derived; }
   std::uint64_t newNetNumber() { return ++m_document->m_netNumbers; }
   void setNetNumber(std::uint64_t number) { m_document->m_netNumber = number; }
+  int modelNumber() const { return m_document->m_model; }
+  void setModelNumber(int number) { m_document->m_model = number; }
   void setTarget(int region) { m_document->setInputTarget(region); }
   void keepTargetInRange() { m_document->keepTargetInRange(); }
   void derive();                                  ///< gives the springs what the project's tissue says now

@@ -13,9 +13,9 @@ SetModelCommand::SetModelCommand(Document& document, ModelPart model, const QStr
 {
   const Project& now = document.project();
   m_new.netNumber = newNetNumber();
-  m_old = {now.name,       now.tissue,          now.source,
-           document.net(), now.loads,           now.parametersFromTissue,
-           netIsDerived(), document.netNumber()};
+  m_old = {
+    now.name,       now.tissue,           now.source,   document.net(), now.loads, now.parametersFromTissue,
+    netIsDerived(), document.netNumber(), modelNumber()};
 }
 
 void SetModelCommand::put(const ModelPart& part)
@@ -30,6 +30,7 @@ void SetModelCommand::put(const ModelPart& part)
   target.parametersFromTissue = part.parametersFromTissue;
   putNet(part.net, part.derived);
   setNetNumber(part.netNumber);
+  setModelNumber(part.model);
   announceTissue(former);
   emit document().netChanged();
   emit document().modelReplaced();

@@ -16,6 +16,7 @@ struct ModelPart {
   bool parametersFromTissue = true;
   bool derived = true;         ///< the net's parameters are what the tissue gives
   std::uint64_t netNumber = 0; ///< Document::netNumber()
+  int model = 0;               ///< the organ's number
 };
 
 /// An imported mesh replaces the model or has been added to it.

@@ -35,6 +35,7 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "cannot be written, it is a folder"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "cannot be written, it is %1"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "name a file"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "save it under another name"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "is in the way, a folder of this name is needed"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "would be replaced, but holds %1"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "move it away"),

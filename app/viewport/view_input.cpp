@@ -123,6 +123,8 @@ bool ViewInput::eventFilter(QObject* watched, QEvent* event)
     if (m_drag != Drag::Region) setHoveredHandle({});
     return false;
   case QEvent::Hide:
+  case QEvent::WindowBlocked: // by a dialog, which gets the release of the button in our place
+  case QEvent::UngrabMouse:
     letGo();
     endDrag();
     return false;
@@ -256,6 +258,10 @@ void ViewInput::startPull(Index node, const QPointF& at)
 
 bool ViewInput::move(const QMouseEvent& event)
 {
+  if (m_drag != Drag::None && !(event.buttons() & m_button)) { // the release went elsewhere
+    letGo();
+    endDrag();
+  }
   const QPointF delta = event.position() - m_last;
   m_last = event.position();
   switch (m_drag) {

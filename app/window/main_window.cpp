@@ -182,6 +182,8 @@ void MainWindow::connectDocument()
   });
   connect(m_document, &Document::modelReplaced, this, [this] {
     selectNode(kNoIndex);
+    m_status->clearDerived();    // it was of the former springs
+    statusBar()->clearMessage(); // and that of what an undo may have taken away
     m_view->fit();
   });
   connect(m_document, &Document::parametersChanged, this,

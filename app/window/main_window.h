@@ -105,7 +105,9 @@ private:
   void watchFiles();
   bool writeProject(const QString& path);
   enum class OtherVersion { Overwrite, SaveElsewhere, Keep };
-  OtherVersion askAboutOtherVersion();
+  OtherVersion askAboutOtherVersion(const QString& kept);
+  OtherVersion askAboutOtherModel();
+  OtherVersion askBeforeOverwriting(const char* dialog, const QString& text, const QString& what);
   void commitTyped();
   void tellSaved();
   bool mayDropChanges(); ///< saved, or the user lets them go

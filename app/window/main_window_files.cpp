@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The part of MainWindow that deals with files, and with what must not get lost.
 #include "app/dialogs/import_dialog.h"
+#include "app/document/other_version.h"
 #include "app/document/recovery.h"
 #include "app/import/changed_files_bar.h"
 #include "app/sample_files.h"
@@ -257,9 +258,19 @@ bool MainWindow::saveProject()
 {
   commitTyped();
   if (m_document->path().isEmpty()) return saveProjectAs();
-  if (!m_document->fileChangedOnDisk()) return writeProject(m_document->path());
-  switch (askAboutOtherVersion()) {
+  if (!m_document->fileChangedOnDisk()) {
+    if (!m_document->fileHoldsAnotherModel()) return writeProject(m_document->path());
+    const OtherVersion answer = askAboutOtherModel();
+    if (answer == OtherVersion::SaveElsewhere) return saveProjectAs();
+    return answer == OtherVersion::Overwrite && writeProject(m_document->path());
+  }
+  const QString kept = nameForOtherVersion(m_document->path());
+  switch (askAboutOtherVersion(kept)) {
   case OtherVersion::Overwrite:
+    if (auto other = keepOtherVersion(m_document->path(), kept); !other) {
+      showError(tr("Save project"), other.error());
+      return false;
+    }
     return writeProject(m_document->path());
   case OtherVersion::SaveElsewhere:
     return saveProjectAs();
@@ -303,16 +314,32 @@ void MainWindow::tellSaved()
   rememberFile(m_document->path());
 }
 
-/// What becomes of a version of the project's file that somebody else has written.
-MainWindow::OtherVersion MainWindow::askAboutOtherVersion()
+/// What becomes of a version of the project's file that somebody else has written. @param kept the name that it
+/// gets if it is overwritten.
+MainWindow::OtherVersion MainWindow::askAboutOtherVersion(const QString& kept)
 {
-  const QString name = QFileInfo(m_document->path()).fileName();
+  return askBeforeOverwriting("dlgOtherVersion",
+                              tr("“%1” was changed by someone else since it was opened here."),
+                              tr("Overwriting replaces that version by yours; it stays beside it as “%1”.")
+                                .arg(QFileInfo(kept).fileName()));
+}
+
+/// What becomes of the project's file when its model was replaced by another.
+MainWindow::OtherVersion MainWindow::askAboutOtherModel()
+{
+  return askBeforeOverwriting(
+    "dlgOtherModel", tr("“%1” holds another model, which was replaced here."),
+    tr("Overwriting puts the new model in its place; under another name, both stay."));
+}
+
+/// @param text with a place for the file's name.
+MainWindow::OtherVersion MainWindow::askBeforeOverwriting(const char* dialog, const QString& text,
+                                                          const QString& what)
+{
   QMessageBox box(QMessageBox::Warning, tr("Save project"),
-                  tr("“%1” was changed by someone else since it was opened here.").arg(name),
-                  QMessageBox::Cancel, this);
-  box.setObjectName(QStringLiteral("dlgOtherVersion"));
-  box.setInformativeText(
-    tr("Overwriting replaces that version by yours; it stays beside it as a backup (.bak)."));
+                  text.arg(QFileInfo(m_document->path()).fileName()), QMessageBox::Cancel, this);
+  box.setObjectName(QLatin1String(dialog));
+  box.setInformativeText(what);
   QPushButton* overwrite = box.addButton(tr("&Overwrite"), QMessageBox::DestructiveRole);
   QPushButton* elsewhere = box.addButton(tr("Save &as…"), QMessageBox::AcceptRole);
   overwrite->setObjectName(QStringLiteral("otherVersionOverwrite"));

@@ -285,6 +285,7 @@ void StatusStrip::setDerived(const DerivationReport& report, double time)
 void StatusStrip::clearDerived()
 {
   m_lastApply.reset();
+  m_derived->clear();
   retranslate();
 }
 
@@ -315,7 +316,7 @@ void StatusStrip::setRun(const SimSnapshot& snapshot)
   else if (snapshot.quality.rung == 0)
     m_realTime->setText(tr("real time %1×").arg(factor));
   else
-    m_realTime->setText(tr("real time %1×, error %2 %").arg(factor, percent(snapshot.quality.tolerance)));
+    m_realTime->setText(tr("real time %1×, tolerance %2 %").arg(factor, percent(snapshot.quality.tolerance)));
   if (m_nodeCount > 0 && snapshot.lag > kLongLag)
     m_realTime->setText(
       tr("%1, %2 ms behind").arg(m_realTime->text(), locale.toString(1e3 * snapshot.lag, 'f', 0)));

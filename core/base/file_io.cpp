@@ -7,6 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fcntl.h>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <system_error>
 #include <unistd.h>
@@ -46,6 +47,35 @@ void syncFolder(const std::filesystem::path& folder)
   if (descriptor < 0) return;
   ::fsync(descriptor);
   ::close(descriptor);
+}
+
+/// Gives `file` a second name in place of whatever file has it, by way of a third: there is no moment without
+/// one of both. The lock says that the third is in use (TemporaryBeside).
+bool linkAs(const std::filesystem::path& file, const std::string& name, const std::string& between)
+{
+  const int locked = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  if (locked >= 0) ::flock(locked, LOCK_EX | LOCK_NB);
+  const bool linked = ::link(file.c_str(), between.c_str()) == 0;
+  const bool named = linked && ::rename(between.c_str(), name.c_str()) == 0;
+  if (linked) ::unlink(between.c_str()); // rename() leaves it where both were names of one file already
+  if (locked >= 0) ::close(locked);
+  return named;
+}
+
+/// The same on a file system without hard links.
+Status copyAs(const std::filesystem::path& file, const std::string& name)
+{
+  const Result<std::string> bytes = readFile(file);
+  if (!bytes) return bytes.error();
+  std::error_code code;
+  if (std::filesystem::is_symlink(name, code)) std::filesystem::remove(name, code); // what it leads to stays
+  Result<TemporaryBeside> copy = TemporaryBeside::create(name, TemporaryBeside::Kind::File);
+  if (!copy) return copy.error();
+  struct stat info = {}; // who may not read the file may not read its backup
+  if (!writeAll(copy->descriptor(), *bytes) || ::stat(file.c_str(), &info) != 0 ||
+      ::fchmod(copy->descriptor(), info.st_mode & 07777) != 0 || ::fsync(copy->descriptor()) != 0)
+    return fileUnwritable(name, errno);
+  return copy->takeName();
 }
 
 } // namespace
@@ -149,17 +179,13 @@ Status writeFileAtomically(const std::filesystem::path& path, std::string_view b
     return fileUnwritable(path, errno);
 
   if (exists && keepBackup) {
-    // A hard link keeps the old bytes under the new name without a moment in which `path` is absent.
     const std::string backup = target.string() + ".bak";
     if (const std::string kind = specialFileKind(backup); !kind.empty())
       return Error{ErrorCode::FileUnwritable,
                    backup + ": cannot be written, it is " + kind + "; move it away"};
-    ::unlink(backup.c_str());
-    if (::link(target.c_str(), backup.c_str()) != 0) {
-      std::error_code code;
-      std::filesystem::copy_file(target, backup, std::filesystem::copy_options::overwrite_existing, code);
-      if (code) return fileUnwritable(path, code.value());
-    }
+    const std::string mark = temporary->path().string().substr(target.string().size());
+    if (!linkAs(target, backup, backup + mark))
+      if (const Status copied = copyAs(target, backup); !copied) return copied;
   }
   if (const Status status = temporary->takeName(); !status) return status;
   syncFolder(target.has_parent_path() ? target.parent_path() : std::filesystem::path("."));

@@ -233,6 +233,7 @@ void RulesPanel::showRules(int rule, int otherRule)
 void RulesPanel::showTableMistake()
 {
   const auto& mistake = m_model->mistake();
+  m_problemsView->setTextHasMistakes(m_textPage->hasMistakes() || mistake);
   if (!mistake) {
     m_tableMistake->setMistake({}, {});
     return;
@@ -280,7 +281,6 @@ void RulesPanel::retranslate()
   for (QToolButton* button : findChildren<QToolButton*>())
     if (button->defaultAction()) button->setAccessibleName(button->defaultAction()->toolTip());
   m_tabs->setTabText(0, tr("Table"));
-  m_problemsView->setTextHasMistakes(m_textPage->hasMistakes());
   m_tabs->setTabText(1, m_textPage->hasMistakes() ? tr("Text (with mistakes)") : tr("Text"));
   m_tabs->setTabText(2, tr("Matrix"));
   m_tabs->setAccessibleName(tr("Ways to show the rules"));

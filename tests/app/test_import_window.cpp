@@ -16,6 +16,7 @@
 #include <QLabel>
 #include <QListWidget>
 #include <QScreen>
+#include <QStatusBar>
 #include <QTreeWidget>
 
 using namespace esm;
@@ -291,6 +292,23 @@ TEST_F(WindowTest, ReplacingTheModelAsksWhatStaysOfItsTissue)
   document->undoStack()->undo();
   EXPECT_EQ(document->ruleBase(), fewer);
   EXPECT_EQ(document->project().tissue.regions.size(), 1u);
+}
+
+// What the status bar tells of a net goes with it, and so does the word that it came.
+TEST_F(WindowTest, AReplacedModelTakesItsNewsWithIt)
+{
+  Document* document = window->document();
+  const auto* derived = find<QLabel>("lblDerived");
+  document->setInput(0, 0.9, 0);
+  ASSERT_TRUE(derived->text().contains("derived")) << qPrintable(derived->text());
+  IncomingModel model;
+  model.name = "other";
+  model.net = test::sheetProject(3).net;
+  ASSERT_TRUE(document->importModel(std::move(model), true));
+  EXPECT_TRUE(derived->text().isEmpty()) << qPrintable(derived->text());
+  window->statusBar()->showMessage("Opened other.dae");
+  document->undoStack()->undo();
+  EXPECT_TRUE(window->statusBar()->currentMessage().isEmpty());
 }
 
 // Nothing was there before: there is nothing to ask, and what was set up for the organ to come holds.

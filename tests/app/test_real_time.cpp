@@ -122,7 +122,7 @@ TEST_F(RealTimeTest, TheStatusBarShowsAccuracyWorkAndSleep)
   EXPECT_TRUE(label("lblSolver")->toolTip().contains("0.4 µs"));
   snapshot.quality = {2, 5, QualityMeasure::Tolerance, 0.01, 0.2, 1e6};
   strip.setRun(snapshot);
-  EXPECT_EQ(label("lblRealTime")->text(), "real time 1.00×, error 20 %");
+  EXPECT_EQ(label("lblRealTime")->text(), "real time 1.00×, tolerance 20 %");
   EXPECT_TRUE(label("lblRealTime")->toolTip().contains("step 2 of 5"));
   snapshot.playing = false;
   strip.setRun(snapshot);

@@ -145,6 +145,16 @@ TEST_F(WindowTest, PullShowsForceAndStopEndsIt)
   EXPECT_FALSE(run->isPulling());
 }
 
+// The simulation lets go at a reset: whoever shows or leads the pull must, too.
+TEST_F(WindowTest, ResetEndsThePull)
+{
+  SimulationController* run = window->controller();
+  run->startPull(27, window->document()->project().net.restPosition.col(27));
+  ASSERT_TRUE(run->isPulling());
+  window->actions()->reset->trigger();
+  EXPECT_FALSE(run->isPulling());
+}
+
 // While force is on the space key stops, so it is not named as what plays.
 TEST_F(WindowTest, APullWhilePausedNamesTheWayOutThatWorks)
 {

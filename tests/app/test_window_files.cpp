@@ -62,6 +62,23 @@ TEST_F(WindowFilesTest, SavesWithoutAQuestionWhatNobodyElseTouched)
   EXPECT_EQ(nameOnDisk(), "mine again");
 }
 
+// What is written into a device is nowhere: the window says so, and the work stays unsaved work.
+TEST_F(WindowFilesTest, SavesIntoFilesOnly)
+{
+  for (const char* device : {"/dev/null", "/dev/full"}) {
+    ASSERT_TRUE(QFile::remove(path));
+    ASSERT_TRUE(QFile::link(device, path));
+    Answer error("dlgError", "");
+    EXPECT_FALSE(window->saveProject());
+    EXPECT_TRUE(error.given);
+    EXPECT_TRUE(error.said.contains("a device") && error.said.contains("another name"))
+      << qPrintable(error.said);
+    EXPECT_TRUE(window->document()->isModified());
+  }
+  ASSERT_TRUE(window->document()->saveAs(folder.filePath("elsewhere.esm")));
+  EXPECT_FALSE(window->document()->isModified());
+}
+
 // What somebody else has saved in the meantime is lost only by a word of the user.
 TEST_F(WindowFilesTest, AsksBeforeAnotherVersionIsOverwritten)
 {
@@ -77,12 +94,64 @@ TEST_F(WindowFilesTest, AsksBeforeAnotherVersionIsOverwritten)
   EXPECT_TRUE(window->saveProject());
   EXPECT_TRUE(overwrite.given);
   EXPECT_EQ(nameOnDisk(), "mine");
-  EXPECT_EQ(*readFile(path.toStdString() + ".bak"), theirs); // as the question promised
+  EXPECT_TRUE(overwrite.said.contains("organ.esm.other.bak")) << qPrintable(overwrite.said);
 
   window->document()->rename("once more"); // from now on it is this window's version
-  Answer none("dlgOtherVersion", "");
+  auto none = std::make_unique<Answer>("dlgOtherVersion", "");
   EXPECT_TRUE(window->saveProject());
-  EXPECT_FALSE(none.given);
+  EXPECT_FALSE(none->given);
+  none.reset();
+  EXPECT_EQ(*readFile(path.toStdString() + ".other.bak"), theirs)
+    << "no save touches what was promised to stay";
+
+  ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs + "\n"));
+  Answer again("dlgOtherVersion", "otherVersionOverwrite");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_TRUE(again.said.contains("organ.esm.other2.bak")) << qPrintable(again.said);
+  EXPECT_EQ(*readFile(path.toStdString() + ".other.bak"), theirs);
+  EXPECT_EQ(*readFile(path.toStdString() + ".other2.bak"), theirs + "\n");
+}
+
+// Another organ does not take the file of the former one by the way.
+TEST_F(WindowFilesTest, AsksBeforeAnotherModelTakesTheFile)
+{
+  Document* document = window->document();
+  const auto bring = [&](bool replace) {
+    IncomingModel model;
+    model.name = "other";
+    model.net = test::sheetProject(3).net;
+    ASSERT_TRUE(document->importModel(std::move(model), replace));
+  };
+  const std::string before = onDisk();
+  ASSERT_NO_FATAL_FAILURE(bring(true));
+  Answer cancel("dlgOtherModel", "");
+  EXPECT_FALSE(window->saveProject());
+  EXPECT_TRUE(cancel.said.contains("organ.esm")) << qPrintable(cancel.said);
+  EXPECT_EQ(onDisk(), before);
+  EXPECT_TRUE(document->isModified());
+
+  document->undoStack()->undo(); // and the question with it
+  auto none = std::make_unique<Answer>("dlgOtherModel", "");
+  EXPECT_TRUE(window->saveProject());
+  ASSERT_NO_FATAL_FAILURE(bring(false)); // what is added takes nothing away
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_FALSE(none->given);
+  none.reset();
+  document->undoStack()->undo();
+
+  ASSERT_NO_FATAL_FAILURE(bring(true));
+  Answer overwrite("dlgOtherModel", "otherVersionOverwrite");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_TRUE(overwrite.given);
+  EXPECT_EQ(loadProject(path.toStdString())->net.nodeCount(), 9);
+  document->rename("later"); // it is this organ's file now
+  Answer again("dlgOtherModel", "");
+  EXPECT_TRUE(window->saveProject());
+  EXPECT_FALSE(again.given);
+  document->undoStack()->undo();
+  document->undoStack()->undo(); // the former organ is another one than the file's
+  EXPECT_FALSE(window->saveProject());
+  EXPECT_TRUE(again.given);
 }
 
 TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
@@ -93,12 +162,11 @@ TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
   const QString other = folder.filePath("elsewhere.esm");
   QObject::connect(&typed, &QTimer::timeout, &typed, [&] {
     auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (files == nullptr) return;
-    typed.stop();
+    if (files == nullptr) return; // once more if it was not ready to be accepted
     files->selectFile(other);
     QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
   });
-  typed.start(10);
+  typed.start(100);
   EXPECT_TRUE(window->saveProject());
   EXPECT_EQ(onDisk(), theirs);
   EXPECT_EQ(loadProject(other.toStdString())->name, "mine");

@@ -77,6 +77,19 @@ TEST_F(ProblemsTest, NoneIsNotSaidOfATextWithAMistake)
   EXPECT_EQ(none->text(), "No problems");
 }
 
+TEST_F(ProblemsTest, NorOfARuleOfTheTableWithAMistake)
+{
+  look();
+  auto* none = panel.findChild<QLabel*>("problemsNone");
+  RuleTableModel* table = panel.tableModel();
+  ASSERT_EQ(none->text(), "No problems");
+  table->setData(table->index(2, RuleTableModel::Condition), "hardness is nonsense");
+  ASSERT_TRUE(table->mistake());
+  EXPECT_TRUE(none->text().isEmpty()) << qPrintable(none->text());
+  table->discardMistake();
+  EXPECT_EQ(none->text(), "No problems");
+}
+
 // Two neighbouring rules are deleted: the list says where the gap is, Return goes there, the output takes its
 // default and is a number, and two undos bring the rules and the empty list back.
 TEST_F(ProblemsTest, AGapIsListedAndReturnSetsTheSlidersToIt)

@@ -48,11 +48,12 @@ def journey():
     click("otherVersionOverwrite")
     until("it is saved", lambda s: s["dialog"] == "" and not s["modified"])
     assert as_on_disk()["name"] != "theirs" and len(as_on_disk()["regions"]) == before + 1
-    assert json.loads((OUT / "files.esm.bak").read_text())["name"] == "theirs"
+    assert json.loads((OUT / "files.esm.other.bak").read_text())["name"] == "theirs"
     focus(MAIN)
     keys("ctrl+shift+r", "ctrl+s")
     until("its own version needs no question", lambda s: s["dialog"] == "" and not s["modified"] and len(s["regions"]) == before + 2)
 
 
+(OUT / "files.esm.other.bak").unlink(missing_ok=True)  # of an earlier run
 PROJECT.write_bytes((OUT / "start.esm").read_bytes())
 run(journey, project="files.esm", language="de")

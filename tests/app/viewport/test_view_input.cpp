@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <QApplication>
+#include <QDialog>
 #include <QShortcut>
 #include <QSignalSpy>
 #include <QWheelEvent>
@@ -117,6 +118,37 @@ TEST_F(Scene, EscStillReachesTheWindow)
   EXPECT_EQ(ended.count(), 1);
   EXPECT_EQ(stopped.count(), 1);
   view.setParent(nullptr);
+}
+
+// A dialog takes the release of the button: nothing may follow the pointer for that.
+TEST_F(Scene, ADialogThatOpensLetsGo)
+{
+  view.setTool(Tool::Pull);
+  QTest::mousePress(&view, Qt::LeftButton, {}, pixelOf(kFront));
+  ASSERT_EQ(started.count(), 1);
+  QDialog dialog;
+  dialog.setModal(true);
+  dialog.show();
+  ASSERT_TRUE(QTest::qWaitForWindowExposed(&dialog));
+  EXPECT_EQ(ended.count(), 1);
+  dialog.close();
+  moveTo(pixelOf(kFront) + QPoint(30, 0), Qt::NoButton);
+  EXPECT_EQ(moved.count(), 0);
+}
+
+TEST_F(Scene, AMoveWithoutTheButtonLetsGo)
+{
+  view.setTool(Tool::Pull);
+  QTest::mousePress(&view, Qt::LeftButton, {}, pixelOf(kFront));
+  moveTo(pixelOf(kFront) + QPoint(30, 0), Qt::LeftButton);
+  ASSERT_EQ(moved.count(), 1);
+  moveTo(pixelOf(kFront) + QPoint(60, 0), Qt::NoButton);
+  EXPECT_EQ(moved.count(), 1);
+  EXPECT_EQ(ended.count(), 1);
+  view.setTool(Tool::Camera); // nor does the camera turn by itself
+  QTest::mousePress(&view, Qt::LeftButton, {}, QPoint(50, 50));
+  moveTo(QPoint(90, 50), Qt::NoButton);
+  EXPECT_EQ(camera.count(), 0);
 }
 
 TEST_F(Scene, AnotherNetOrAnotherToolLetsGoToo)

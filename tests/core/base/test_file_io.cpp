@@ -9,6 +9,7 @@
 #include <fcntl.h>
 #include <filesystem>
 #include <fstream>
+#include <sys/inotify.h>
 #include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
@@ -106,6 +107,37 @@ TEST_F(FileIo, ASeriesIsWrittenThroughItsLink)
   }
   EXPECT_TRUE(std::filesystem::is_symlink(folder / "link.csv"));
   EXPECT_EQ(*readFile(folder / "real.csv"), "new");
+}
+
+// A program that is killed between two steps of a save leaves a backup behind: no step removes it.
+TEST_F(FileIo, ThereIsABackupAtEveryMoment)
+{
+  const auto path = folder / "a.esm";
+  ASSERT_TRUE(writeFileAtomically(path, "1", true));
+  ASSERT_TRUE(writeFileAtomically(path, "2", true));
+  const int watch = ::inotify_init1(IN_NONBLOCK | IN_CLOEXEC);
+  ASSERT_GE(::inotify_add_watch(watch, folder.c_str(), IN_DELETE | IN_MOVED_FROM | IN_MOVED_TO), 0);
+  ASSERT_TRUE(writeFileAtomically(path, "3", true));
+  alignas(inotify_event) char buffer[4096];
+  const ssize_t size = ::read(watch, buffer, sizeof buffer);
+  ::close(watch);
+  int renamed = 0;
+  for (ssize_t at = 0; at < size;) {
+    const auto* event = reinterpret_cast<const inotify_event*>(buffer + at);
+    at += static_cast<ssize_t>(sizeof(inotify_event) + event->len);
+    if (event->len == 0 || std::string(event->name) != "a.esm.bak") continue;
+    EXPECT_TRUE(event->mask & IN_MOVED_TO) << event->mask;
+    ++renamed;
+  }
+  EXPECT_EQ(renamed, 1);
+  EXPECT_EQ(*readFile(path.string() + ".bak"), "2");
+  EXPECT_EQ(fileCount(), 2u);
+
+  std::filesystem::remove(path.string() + ".bak"); // two names of one file, as a save that failed leaves them
+  std::filesystem::create_hard_link(path, path.string() + ".bak");
+  ASSERT_TRUE(writeFileAtomically(path, "4", true));
+  EXPECT_EQ(*readFile(path.string() + ".bak"), "3");
+  EXPECT_EQ(fileCount(), 2u);
 }
 
 TEST_F(FileIo, APipeAtThePlaceOfTheBackupIsNotReplaced)
