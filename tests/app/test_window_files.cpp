@@ -15,6 +15,7 @@
 #include <QFileSystemWatcher>
 #include <QFrame>
 #include <QLabel>
+#include <QLineEdit>
 #include <QMenu>
 #include <QScreen>
 #include <QStatusBar>
@@ -162,11 +163,13 @@ TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
   const QString other = folder.filePath("elsewhere.esm");
   QObject::connect(&typed, &QTimer::timeout, &typed, [&] {
     auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (files == nullptr) return; // once more if it was not ready to be accepted
-    files->selectFile(other);
+    if (files == nullptr) return;
+    typed.stop();
+    files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
+      ->setText(other); // selectFile() leaves it while it has focus
     QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
   });
-  typed.start(100);
+  typed.start(10);
   EXPECT_TRUE(window->saveProject());
   EXPECT_EQ(onDisk(), theirs);
   EXPECT_EQ(loadProject(other.toStdString())->name, "mine");
