@@ -242,7 +242,12 @@ void IslandMotions::setTools(std::span<const ToolSpring> tools)
 
 void IslandMotions::publish(NetState& state)
 {
-  for (Island& island : m_islands) island.motion->publish(state, island.places.nodes);
+  constexpr double kRounding = 1e-11; // of times that are the same [s]
+  for (Island& island : m_islands)
+    if (island.motion->time() - m_time > kRounding)
+      island.motion->publishBetween(state, island.places.nodes, m_time);
+    else
+      island.motion->publish(state, island.places.nodes);
   state.time = m_time;
 }
 

@@ -15,7 +15,8 @@ namespace esm {
 /// more. Gives everything of the whole net out to whom it concerns, and adds up what they answer.
 ///
 /// Islands know nothing of each other, so that any number of threads gives the same bits. After a call that its budget
-/// ended they may be at different times; the next one takes those first that are behind.
+/// ended they may be at different times; the next one takes those first that are behind, and what is published is of the
+/// time that all have reached.
 class IslandMotions {
 public:
   IslandMotions(SpringNet net, Loads loads, const SolverSettings& settings);

@@ -91,7 +91,8 @@ void NetMotion::publish(NetState& state, std::span<const Index> places)
     state.position.col(place) = toVector(motion.x[i]);
     state.velocity.col(place) = toVector(motion.v[i]);
   };
-  if (!m_driver.allMoved())
+  const bool all = std::exchange(m_isBetween, false) || m_driver.allMoved();
+  if (!all)
     for (const Index node : m_driver.moved()) take(node);
   else if (!places.empty())
     for (Index node = 0; node < m_body.net.nodeCount(); ++node) take(node);
@@ -100,6 +101,21 @@ void NetMotion::publish(NetState& state, std::span<const Index> places)
     copyNodes(motion.v, state.velocity);
   }
   m_driver.clearMoved();
+}
+
+void NetMotion::publishBetween(NetState& state, std::span<const Index> places, double time)
+{
+  const MotionState& motion = m_body.motion;
+  const double length = motion.time - state.time, s = (time - state.time) / length, r = 1.0 - s;
+  for (std::size_t i = 0; i < motion.x.size(); ++i) {
+    const Index place = places.empty() ? static_cast<Index>(i) : places[i];
+    const Eigen::Vector3d x0 = state.position.col(place), v0 = state.velocity.col(place),
+                          x1 = toVector(motion.x[i]), v1 = toVector(motion.v[i]);
+    state.position.col(place) = x0 + s * s * (3.0 - 2.0 * s) * (x1 - x0) + length * s * r * (r * v0 - s * v1);
+    state.velocity.col(place) =
+      6.0 * s * r / length * (x1 - x0) + r * (1.0 - 3.0 * s) * v0 + s * (3.0 * s - 2.0) * v1;
+  }
+  m_isBetween = true;
 }
 
 // === Parameters and tools

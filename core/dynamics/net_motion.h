@@ -35,6 +35,9 @@ public:
   /// Writes what has moved since the last call.
   /// @param places  of the nodes in `state`; empty: the same as here.
   void publish(NetState& state, std::span<const Index> places);
+  /// Of a motion that is ahead of `time`: cubics through the places and velocities that `state` has, at its own time, and
+  /// those of now. Centres of bodies that fall or are pushed evenly go along such. The next publish() writes all.
+  void publishBetween(NetState& state, std::span<const Index> places, double time);
 
   const SpringNet& net() const noexcept { return m_body.net; }
   const Loads& loads() const noexcept { return m_body.loads; }
@@ -71,6 +74,7 @@ private:
   Energies m_initial;                    ///< at t = 0, and what new parameters have changed since
   NodeArray m_force;                     ///< at the state, when asked for
   bool m_forceIsCurrent = false;
+  bool m_isBetween = false; ///< what was published last
 };
 
 } // namespace esm

@@ -62,7 +62,7 @@ public:
   // === What it knows
   const SpringNet& net() const noexcept;
   const Loads& loads() const noexcept;
-  /// After an advance() that its budget ended, parts of the net may be ahead of the time, by that interval at most.
+  /// Of one time. Parts of the net that went on when a budget ended others are shown between what they were and are.
   const NetState& state() const noexcept;
   std::size_t islandCount() const noexcept; ///< parts of the net that move each under its own control
   Eigen::Vector3d momentum() const;         ///< sum m v [kg m/s]

@@ -102,12 +102,20 @@ def unit_is_inch(size):
     return until("the unit is inch", lambda s: size in s["texts"]["importSize"] and "importOk" in s["enabled"])
 
 
-def saved():
-    """Ctrl+S; what the file then holds: (nodes, springs, triangles), and the project as JSON."""
+def saved(replaces=False):
+    """Ctrl+S; what the file then holds: (nodes, springs, triangles), and the project as JSON.
+
+    Over another organ the window asks first.
+    """
     file = OUT / "start.esm"
     before = file.stat().st_mtime_ns
     keys("ctrl+s")
+    if replaces:
+        until("it asks about the other model", lambda s: s["dialog"] == "dlgOtherModel" and "otherVersionOverwrite" in s["widgets"])
+        click("otherVersionOverwrite")
     until("it is saved", lambda s: file.stat().st_mtime_ns != before and not s["modified"])
+    if replaces:
+        focus(MAIN)
     info = json.loads(subprocess.run([ESM, "info", "--json", file], capture_output=True, check=True).stdout)
     return (info["nodes"], info["springs"], info["triangles"]), json.loads(file.read_text())
 
@@ -168,7 +176,7 @@ def choose_and_take():
     click("importOk")
     until("the net is there, in one step", lambda s: s["nodes"] == NODES and s["dialog"] == "" and s["undoCount"] == 1)
     focus(MAIN)
-    sizes, project = saved()
+    sizes, project = saved(replaces=True)
     assert sizes == (NODES, SPRINGS, TRIANGLES), sizes
     assert project["source"]["unit"] == "inch", project["source"]
     return project

@@ -68,9 +68,10 @@ Outcome play(const ExtremeCase& story, SolverSettings settings)
   outcome.isRough = sum.rough;
   outcome.isLimited = sum.stepLimit;
   const double springs = std::max<double>(simulation.net().springCount(), 1.0);
+  const double steps =
+    static_cast<double>(sum.steps) / static_cast<double>(simulation.islandCount()); // each has its limit
   outcome.passes =
-    std::max(static_cast<double>(sum.springsEvaluated) / springs, static_cast<double>(sum.steps)) /
-    (settings.workLimit * frames);
+    std::max(static_cast<double>(sum.springsEvaluated) / springs, steps) / (settings.workLimit * frames);
   outcome.why = simulation.why();
   outcome.solver = simulation.solverName();
   return outcome;
