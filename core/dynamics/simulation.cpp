@@ -46,6 +46,14 @@ int usefulThreads(const SolverSettings& settings) noexcept
 } // namespace
 
 struct Simulation::Impl {
+  Impl(SpringNet net, Loads loads, const SolverSettings& settings)
+    : islands(std::move(net), std::move(loads), settings)
+  {
+    state.position.resize(3, islands.net().nodeCount());
+    state.velocity.resize(3, islands.net().nodeCount());
+    islands.publish(state);
+  }
+
   IslandMotions islands;
   NetState state;
 };
@@ -56,13 +64,7 @@ Result<Simulation> Simulation::create(SpringNet net, Loads loads, SolverSettings
   if (Status status = checkLoads(loads, net.nodeCount()); !status) return status.error();
   if (Status status = checkSettings(settings); !status) return status.error();
   settings.threads = usefulThreads(settings);
-  NetState state;
-  state.position.resize(3, net.nodeCount());
-  state.velocity.resize(3, net.nodeCount());
-  Simulation simulation(
-    std::make_unique<Impl>(IslandMotions(std::move(net), std::move(loads), settings), std::move(state)));
-  simulation.m_impl->islands.publish(simulation.m_impl->state);
-  return simulation;
+  return Simulation(std::make_unique<Impl>(std::move(net), std::move(loads), settings));
 }
 
 Simulation::Simulation(std::unique_ptr<Impl> impl) : m_impl(std::move(impl)) {}
