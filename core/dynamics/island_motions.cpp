@@ -391,19 +391,19 @@ Eigen::Vector3d IslandMotions::toolForce(std::size_t tool) const
   return m_islands[place.island].motion->toolForce(at(place.place));
 }
 
-void IslandMotions::springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const
+void IslandMotions::springTensions(std::span<double> tension) const
 {
   if (isOne()) return m_islands.front().motion->springTensions(tension);
-  Eigen::ArrayXd own;
+  std::vector<double> own;
   for (const Island& island : m_islands) {
     const std::vector<Index>& springs = island.places.springs;
-    own.resize(static_cast<Eigen::Index>(springs.size()));
+    own.resize(springs.size());
     island.motion->springTensions(own);
-    for (std::size_t i = 0; i < springs.size(); ++i) tension[springs[i]] = own[static_cast<Eigen::Index>(i)];
+    for (std::size_t i = 0; i < springs.size(); ++i) tension[at(springs[i])] = own[i];
   }
 }
 
-void IslandMotions::springTensions(std::span<const Index> springs, Eigen::Ref<Eigen::ArrayXd> tension) const
+void IslandMotions::springTensions(std::span<const Index> springs, std::span<double> tension) const
 {
   if (isOne()) return m_islands.front().motion->springTensions(springs, tension);
   std::vector<std::vector<Index>> asked(m_islands.size());
@@ -411,13 +411,13 @@ void IslandMotions::springTensions(std::span<const Index> springs, Eigen::Ref<Ei
     const Place place = m_springs[at(spring)];
     asked[place.island].push_back(place.place);
   }
-  Eigen::ArrayXd own;
+  std::vector<double> own;
   for (std::size_t k = 0; k < m_islands.size(); ++k) {
     if (asked[k].empty()) continue;
     const Island& island = m_islands[k];
-    own.resize(static_cast<Eigen::Index>(island.places.springs.size()));
+    own.resize(island.places.springs.size());
     island.motion->springTensions(asked[k], own);
-    for (const Index place : asked[k]) tension[island.places.springs[at(place)]] = own[place];
+    for (const Index place : asked[k]) tension[at(island.places.springs[at(place)])] = own[at(place)];
   }
 }
 

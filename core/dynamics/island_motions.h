@@ -49,8 +49,8 @@ public:
   double livingError() const noexcept;
   Eigen::Vector3d reaction(Index node) const;
   Eigen::Vector3d toolForce(std::size_t tool) const;
-  void springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const;
-  void springTensions(std::span<const Index> springs, Eigen::Ref<Eigen::ArrayXd> tension) const;
+  void springTensions(std::span<double> tension) const; ///< of all springs
+  void springTensions(std::span<const Index> springs, std::span<double> tension) const;
   struct Stiffest {
     double step = 0.0; ///< that explicit integration bears [s]
     Index node = kNoIndex;

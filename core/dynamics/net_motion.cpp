@@ -247,14 +247,14 @@ Eigen::Vector3d NetMotion::toolForce(std::size_t tool) const
   return m_body.system.toolForce(tool, motion.time, motion.x, motion.v);
 }
 
-void NetMotion::springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const
+void NetMotion::springTensions(std::span<double> tension) const
 {
   const System& system = m_body.system;
   system.forces().springTensions(m_body.motion.x.data(), m_body.motion.v.data(), tension.data(),
                                  system.workers());
 }
 
-void NetMotion::springTensions(std::span<const Index> springs, Eigen::Ref<Eigen::ArrayXd> tension) const
+void NetMotion::springTensions(std::span<const Index> springs, std::span<double> tension) const
 {
   FewSprings(m_body.net, springs).tensions(m_body.motion.x.data(), m_body.motion.v.data(), tension.data());
 }

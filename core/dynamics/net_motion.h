@@ -51,8 +51,8 @@ public:
   double livingError() const noexcept { return m_driver.livingError(); }
   Eigen::Vector3d reaction(Index node);
   Eigen::Vector3d toolForce(std::size_t tool) const;
-  void springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const;
-  void springTensions(std::span<const Index> springs, Eigen::Ref<Eigen::ArrayXd> tension) const;
+  void springTensions(std::span<double> tension) const; ///< of all springs
+  void springTensions(std::span<const Index> springs, std::span<double> tension) const;
   FastestMode fastestMode() { return m_driver.fastestMode(); }
   double explicitStep(const FastestMode& mode) const noexcept { return m_driver.explicitStep(mode); }
   const std::string& solverName() const noexcept { return m_driver.solverName(); }

@@ -223,13 +223,13 @@ Eigen::Vector3d Simulation::toolForce(std::size_t tool) const
 void Simulation::springTensions(Eigen::Ref<Eigen::ArrayXd> tension) const
 {
   ESM_ASSERT(tension.size() == net().springCount());
-  m_impl->islands.springTensions(tension);
+  m_impl->islands.springTensions({tension.data(), static_cast<std::size_t>(tension.size())});
 }
 
 void Simulation::springTensions(std::span<const Index> springs, Eigen::Ref<Eigen::ArrayXd> tension) const
 {
   ESM_ASSERT(tension.size() == net().springCount());
-  m_impl->islands.springTensions(springs, tension);
+  m_impl->islands.springTensions(springs, {tension.data(), static_cast<std::size_t>(tension.size())});
 }
 
 double Simulation::stableStep() const
