@@ -123,7 +123,9 @@ struct HiddenClasses {
 TEST(Fit, HiddenFactorsOfClassesAreFoundAgain)
 {
   const HiddenClasses made;
-  const auto& [net, set, hidden, truth] = made;
+  const auto &net = made.net, &truth = made.truth;
+  const auto& set = made.set;
+  [[maybe_unused]] const auto& hidden = made.hidden; // no binding: lambdas of older compilers do not take one
 
   auto training = experiments(net, truth, kTraining);
   auto none = std::vector<Experiment>{};
@@ -217,7 +219,9 @@ TEST(Fit, AStiffInclusionIsFoundAsTheFactorOfItsRegion)
 TEST(Fit, NoiseAndOutliersHardlyMoveTheResult)
 {
   const HiddenClasses made;
-  const auto& [net, set, hidden, truth] = made;
+  const auto &net = made.net, &truth = made.truth;
+  const auto& set = made.set;
+  [[maybe_unused]] const auto& hidden = made.hidden; // no binding: lambdas of older compilers do not take one
   const auto learnedFrom = [&](double outliers) {
     std::vector<Experiment> training;
     Dice chance(41);
