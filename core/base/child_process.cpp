@@ -156,9 +156,14 @@ void take(Descriptor& file, std::string& bytes, std::size_t most)
 /// Keeps the last of what it says on stderr: the reason stands at the end.
 void listen(Descriptor& complaint, std::string& words)
 {
-  if (!complaint.open()) return;
-  take(complaint, words, words.size() + kMostComplaint);
-  if (words.size() > kMostComplaint) words.erase(0, words.size() - kMostComplaint);
+  constexpr int kMostRounds = 64; // more than a pipe holds; who goes on talking is not waited for
+  bool isMore = true;
+  for (int round = 0; round < kMostRounds && isMore && complaint.open(); ++round) {
+    const std::size_t most = words.size() + kMostComplaint;
+    take(complaint, words, most);
+    isMore = words.size() == most;
+    if (words.size() > kMostComplaint) words.erase(0, words.size() - kMostComplaint);
+  }
 }
 
 /// An answer as it arrives.
