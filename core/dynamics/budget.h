@@ -13,8 +13,8 @@ struct Budget {
   /// Substeps of each part of the net that moves on its own; 0: any number. Ends at the same one on every machine.
   std::int64_t steps = 0;
   /// Asked after each piece of work of kPiece or less: true ends the call there. For whoever keeps time with
-  /// a clock, or may be called away. Must not throw; several threads ask, one at a time. Null: nobody is asked. Runs of steps that are longer than
-  /// a piece are divided for it, which changes the last bits of some methods.
+  /// a clock, or may be called away. Must not throw; several threads ask, one at a time. Null: nobody is asked.
+  /// Runs of steps that are longer than a piece are divided for it, which changes the last bits of some methods.
   std::function<bool()> isSpent = nullptr;
 
   /// Spring evaluations between two questions, about 2 ms of one core; a step of an explicit method and a

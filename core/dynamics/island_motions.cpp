@@ -52,7 +52,7 @@ void IslandMotions::split(const SolverSettings& settings)
     const std::size_t island = m_nodes[at(body.triangles(0, 0))].island;
     m_pressure.push_back({island, bodies[island]++});
   }
-  findAnchors();
+  m_anchors = placesOf(m_net.anchors);
 
   // Threads go to islands, or, where one is most of the net, into its passes.
   Index largest = 0;
@@ -69,39 +69,25 @@ void IslandMotions::split(const SolverSettings& settings)
   }
   for (std::size_t k = 0; k < m_islands.size(); ++k) {
     Island& island = m_islands[k];
+    const auto placeOf = [&](Index node) {
+      const Place place = m_nodes[at(node)];
+      return place.island == k ? place.place : kNoIndex;
+    };
     island.effort = settings.effort;
-    island.motion =
-      std::make_unique<NetMotion>(islandNet(m_net, island.places), loadsOf(k), own, island.places.nodes);
+    island.motion = std::make_unique<NetMotion>(islandNet(m_net, island.places),
+                                                loadsOnPart(m_loads, placeOf), own, island.places.nodes);
   }
 }
 
-void IslandMotions::findAnchors()
+std::vector<IslandMotions::Place> IslandMotions::placesOf(const AnchorSet& set) const
 {
-  std::vector<Index> anchors(m_islands.size(), 0);
-  m_anchors.clear();
-  for (const Index node : m_net.anchors.node) {
+  std::vector<Place> places;
+  std::vector<Index> count(m_islands.size(), 0);
+  for (const Index node : set.node) {
     const std::size_t island = m_nodes[at(node)].island;
-    m_anchors.push_back({island, anchors[island]++});
+    places.push_back({island, count[island]++});
   }
-}
-
-Loads IslandMotions::loadsOf(std::size_t island) const
-{
-  Loads loads;
-  loads.gravity = m_loads.gravity;
-  const auto placesOf = [&](const std::vector<Index>& nodes) {
-    std::vector<Index> places;
-    for (const Index node : nodes)
-      if (const Place place = m_nodes[at(node)]; place.island == island) places.push_back(place.place);
-    return places;
-  };
-  for (const NodalForce& force : m_loads.forces)
-    if (std::vector<Index> places = placesOf(force.nodes); !places.empty())
-      loads.forces.push_back({std::move(places), force.force});
-  for (const PrescribedMotion& motion : m_loads.motions)
-    if (std::vector<Index> places = placesOf(motion.nodes); !places.empty())
-      loads.motions.push_back({std::move(places), motion.displacement, motion.release});
-  return loads;
+  return places;
 }
 
 // === Motion
@@ -257,7 +243,7 @@ void IslandMotions::setParameters(SpringNet net)
 {
   if (isOne()) return m_islands.front().motion->setParameters(std::move(net));
   m_net = std::move(net);
-  findAnchors();
+  m_anchors = placesOf(m_net.anchors);
   for (Island& island : m_islands) island.motion->setParameters(islandNet(m_net, island.places));
 }
 
@@ -266,7 +252,7 @@ ParameterChange IslandMotions::setParameters(const ParameterPatch& patch)
   if (isOne()) return m_islands.front().motion->setParameters(patch);
   const std::vector<ParameterPatch> patches = split(patch);
   patch.applyTo(m_net);
-  if (patch.anchorSet) findAnchors();
+  if (patch.anchorSet) m_anchors = placesOf(m_net.anchors);
   ParameterChange sum;
   for (std::size_t k = 0; k < m_islands.size(); ++k) {
     if (patches[k].isEmpty()) continue;
@@ -301,12 +287,9 @@ std::vector<ParameterPatch> IslandMotions::split(const ParameterPatch& patch) co
   }
   std::vector<Place> anchors;
   if (patch.anchorSet) {
+    anchors = placesOf(*patch.anchorSet);
     std::vector<std::vector<Index>> own(m_islands.size());
-    for (Index k = 0; k < patch.anchorSet->count(); ++k) {
-      const std::size_t island = m_nodes[at(patch.anchorSet->node[at(k)])].island;
-      anchors.push_back({island, static_cast<Index>(own[island].size())});
-      own[island].push_back(k);
-    }
+    for (std::size_t k = 0; k < anchors.size(); ++k) own[anchors[k].island].push_back(static_cast<Index>(k));
     for (std::size_t k = 0; k < m_islands.size(); ++k) {
       if (own[k].empty() && m_islands[k].motion->net().anchors.count() == 0) continue;
       AnchorSet set = *patch.anchorSet;

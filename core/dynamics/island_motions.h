@@ -78,8 +78,7 @@ private:
   static std::size_t at(Index index) noexcept { return static_cast<std::size_t>(index); }
   Place placeOfNode(Index node) const noexcept { return isOne() ? Place{0, node} : m_nodes[at(node)]; }
   void split(const SolverSettings& settings);
-  void findAnchors();
-  Loads loadsOf(std::size_t island) const;
+  std::vector<Place> placesOf(const AnchorSet& set) const;
   StepReport advanceOne(Island& island, double interval, const Budget& budget);
   StepReport sumUp(double begin);
   void shareEffort();

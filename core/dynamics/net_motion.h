@@ -42,7 +42,6 @@ public:
   const SpringNet& net() const noexcept { return m_body.net; }
   const Loads& loads() const noexcept { return m_body.loads; }
   double time() const noexcept { return m_body.motion.time; }
-  const std::vector<ToolSpring>& tools() const noexcept { return m_body.system.tools(); }
   Energies energies() const;
   double externalWork() const;
   double dissipatedEnergy() const noexcept { return m_body.motion.heat; }

@@ -43,22 +43,8 @@ SubNet SubNetCutter::cut(const SpringNet& net, const Loads& loads, const ActiveR
     part.net.fixed[static_cast<std::size_t>(i)] = region.isAwake(node) ? 0 : 1;
   }
   cutAnchors(net, region, part);
-  part.loads.gravity = loads.gravity;
-  for (const NodalForce& force : loads.forces)
-    if (std::vector<Index> places = placesOf(force.nodes); !places.empty())
-      part.loads.forces.push_back({std::move(places), force.force});
-  for (const PrescribedMotion& motion : loads.motions)
-    if (std::vector<Index> places = placesOf(motion.nodes); !places.empty())
-      part.loads.motions.push_back({std::move(places), motion.displacement, motion.release});
+  part.loads = loadsOnPart(loads, [this](Index node) { return placeOf(node); });
   return part;
-}
-
-std::vector<Index> SubNetCutter::placesOf(const std::vector<Index>& nodes) const
-{
-  std::vector<Index> places;
-  for (const Index node : nodes)
-    if (const Index place = placeOf(node); place != kNoIndex) places.push_back(place);
-  return places;
 }
 
 void SubNetCutter::cutSprings(const SpringNet& net, const ActiveRegion& region, SubNet& part) const

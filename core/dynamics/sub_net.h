@@ -31,7 +31,6 @@ public:
 private:
   void cutSprings(const SpringNet& net, const ActiveRegion& region, SubNet& part) const;
   void cutAnchors(const SpringNet& net, const ActiveRegion& region, SubNet& part) const;
-  std::vector<Index> placesOf(const std::vector<Index>& nodes) const;
 
   std::vector<Index> m_place;             ///< N
   std::vector<Index> m_last;              ///< nodes of the last cut

@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace esm {
@@ -41,6 +42,27 @@ struct Loads {
   std::vector<NodalForce> forces;
   std::vector<PrescribedMotion> motions;
 };
+
+/// What acts on a part of a net. @param placeOf(node)  where a node is in it, kNoIndex if it is not.
+template <class PlaceOf>
+Loads loadsOnPart(const Loads& loads, const PlaceOf& placeOf)
+{
+  const auto placesOf = [&placeOf](const std::vector<Index>& nodes) {
+    std::vector<Index> places;
+    for (const Index node : nodes)
+      if (const Index place = placeOf(node); place != kNoIndex) places.push_back(place);
+    return places;
+  };
+  Loads part;
+  part.gravity = loads.gravity;
+  for (const NodalForce& force : loads.forces)
+    if (std::vector<Index> places = placesOf(force.nodes); !places.empty())
+      part.forces.push_back({std::move(places), force.force});
+  for (const PrescribedMotion& motion : loads.motions)
+    if (std::vector<Index> places = placesOf(motion.nodes); !places.empty())
+      part.motions.push_back({std::move(places), motion.displacement, motion.release});
+  return part;
+}
 
 /// A spring-damper between a node and a hand-held point: the pull tool. Not part of the net; may come,
 /// move and go between steps. Force on the node = k (target - p) + c (targetVelocity - v).
