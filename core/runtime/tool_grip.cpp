@@ -12,18 +12,13 @@ namespace esm {
 
 namespace {
 
+/// Of the pad to the net [1]: at 4 the middle stays 8 % behind a hand that has pulled 10 mm, at 8 it is 3 %.
+constexpr double kPadRatio = 8.0;
+constexpr double kMostRatio = 2.0;        ///< of a node's spring to what holds it in the net [1]
+constexpr double kPadDamping = 0.5;       ///< of a node's mass on its spring, at least [1]
 constexpr double kLeastGrip = 20.0;       ///< [N/m]: 5 cm of mouse way pull with 1 N even on loose nodes
-constexpr double kLooseDamping = 0.5;     ///< of a node's mass on that [1]
 constexpr double kLeastForceLimit = 1e-6; ///< [N]
 constexpr double kSameForce = 0.02;       ///< of the limit: as much may a pull at the limit be off [1]
-
-/// A membrane opposes hardly anything across itself: linearly, a node with a tenth of its cell in the patch would
-/// be led as far as one in its middle, and the patch be larger by half an edge. Measured on ellipsoids with edges
-/// of 4, 2 and 1 mm, see the tests.
-double leadOf(double share)
-{
-  return share * share * share;
-}
 
 } // namespace
 
@@ -41,15 +36,15 @@ ToolGrip::ToolGrip(const SpringNet& net, const Eigen::Matrix3Xd& position, Index
                    const Eigen::Vector3d& target, double maxForce)
   : m_node(node),
     m_target(target.allFinite() ? target : Eigen::Vector3d(position.col(node))),
+    m_radius(std::isfinite(radius) ? std::max(radius, 0.0) : 0.0),
     m_maxForce(std::isfinite(maxForce) ? std::max(maxForce, kLeastForceLimit) : kLeastForceLimit),
     m_holds(net)
 {
-  const Eigen::Vector3d centre = position.col(node);
   std::vector<PatchNode> patch;
-  PatchFinder(net).find(position, {&node, 1}, centre, std::isfinite(radius) ? radius : 0.0, patch);
+  PatchFinder(net).find(position, node, m_radius, patch);
   for (const PatchNode& found : patch)
     if (found.node == node || !net.fixed[static_cast<std::size_t>(found.node)])
-      m_held.push_back({found.node, leadOf(found.share), position.col(found.node) - centre});
+      m_held.push_back({found.node, found.share, found.area, position.col(found.node) - position.col(node)});
   takeHold(net);
 }
 
@@ -67,22 +62,29 @@ void ToolGrip::adapt(const SpringNet& net, std::span<const Index> nodes, NodeLin
 
 void ToolGrip::takeHold(const SpringNet& net)
 {
-  double leads = 0.0;
+  double cells = 0.0, mean = 0.0;
+  for (const Held& held : m_held) {
+    cells += held.share * held.area;
+    mean += held.share * held.area * m_holds.at(held.node).stiffness;
+  }
+  mean /= cells;
   m_stiffness = m_viscosity = 0.0;
   for (Held& held : m_held) {
-    const NodeHold whole = m_holds.at(net, held.node);
-    held.stiffness = held.lead * whole.stiffness;
-    held.viscosity = held.lead * whole.viscosity;
+    const double pad = kPadRatio * mean * held.area, most = kMostRatio * m_holds.at(held.node).stiffness;
+    held.stiffness = held.share * (pad < most * m_radius * m_radius ? pad / (m_radius * m_radius) : most);
     m_stiffness += held.stiffness;
-    leads += held.lead;
   }
-  const double more = std::max(0.0, kLeastGrip - m_stiffness) / leads;
+  const double more = std::max(0.0, kLeastGrip - m_stiffness) / cells;
   m_stiffness = 0.0;
   m_point.node.clear();
   m_point.weight.clear();
   for (Held& held : m_held) {
-    held.stiffness += more * held.lead;
-    held.viscosity += 2.0 * kLooseDamping * held.lead * std::sqrt(more * net.mass[held.node]);
+    held.stiffness += more * held.share * held.area;
+    // As damped as the node's own springs are: methods that know dampers slow the fast modes by them.
+    const NodeHold& own = m_holds.at(held.node);
+    const double relaxation = own.stiffness > 0.0 ? own.viscosity / own.stiffness : 0.0;
+    held.viscosity = std::max(relaxation * held.stiffness,
+                              2.0 * kPadDamping * std::sqrt(held.stiffness * net.mass[held.node]));
     m_stiffness += held.stiffness;
     m_viscosity += held.viscosity;
   }

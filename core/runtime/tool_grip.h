@@ -23,13 +23,17 @@ namespace esm {
 ///     node i  o--/\/\/--o  h + o_i       on the hand:  F = sum k_i (p_i - h - o_i) + c_i (v_i - vh)
 ///             p_i, v_i
 ///
-/// k_i is what the net bears at hardly any cost of step (see NodeHolds), less where the patch has but a share
-/// of the node's cell. Many nodes on a fine mesh, all together they are far stiffer than the tissue is against them, so
-/// that the patch follows the hand nearly as if it were prescribed. The pull, the sum, is limited (see
+/// The hand is a pad, the same on every mesh: its stiffness for an area falls smoothly to nothing (gripShare),
+///
+///     k_i = share_i min(8 S a_i / radius^2, 2 S_i) ,
+///
+/// S_i the sum of stiffness that holds node i in the net, S its mean over the patch, a_i the node's cell. All
+/// together they are far stiffer than the tissue is against them: the middle follows the hand nearly as if it were
+/// prescribed, and explicit steps get shorter by less than a third. The pull, the sum, is limited (see
 /// LimitedPull), and so is what the patch bears to keep its shape.
 class ToolGrip {
 public:
-  /// Takes hold of all that lies within `radius` [m] of the node and hangs together with it, as it is now.
+  /// Takes hold of what lies around the node, as it is now: by half at `radius` [m] from it, 0: the node alone.
   /// @pre node in range. @param target  for the node [m].
   ToolGrip(const SpringNet& net, const Eigen::Matrix3Xd& position, Index node, double radius,
            const Eigen::Vector3d& target, double maxForce);
@@ -64,7 +68,8 @@ private:
   void takeHold(const SpringNet& net);
   struct Held {
     Index node = kNoIndex;
-    double lead = 0.0;                                ///< of a whole hold [1]
+    double share = 0.0;                               ///< of a whole hold, see gripShare() [1]
+    double area = 0.0;                                ///< of its cell [m^2]
     Eigen::Vector3d offset = Eigen::Vector3d::Zero(); ///< from the hand's target [m]
     double stiffness = 0.0, viscosity = 0.0;          ///< [N/m], [N s/m]
   };
@@ -84,8 +89,8 @@ private:
   Eigen::Vector3d m_targetVelocity = Eigen::Vector3d::Zero();
   Eigen::Vector3d m_goal = Eigen::Vector3d::Zero(); ///< of the lead [m]
   double m_leadTime = 0.0;                          ///< [s]; 0: not led
-  double m_maxForce;
-  double m_stiffness = 0.0, m_viscosity = 0.0; ///< sums
+  double m_radius, m_maxForce;                      ///< [m], [N]
+  double m_stiffness = 0.0, m_viscosity = 0.0;      ///< sums
   NodeHolds m_holds;
   std::vector<Held> m_held;
   NodeCombination m_point;

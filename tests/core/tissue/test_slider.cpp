@@ -82,8 +82,7 @@ TEST(Slider, CostsByTheSpringsThatItTouches)
   EXPECT_LE(large.awake, 4'000) << "the region and some layers around it";
 }
 
-// What a hand may hold with follows a patch as if it had been found anew, also where the fastest node of all becomes
-// slower or a slow one the fastest.
+// What a hand takes its springs from follows a patch as if it had been summed anew.
 TEST(Slider, TheHandsHoldFollowsAPatchToTheBit)
 {
   SpringNet net = organOf(20);
@@ -108,8 +107,8 @@ TEST(Slider, TheHandsHoldFollowsAPatchToTheBit)
     holds.adapt(net, changeBy(patch, before).nodes, links);
     const NodeHolds anew(net);
     for (Index node = 0; node < net.nodeCount(); ++node) {
-      ASSERT_EQ(holds.at(net, node).stiffness, anew.at(net, node).stiffness) << "move " << move;
-      ASSERT_EQ(holds.at(net, node).viscosity, anew.at(net, node).viscosity) << "move " << move;
+      ASSERT_EQ(holds.at(node).stiffness, anew.at(node).stiffness) << "move " << move;
+      ASSERT_EQ(holds.at(node).viscosity, anew.at(node).viscosity) << "move " << move;
     }
   }
 }
