@@ -292,17 +292,34 @@ std::vector<Error> errorsOfFiles(const QTemporaryDir& folder)
     if (!project) errors.push_back(project.error());
   }
   for (const std::string& path :
-       {folder.filePath("absent.obj").toStdString(), folder.path().toStdString(), std::string("/dev/zero"),
-        written("empty.stl", ""), written("blank.obj", "  \n"), written("noise.stl", std::string(60, '\x01')),
-        written("points.obj", "v 0 0 0\n"), written("comma.obj", "v 0,5 0 0\n"),
+       {folder.filePath("absent.obj").toStdString(),
+        folder.path().toStdString(),
+        std::string("/dev/zero"),
+        written("empty.stl", ""),
+        written("blank.obj", "  \n"),
+        written("noise.stl", std::string(60, '\x01')),
+        written("points.obj", "v 0 0 0\n"),
+        written("comma.obj", "v 0,5 0 0\n"),
         written("far.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n"),
         written("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
         written("cloud.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
                              "y\nproperty float z\nend_header\n0 0 0\n"),
-        written("picture.obj", "\x89PNG\r\n\x1a\n"), written("plate.step", "ISO-10303-21;\nHEADER;\n"),
-        written("deck.inp", "*HEADING\n*NODE\n"), written("paged.obj", "<!doctype html>\n"),
-        written("lost.gltf", gltfOf("../outside.bin")), written("gone.gltf", gltfOf("gone.bin")),
+        written("picture.obj", "\x89PNG\r\n\x1a\n"),
+        written("plate.step", "ISO-10303-21;\nHEADER;\n"),
+        written("deck.inp", "*HEADING\n*NODE\n"),
+        written("paged.obj", "<!doctype html>\n"),
+        written("lost.gltf", gltfOf("../outside.bin")),
+        written("gone.gltf", gltfOf("gone.bin")),
         written("old.off", "OFF\n3 1 0\n0 0 0\n"),
+        written("torn.amf", "<amf>\n<object>\n</amf>"),
+        written("cut.dae", "<?xml version=\"1.0\"?><COLLADA"),
+        written("torn.3mf", "PK\3\4 no archive"),
+        written("cut.lwo", "FARM"),
+        written("letter.nff", "p 3\n0 0 0\n1 a 0\n0 1 0\n"),
+        written("none.3ds", "no 3DS at all"),
+        written("cut.fbx", "; FBX 7.3.0 project file\nObjects:  {\n"),
+        written("torn.iv", "#Inventor V2.1 ascii\nSeparator {\n Coord3 { }\n}\n"),
+        written("cut.gltf", gltfOf("gone.bin").substr(0, 200)),
         written("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")}) {
     const auto mesh = importMesh(path);
     EXPECT_FALSE(mesh) << path;
@@ -361,6 +378,24 @@ TEST_F(WindowTest, WhatIsWrongWithAFileIsSaidInTheWindowsLanguage)
                      "CAD program and save that as STL or OBJ")),
     "x.step: das ist eine STEP-Datei, die Flächen enthält und kein Netz; im CAD-Programm vernetzen und das "
     "als STL oder OBJ speichern");
+  EXPECT_EQ(
+    errorDetail(QStringLiteral("x.amf: line 4: </a> stands where </b> should, begun in line 2; mend it, or "
+                               "save it as OBJ, PLY or STL in the program it comes from")),
+    "x.amf: Zeile 4: </a> steht, wo </b> stehen müsste, begonnen in Zeile 2; sie in Ordnung bringen, oder "
+    "sie in dem Programm, aus dem sie kommt, als OBJ, PLY oder STL speichern");
+  EXPECT_EQ(
+    errorDetail(QStringLiteral("x.x: the reader for this format failed: it crashed (segmentation fault), "
+                               "by a fault of its own or because the file is damaged; convert the file to "
+                               "OBJ, PLY or STL")),
+    "x.x: der Leser dieses Formats ist gescheitert: er ist abgestürzt (Speicherschutzfehler), durch einen "
+    "eigenen Fehler oder weil die Datei beschädigt ist; die Datei in OBJ, PLY oder STL umwandeln");
+  // what nobody knows is the library's, and said to be
+  EXPECT_EQ(errorDetail(QStringLiteral(
+              "x.b3d: the file cannot be read; save it as OBJ, PLY or STL in the program it comes "
+              "from; the reading library says: B3D: line 5; a file is odd")),
+            "x.b3d: die Datei kann nicht gelesen werden; sie in dem Programm, aus dem sie kommt, als OBJ, "
+            "PLY oder STL "
+            "speichern; die lesende Bibliothek sagt: B3D: line 5; a file is odd");
   EXPECT_EQ(errorDetail(QStringLiteral("x.esm: cannot be read (Permission denied)")),
             "x.esm: nicht lesbar (keine Berechtigung)");
   EXPECT_EQ(errorDetail(QStringLiteral("%2.obj: line 1: '%1' is no corner (as 7, 7/1, 7//3 or 7/1/3)")),
