@@ -74,7 +74,8 @@ public:
   bool fileChangedOnDisk() const;
   /// Whether the model was replaced by another organ since the file was opened or saved: saving would lose that.
   bool fileHoldsAnotherModel() const { return !m_path.isEmpty() && m_model != m_savedModel; }
-  void setView(const ViewSettings& view); ///< saved with the project, no edit
+  int modelNumber() const noexcept { return m_model; } ///< of the organ; undo brings numbers back
+  void setView(const ViewSettings& view);              ///< saved with the project, no edit
 
   /// Nets of one number differ at most in held nodes and in what the tissue gives them; undo brings numbers
   /// back.

@@ -306,6 +306,47 @@ TEST_F(RecoveryTest, StepsAreCountedFromTheSavedState)
   EXPECT_EQ(document().stepsAfterSave(), 4);
 }
 
+// Who has replaced the model is asked before the next save takes the former organ's file, in every later process
+// too; not where that is undone, and not once the file holds the new organ.
+TEST_F(RecoveryTest, AnotherModelIsAskedAboutAfterACrashToo)
+{
+  const auto comeBack = [&] {
+    ASSERT_TRUE(window->recovery()->waitWritten(std::chrono::seconds(10)));
+    crash();
+    openWindow();
+    answer("recoveryRecover");
+    ASSERT_TRUE(window->offerRecovery(false));
+    ASSERT_EQ(document().path(), file());
+  };
+  ASSERT_TRUE(document().saveAs(file()));
+  document().rename("mine");
+  ASSERT_NO_FATAL_FAILURE(comeBack());
+  EXPECT_FALSE(document().fileHoldsAnotherModel()) << "it is the file's own";
+  ASSERT_TRUE(document().importModel({"other", {}, test::sheetProject(5).net, {}}, true));
+  document().setInput(0, 0.9, 0);
+  for (int life = 0; life < 2; ++life) {
+    ASSERT_NO_FATAL_FAILURE(comeBack());
+    answer("Cancel");
+    EXPECT_FALSE(window->saveProject()) << life;
+    EXPECT_EQ(asked, "dlgOtherModel") << life;
+    EXPECT_TRUE(said.contains("organ.esm")) << life;
+    EXPECT_EQ(loadProject(file().toStdString())->name, "sheet") << life;
+  }
+  document().undoStack()->undo();
+  EXPECT_TRUE(document().fileHoldsAnotherModel());
+  document().undoStack()->undo(); // the import
+  EXPECT_FALSE(document().fileHoldsAnotherModel());
+  document().undoStack()->redo();
+  makeMistake("hardnes IS very hard"); // a save that leaves something out: the lines go on
+  ASSERT_TRUE(document().saveAs(file()));
+  document().rename("later");
+  ASSERT_NO_FATAL_FAILURE(comeBack());
+  EXPECT_FALSE(document().fileHoldsAnotherModel()) << "the file holds the new organ now";
+  document().undoStack()->undo();
+  document().undoStack()->undo();
+  EXPECT_TRUE(document().fileHoldsAnotherModel()) << "the former organ is another one now";
+}
+
 // A rule with a mistake is unsaved work: in the title, at closing, after a crash, and not in another project.
 TEST_F(RecoveryTest, MistakeOfTheTableIsUnsavedWork)
 {
