@@ -2916,6 +2916,10 @@
         <translation>Regionen</translation>
     </message>
     <message>
+        <source>%1. The version that was there stays as “%2”.</source>
+        <translation>%1. Die Fassung, die dort stand, bleibt als „%2“.</translation>
+    </message>
+    <message>
         <source>Tissue</source>
         <translation>Gewebe</translation>
     </message>

@@ -156,9 +156,14 @@ Status Document::saveAs(const QString& path)
   return {};
 }
 
+bool Document::isForeign(const QString& path) const
+{
+  return isOtherFile(path.toStdString(), m_file);
+}
+
 bool Document::fileChangedOnDisk() const
 {
-  return !m_path.isEmpty() && isOtherFile(m_path.toStdString(), m_file);
+  return !m_path.isEmpty() && isForeign(m_path);
 }
 
 int Document::stepsAfterSave() const

@@ -70,6 +70,8 @@ public:
   int stepsBeforeUndo() const noexcept { return m_stepsBefore; }
   Status open(const QString& path);   ///< on error everything is as before
   Status saveAs(const QString& path); ///< atomic, into files only; the former one stays as .bak
+  /// Whether a file stands there with other bytes than this project's file had when it was opened or saved here.
+  bool isForeign(const QString& path) const;
   /// Whether somebody else has written the file since it was opened or saved: saving would lose that.
   bool fileChangedOnDisk() const;
   /// Whether the model was replaced by another organ since the file was opened or saved: saving would lose that.

@@ -103,13 +103,13 @@ private:
   // main_window_files.cpp
   void connectFileActions();
   void watchFiles();
-  bool writeProject(const QString& path);
+  bool writeProject(const QString& path, const QString& kept = {});
   enum class OtherVersion { Overwrite, SaveElsewhere, Keep };
   OtherVersion askAboutOtherVersion(const QString& kept);
   OtherVersion askAboutOtherModel();
   OtherVersion askBeforeOverwriting(const char* dialog, const QString& text, const QString& what);
   void commitTyped();
-  void tellSaved();
+  void tellSaved(const QString& kept);
   bool mayDropChanges(); ///< saved, or the user lets them go
   void newProject();
   bool playSample(const QString& path);

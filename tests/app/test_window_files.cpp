@@ -155,25 +155,77 @@ TEST_F(WindowFilesTest, AsksBeforeAnotherModelTakesTheFile)
   EXPECT_TRUE(again.given);
 }
 
+namespace {
+
+/// Names a file in the next dialog that asks for one, and lets it replace what is there.
+class ChosenFile : public QTimer {
+public:
+  explicit ChosenFile(const QString& path)
+  {
+    connect(this, &QTimer::timeout, this, [this, path] {
+      QWidget* shown = QApplication::activeModalWidget();
+      if (auto* files = qobject_cast<QFileDialog*>(shown); files != nullptr && !m_isNamed) {
+        m_isNamed = true;
+        files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
+          ->setText(path); // selectFile() leaves it while it has focus
+        QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+      } else if (auto* replace = qobject_cast<QMessageBox*>(shown); m_isNamed && replace != nullptr) {
+        if (QAbstractButton* yes = replace->button(QMessageBox::Yes)) yes->click();
+      }
+    });
+    start(10);
+  }
+
+private:
+  bool m_isNamed = false;
+};
+
+} // namespace
+
 TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
 {
   ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs));
   Answer elsewhere("dlgOtherVersion", "otherVersionSaveAs");
-  QTimer typed;
   const QString other = folder.filePath("elsewhere.esm");
-  QObject::connect(&typed, &QTimer::timeout, &typed, [&] {
-    auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (files == nullptr) return;
-    typed.stop();
-    files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
-      ->setText(other); // selectFile() leaves it while it has focus
-    QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
-  });
-  typed.start(10);
+  const ChosenFile chosen(other);
   EXPECT_TRUE(window->saveProject());
   EXPECT_EQ(onDisk(), theirs);
   EXPECT_EQ(loadProject(other.toStdString())->name, "mine");
   EXPECT_EQ(window->document()->path(), other);
+}
+
+// Save As onto what somebody else has written, in this project's file or another one, keeps that under a name that no
+// later save touches; a version of this window's own goes to .bak as ever.
+TEST_F(WindowFilesTest, SaveAsKeepsWhatSomebodyElseHasWritten)
+{
+  const QString other = folder.filePath("other.esm");
+  const auto saveAs = [&](const QString& to) {
+    const ChosenFile chosen(to);
+    return window->saveProjectAs();
+  };
+  ASSERT_TRUE(writeFileAtomically(other.toStdString(), theirs));
+  ASSERT_TRUE(saveAs(other)); // another project's file
+  ASSERT_TRUE(QFile::exists(other + ".other.bak"));
+  EXPECT_EQ(*readFile(other.toStdString() + ".other.bak"), theirs);
+  EXPECT_TRUE(window->statusBar()->currentMessage().contains("other.esm.other.bak"))
+    << qPrintable(window->statusBar()->currentMessage());
+  window->document()->rename("mine again");
+  ASSERT_TRUE(saveAs(other)); // this window's own by now
+  EXPECT_FALSE(QFile::exists(other + ".other2.bak"));
+  EXPECT_FALSE(window->statusBar()->currentMessage().contains(".bak"));
+  EXPECT_EQ(*readFile(other.toStdString() + ".other.bak"), theirs);
+
+  ASSERT_TRUE(writeFileAtomically(other.toStdString(), theirs + "\n")); // changed since it was saved here
+  window->document()->rename("third");
+  ASSERT_TRUE(saveAs(other));
+  ASSERT_TRUE(QFile::exists(other + ".other2.bak"));
+  EXPECT_EQ(*readFile(other.toStdString() + ".other2.bak"), theirs + "\n");
+  EXPECT_EQ(loadProject(other.toStdString())->name, "third");
+
+  const QString empty = folder.filePath("empty.esm"), fresh = folder.filePath("fresh.esm");
+  ASSERT_TRUE(writeFileAtomically(empty.toStdString(), ""));
+  ASSERT_TRUE(saveAs(empty) && saveAs(fresh)); // nothing to lose
+  EXPECT_FALSE(QFile::exists(empty + ".other.bak") || QFile::exists(fresh + ".other.bak"));
 }
 
 // Closing asks first whether to save, then this; a window that may not save stays.
