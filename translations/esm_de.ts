@@ -2896,8 +2896,28 @@
 <context>
     <name>esm::MainWindow</name>
     <message>
+        <source>“%1” opens in a window of its own.</source>
+        <translation>„%1“ öffnet sich in einem eigenen Fenster.</translation>
+    </message>
+    <message>
+        <source>“%1” is not open: this window shows the recovered work.</source>
+        <translation>„%1“ ist nicht offen: Dieses Fenster zeigt die wiederhergestellte Arbeit.</translation>
+    </message>
+    <message>
+        <source>Another window could not be started. Opening it here asks first whether to save.</source>
+        <translation>Ein weiteres Fenster ließ sich nicht starten. Wer die Datei hier öffnet, wird erst gefragt, ob zu speichern ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Open here</source>
+        <translation>Hier ö&amp;ffnen</translation>
+    </message>
+    <message>
         <source>%1[*] – Elastodynamic Shape Modeler</source>
         <translation>%1[*] – Elastodynamic Shape Modeler</translation>
+    </message>
+    <message>
+        <source>%1. The version that was there stays as “%2”.</source>
+        <translation>%1. Die Fassung, die dort stand, bleibt als „%2“.</translation>
     </message>
     <message>
         <source>The simulation stopped on its last good state. %1</source>
@@ -2914,10 +2934,6 @@
     <message>
         <source>Regions</source>
         <translation>Regionen</translation>
-    </message>
-    <message>
-        <source>%1. The version that was there stays as “%2”.</source>
-        <translation>%1. Die Fassung, die dort stand, bleibt als „%2“.</translation>
     </message>
     <message>
         <source>Tissue</source>
