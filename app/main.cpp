@@ -12,6 +12,7 @@
 #include "haptics/exit_guard.h"
 
 #include <QApplication>
+#include <QProcess>
 #include <QSettings>
 #include <QSocketNotifier>
 #include <QSurfaceFormat>
@@ -47,6 +48,20 @@ esm::Theme chosenTheme(const esm::CommandLine& options)
   const QString saved = QSettings().value(QStringLiteral("theme")).toString();
   const QString asked = QString::fromStdString(options.theme);
   return esm::themeFromName(asked.isEmpty() ? saved : asked).value_or(esm::Theme::System);
+}
+
+/// A window of its own for a file, started as this one was.
+bool startAnotherWindow(const esm::CommandLine& options, const QString& file)
+{
+  QStringList words;
+  const auto add = [&words](const char* option, const std::string& value) {
+    if (!value.empty()) words << QLatin1String(option) << QString::fromStdString(value);
+  };
+  add("--lang", options.language);
+  add("--theme", options.theme);
+  add("--emulate-device", options.emulate);
+  words << QStringLiteral("--") << file; // whatever its name begins with
+  return QProcess::startDetached(QApplication::applicationFilePath(), words);
 }
 
 /// Without dialogs: nobody may be there to answer.
@@ -106,11 +121,8 @@ int main(int argc, char** argv)
   // Once the event loop runs: dialogs of opening need it.
   QTimer::singleShot(0, &window, [&] {
     if (scripted) return runScript(window, options);
-    if (window.offerRecovery(false)) return;
-    if (options.file.empty())
-      window.openSample();
-    else
-      window.openPath(QString::fromStdString(options.file));
+    window.begin(QString::fromStdString(options.file),
+                 [&options](const QString& file) { return startAnotherWindow(options, file); });
   });
   if (!options.dumpState.empty()) new esm::StateDump(&window, QString::fromStdString(options.dumpState));
   return QApplication::exec();

@@ -35,7 +35,7 @@ struct DxfEntity {
   {
     const std::string_view value = text(code);
     if (value.data() == nullptr) return missing;
-    return parseDouble(value).value_or(std::numeric_limits<double>::quiet_NaN());
+    return parseForeignDouble(value).value_or(std::numeric_limits<double>::quiet_NaN());
   }
   long long integer(int code) const { return parseInteger(text(code)).value_or(0); }
   Eigen::Vector3d point(int code) const { return {number(code), number(code + 10), number(code + 20)}; }

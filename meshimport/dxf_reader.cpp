@@ -197,7 +197,7 @@ private:
     const double elevation = entity.number(38);
     std::vector<Eigen::Vector3d> points;
     for (const DxfGroup& group : entity.groups) {
-      const double value = parseDouble(group.value).value_or(std::numeric_limits<double>::quiet_NaN());
+      const double value = parseForeignDouble(group.value).value_or(std::numeric_limits<double>::quiet_NaN());
       if (group.code == 10) points.push_back({value, 0.0, elevation});
       if (group.code == 20 && !points.empty()) points.back().y() = value;
       if (group.code == 42 && value != 0.0) ++m_bulges;

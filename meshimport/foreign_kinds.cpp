@@ -277,7 +277,7 @@ bool isTableOfNumbers(std::string_view text)
     int numbers = 0;
     while (!line.empty()) {
       const std::size_t end = line.find_first_of(" \t,;");
-      if (!parseDouble(line.substr(0, end))) return false;
+      if (!parseForeignDouble(line.substr(0, end))) return false;
       ++numbers;
       line = end == std::string_view::npos ? std::string_view() : trimmed(line.substr(end + 1));
     }

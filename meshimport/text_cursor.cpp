@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/text_cursor.h"
 
+#include "core/base/text_number.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cstring>
@@ -28,7 +30,7 @@ double beyondRange(std::string_view digits)
 {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const bool negative = digits.front() == '-';
-  const std::size_t exponent = digits.find_first_of("eE");
+  const std::size_t exponent = digits.find_first_of("eEdD");
   const std::size_t significant = digits.find_first_of("123456789");
   const bool small = exponent != std::string_view::npos && exponent + 1 < digits.size()
                        ? digits[exponent + 1] == '-'
@@ -114,7 +116,7 @@ std::string_view TextCursor::word()
 bool TextCursor::anyNumber(double& value)
 {
   const char* from = skipPlus(m_at, m_end);
-  const auto [to, code] = std::from_chars(from, m_end, value);
+  const auto [to, code] = foreignDoubleFromChars(from, m_end, value);
   if (code == std::errc::invalid_argument || !breaksHere(to)) return false;
   if (code == std::errc::result_out_of_range)
     value = beyondRange({from, static_cast<std::size_t>(to - from)});

@@ -71,7 +71,8 @@ inline const char* takeDigits(const char* at, const char* end, std::uint64_t& va
 } // namespace text
 
 /// Walks through the bytes of a text mesh file, word by word and line by line, in one pass and without
-/// copies. Lines end with LF, CR LF or CR. Numbers have a point whatever the locale.
+/// copies. Lines end with LF, CR LF or CR. Numbers have a point whatever the locale, and may have
+/// Fortran's exponents.
 class TextCursor {
 public:
   enum Rules : unsigned {

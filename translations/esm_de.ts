@@ -1146,8 +1146,152 @@
         <translation>sie wurde gelesen, enthält aber weder Fläche noch Linie</translation>
     </message>
     <message>
-        <source>the assimp library cannot read it (%1)</source>
-        <translation>die Bibliothek assimp kann sie nicht lesen (%1)</translation>
+        <source>the file cannot be read</source>
+        <translation>die Datei kann nicht gelesen werden</translation>
+    </message>
+    <message>
+        <source>the reading library says: %1</source>
+        <translation>die lesende Bibliothek sagt: %1</translation>
+    </message>
+    <message>
+        <source>the reading library cannot read it and does not say why</source>
+        <translation>die lesende Bibliothek kann sie nicht lesen und sagt nicht, warum</translation>
+    </message>
+    <message>
+        <source>save it as OBJ, PLY or STL in the program it comes from</source>
+        <translation>sie in dem Programm, aus dem sie kommt, als OBJ, PLY oder STL speichern</translation>
+    </message>
+    <message>
+        <source>mend it, or save it as OBJ, PLY or STL in the program it comes from</source>
+        <translation>sie in Ordnung bringen, oder sie in dem Programm, aus dem sie kommt, als OBJ, PLY oder STL speichern</translation>
+    </message>
+    <message>
+        <source>fetch it again, it may be cut short, or save it as OBJ, PLY or STL in the program it comes from</source>
+        <translation>sie neu holen, sie ist vielleicht abgeschnitten, oder sie in dem Programm, aus dem sie kommt, als OBJ, PLY oder STL speichern</translation>
+    </message>
+    <message>
+        <source>byte %1</source>
+        <translation>Byte %1</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; stands where a number should be</source>
+        <translation>„%1“ steht, wo eine Zahl stehen müsste</translation>
+    </message>
+    <message>
+        <source>something else stands where a number should be</source>
+        <translation>etwas anderes steht, wo eine Zahl stehen müsste</translation>
+    </message>
+    <message>
+        <source>something else stands there than the format asks for</source>
+        <translation>dort steht etwas anderes, als das Format verlangt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; holds something else than it should</source>
+        <translation>„%1“ enthält etwas anderes, als es müsste</translation>
+    </message>
+    <message>
+        <source>its section &apos;%1&apos; is missing</source>
+        <translation>ihr Abschnitt „%1“ fehlt</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is no word of this format</source>
+        <translation>„%1“ ist kein Wort dieses Formats</translation>
+    </message>
+    <message>
+        <source>its beginning is damaged, or it is of another format than its name says</source>
+        <translation>ihr Anfang ist beschädigt, oder sie hat ein anderes Format, als ihr Name sagt</translation>
+    </message>
+    <message>
+        <source>its header promises %1 bytes, but it has %2</source>
+        <translation>ihr Kopf verspricht %1 Bytes, aber sie hat %2</translation>
+    </message>
+    <message>
+        <source>it holds no mesh that can be read</source>
+        <translation>sie enthält kein Netz, das gelesen werden kann</translation>
+    </message>
+    <message>
+        <source>it ends too early, or a length in it is wrong</source>
+        <translation>sie endet zu früh, oder eine Länge in ihr ist falsch</translation>
+    </message>
+    <message>
+        <source>it points to data that it does not hold</source>
+        <translation>sie verweist auf Daten, die sie nicht enthält</translation>
+    </message>
+    <message>
+        <source>its ZIP archive is damaged</source>
+        <translation>ihr ZIP-Archiv ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its XML is damaged</source>
+        <translation>ihr XML ist beschädigt</translation>
+    </message>
+    <message>
+        <source>its JSON is damaged</source>
+        <translation>ihr JSON ist beschädigt</translation>
+    </message>
+    <message>
+        <source>&lt;/%1&gt; ends what nothing has begun</source>
+        <translation>&lt;/%1&gt; beendet, was nicht begonnen hat</translation>
+    </message>
+    <message>
+        <source>&lt;/%1&gt; stands where &lt;/%2&gt; should, begun in line %3</source>
+        <translation>&lt;/%1&gt; steht, wo &lt;/%2&gt; stehen müsste, begonnen in Zeile %3</translation>
+    </message>
+    <message>
+        <source>a tag begins here and does not end</source>
+        <translation>eine Marke beginnt hier und endet nicht</translation>
+    </message>
+    <message>
+        <source>it ends within &lt;%1&gt;, begun in line %2</source>
+        <translation>sie endet innerhalb von &lt;%1&gt;, begonnen in Zeile %2</translation>
+    </message>
+    <message>
+        <source>the reader for this format failed</source>
+        <translation>der Leser dieses Formats ist gescheitert</translation>
+    </message>
+    <message>
+        <source>it crashed (%1), by a fault of its own or because the file is damaged</source>
+        <translation>er ist abgestürzt (%1), durch einen eigenen Fehler oder weil die Datei beschädigt ist</translation>
+    </message>
+    <message>
+        <source>it answered with garbage (%1), by a fault of its own or because the file is damaged</source>
+        <translation>er hat mit Unsinn geantwortet (%1), durch einen eigenen Fehler oder weil die Datei beschädigt ist</translation>
+    </message>
+    <message>
+        <source>convert the file to OBJ, PLY or STL</source>
+        <translation>die Datei in OBJ, PLY oder STL umwandeln</translation>
+    </message>
+    <message>
+        <source>segmentation fault</source>
+        <translation>Speicherschutzfehler</translation>
+    </message>
+    <message>
+        <source>it aborted</source>
+        <translation>er brach ab</translation>
+    </message>
+    <message>
+        <source>it ended without an answer</source>
+        <translation>er endete ohne Antwort</translation>
+    </message>
+    <message>
+        <source>bus error</source>
+        <translation>Busfehler</translation>
+    </message>
+    <message>
+        <source>arithmetic error</source>
+        <translation>Rechenfehler</translation>
+    </message>
+    <message>
+        <source>illegal instruction</source>
+        <translation>unzulässiger Befehl</translation>
+    </message>
+    <message>
+        <source>it was killed from outside, perhaps for want of memory</source>
+        <translation>er wurde von außen beendet, vielleicht aus Mangel an Speicher</translation>
+    </message>
+    <message>
+        <source>signal %1</source>
+        <translation>Signal %1</translation>
     </message>
     <message>
         <source>is it cut short? Otherwise save it as OBJ, PLY or STL</source>
@@ -1156,10 +1300,6 @@
     <message>
         <source>the reader for this format took too long for a file of this size</source>
         <translation>der Leser dieses Formats brauchte zu lang für eine Datei dieser Größe</translation>
-    </message>
-    <message>
-        <source>the reader for this format crashed (%1)</source>
-        <translation>der Leser dieses Formats ist abgestürzt (%1)</translation>
     </message>
     <message>
         <source>the reader for this format did not end within %1 s</source>
@@ -2756,8 +2896,28 @@
 <context>
     <name>esm::MainWindow</name>
     <message>
+        <source>“%1” opens in a window of its own.</source>
+        <translation>„%1“ öffnet sich in einem eigenen Fenster.</translation>
+    </message>
+    <message>
+        <source>“%1” is not open: this window shows the recovered work.</source>
+        <translation>„%1“ ist nicht offen: Dieses Fenster zeigt die wiederhergestellte Arbeit.</translation>
+    </message>
+    <message>
+        <source>Another window could not be started. Opening it here asks first whether to save.</source>
+        <translation>Ein weiteres Fenster ließ sich nicht starten. Wer die Datei hier öffnet, wird erst gefragt, ob zu speichern ist.</translation>
+    </message>
+    <message>
+        <source>&amp;Open here</source>
+        <translation>Hier ö&amp;ffnen</translation>
+    </message>
+    <message>
         <source>%1[*] – Elastodynamic Shape Modeler</source>
         <translation>%1[*] – Elastodynamic Shape Modeler</translation>
+    </message>
+    <message>
+        <source>%1. The version that was there stays as “%2”.</source>
+        <translation>%1. Die Fassung, die dort stand, bleibt als „%2“.</translation>
     </message>
     <message>
         <source>The simulation stopped on its last good state. %1</source>

@@ -77,6 +77,9 @@ void Document::begin(Project project, const QString& path, const RecoveredWork* 
   m_savedRules = m_project.tissue.rules;
   m_stepsRecovered = m_stepsBefore = 0;
   if (work != nullptr) {
+    m_model = work->model, m_savedModel = work->fileModel; // its journal goes on with its numbers
+    m_models = std::max({m_models, m_model, m_savedModel});
+    for (const RecoveredState& state : work->history.states) m_models = std::max(m_models, state.model);
     const bool knowsSaved = work->history.saved && !work->fileChanged;
     if (!knowsSaved) m_stepsRecovered = work->steps;
     takeHistory(work->history, knowsSaved);
@@ -153,9 +156,14 @@ Status Document::saveAs(const QString& path)
   return {};
 }
 
+bool Document::isForeign(const QString& path) const
+{
+  return isOtherFile(path.toStdString(), m_file);
+}
+
 bool Document::fileChangedOnDisk() const
 {
-  return !m_path.isEmpty() && isOtherFile(m_path.toStdString(), m_file);
+  return !m_path.isEmpty() && isForeign(m_path);
 }
 
 int Document::stepsAfterSave() const

@@ -70,11 +70,14 @@ public:
   int stepsBeforeUndo() const noexcept { return m_stepsBefore; }
   Status open(const QString& path);   ///< on error everything is as before
   Status saveAs(const QString& path); ///< atomic, into files only; the former one stays as .bak
+  /// Whether a file stands there with other bytes than this project's file had when it was opened or saved here.
+  bool isForeign(const QString& path) const;
   /// Whether somebody else has written the file since it was opened or saved: saving would lose that.
   bool fileChangedOnDisk() const;
   /// Whether the model was replaced by another organ since the file was opened or saved: saving would lose that.
   bool fileHoldsAnotherModel() const { return !m_path.isEmpty() && m_model != m_savedModel; }
-  void setView(const ViewSettings& view); ///< saved with the project, no edit
+  int modelNumber() const noexcept { return m_model; } ///< of the organ; undo brings numbers back
+  void setView(const ViewSettings& view);              ///< saved with the project, no edit
 
   /// Nets of one number differ at most in held nodes and in what the tissue gives them; undo brings numbers
   /// back.

@@ -29,6 +29,7 @@ void RecoveredStepCommand::put(std::size_t from, std::size_t to)
   if (!sameRun || !netIsDerived() || !after.netDerived) putNet(after.net, false);
   if (after.netDerived) derive();
   setNetNumber(m_all->netNumbers.at(after.copy));
+  setModelNumber(after.model);
   announceTissue(former);
   if (sameRun)
     emit document().parametersChanged();

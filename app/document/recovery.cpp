@@ -57,6 +57,7 @@ JournalState Recovery::state() const
   now.project = &m_document->project();
   now.netNumber = m_document->netNumber();
   now.netDerived = m_document->netIsDerived();
+  now.model = m_document->modelNumber();
   now.net = [this] { return m_document->net(); };
   now.steps = m_document->stepsAfterSave();
   now.draft = m_document->ruleDraft();

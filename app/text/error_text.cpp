@@ -75,7 +75,9 @@ std::optional<QString> knownSentence(const QString& sentence)
     const QRegularExpressionMatch match = one.expression.match(sentence);
     if (!match.hasMatch()) continue;
     QStringList parts = match.capturedTexts().mid(1);
-    for (QString& part : parts) part = errorDetail(part);
+    const bool isQuote = QLatin1String(one.text) == QLatin1String("the reading library says: %1");
+    if (!isQuote)
+      for (QString& part : parts) part = errorDetail(part);
     return filled(QCoreApplication::translate("esm::ErrorDetail", one.text), parts);
   }
   return std::nullopt;

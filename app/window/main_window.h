@@ -14,6 +14,7 @@
 #include <QMainWindow>
 
 #include <filesystem>
+#include <functional>
 
 class QDockWidget;
 class QLabel;
@@ -59,6 +60,9 @@ public:
   /// Asks what shall become of what a crash left. @param asked also of what was put off before.
   /// @return work was recovered into the document.
   bool offerRecovery(bool asked);
+  /// What a program has to do at its start: offers unsaved work, opens what the command line names, or a sample.
+  /// @param anotherWindow opens the named one where unsaved work has taken this window; whether that went well
+  void begin(const QString& named, const std::function<bool(const QString& path)>& anotherWindow);
   Recovery* recovery() noexcept { return m_recovery; } ///< null without keepJournal()
 
   void setTheme(Theme theme);
@@ -103,13 +107,13 @@ private:
   // main_window_files.cpp
   void connectFileActions();
   void watchFiles();
-  bool writeProject(const QString& path);
+  bool writeProject(const QString& path, const QString& kept = {});
   enum class OtherVersion { Overwrite, SaveElsewhere, Keep };
   OtherVersion askAboutOtherVersion(const QString& kept);
   OtherVersion askAboutOtherModel();
   OtherVersion askBeforeOverwriting(const char* dialog, const QString& text, const QString& what);
   void commitTyped();
-  void tellSaved();
+  void tellSaved(const QString& kept);
   bool mayDropChanges(); ///< saved, or the user lets them go
   void newProject();
   bool playSample(const QString& path);

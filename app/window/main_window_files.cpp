@@ -267,11 +267,7 @@ bool MainWindow::saveProject()
   const QString kept = nameForOtherVersion(m_document->path());
   switch (askAboutOtherVersion(kept)) {
   case OtherVersion::Overwrite:
-    if (auto other = keepOtherVersion(m_document->path(), kept); !other) {
-      showError(tr("Save project"), other.error());
-      return false;
-    }
-    return writeProject(m_document->path());
+    return writeProject(m_document->path(), kept);
   case OtherVersion::SaveElsewhere:
     return saveProjectAs();
   case OtherVersion::Keep:
@@ -290,27 +286,36 @@ bool MainWindow::saveProjectAs()
                                                 tr("Compact projects (*.esmb)"));
   if (path.isEmpty()) return false;
   if (QFileInfo(path).suffix().isEmpty()) path += QStringLiteral(".esm");
-  return writeProject(path);
+  const bool losesOther = QFileInfo(path).size() > 0 && m_document->isForeign(path); // the dialog has asked
+  return writeProject(path, losesOther ? nameForOtherVersion(path) : QString());
 }
 
-bool MainWindow::writeProject(const QString& path)
+/// @param kept the name that what stands there gets first; empty: it is this project's own
+bool MainWindow::writeProject(const QString& path, const QString& kept)
 {
+  if (!kept.isEmpty())
+    if (auto other = keepOtherVersion(path, kept); !other) {
+      showError(tr("Save project"), other.error());
+      return false;
+    }
   m_document->setView(m_view->viewSettings());
   if (auto saved = m_document->saveAs(path); !saved) {
     showError(tr("Save project"), saved.error());
     return false;
   }
-  tellSaved();
+  tellSaved(kept);
   return true;
 }
 
-void MainWindow::tellSaved()
+void MainWindow::tellSaved(const QString& kept)
 {
   const QString name = QFileInfo(m_document->path()).fileName();
-  if (m_document->ruleDraft().isEmpty())
-    statusBar()->showMessage(tr("Saved %1").arg(name), 4000);
-  else
-    statusBar()->showMessage(tr("Saved %1, but for a rule with a mistake.").arg(name), 12000);
+  QString said = m_document->ruleDraft().isEmpty() ? tr("Saved %1").arg(name)
+                                                   : tr("Saved %1, but for a rule with a mistake.").arg(name);
+  if (!kept.isEmpty())
+    said = tr("%1. The version that was there stays as “%2”.")
+             .arg(said.endsWith(QLatin1Char('.')) ? said.chopped(1) : said, QFileInfo(kept).fileName());
+  statusBar()->showMessage(said, kept.isEmpty() && m_document->ruleDraft().isEmpty() ? 4000 : 12000);
   rememberFile(m_document->path());
 }
 

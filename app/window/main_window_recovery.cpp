@@ -8,7 +8,9 @@
 #include "app/window/window_actions.h"
 
 #include <QAction>
+#include <QFileInfo>
 #include <QMessageBox>
+#include <QPushButton>
 #include <QStatusBar>
 
 namespace esm {
@@ -80,6 +82,39 @@ bool MainWindow::offerRecovery(bool asked)
     found.erase(found.begin() + chosen);
   }
   return false;
+}
+
+/// Nobody loses one for the other: the work is here, and the project that was asked for gets a window of its own.
+/// Where the work is a later state of that very project there is nothing else to open.
+void MainWindow::begin(const QString& named, const std::function<bool(const QString& path)>& anotherWindow)
+{
+  const bool recovered = offerRecovery(false);
+  if (!recovered) {
+    if (named.isEmpty())
+      openSample();
+    else
+      openPath(named);
+    return;
+  }
+  const QFileInfo file(named);
+  if (named.isEmpty() || (!m_document->path().isEmpty() && QFileInfo(m_document->path()) == file)) return;
+  if (anotherWindow(file.absoluteFilePath())) {
+    statusBar()->showMessage((statusBar()->currentMessage() + QLatin1Char(' ') +
+                              tr("“%1” opens in a window of its own.").arg(file.fileName()))
+                               .trimmed()); // stays: that window may cover this one
+    return;
+  }
+  QMessageBox box(QMessageBox::Information, tr("Open project"),
+                  tr("“%1” is not open: this window shows the recovered work.").arg(file.fileName()),
+                  QMessageBox::Close, this);
+  box.setObjectName(QStringLiteral("dlgNamedLater"));
+  box.setInformativeText(
+    tr("Another window could not be started. Opening it here asks first whether to save."));
+  QPushButton* open = box.addButton(tr("&Open here"), QMessageBox::AcceptRole);
+  open->setObjectName(QStringLiteral("namedOpenHere"));
+  box.setDefaultButton(QMessageBox::Close);
+  box.exec();
+  if (box.clickedButton() == open) openPath(named);
 }
 
 bool MainWindow::recover(FoundJournal&& journal)

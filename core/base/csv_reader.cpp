@@ -182,7 +182,7 @@ CsvNumber CsvReader::number(std::string_view text)
   if (hasThousands(text))
     return {Kind::Unclear, 0.0, inQuotes(text) + " has signs between its thousands; write it without them"};
   if (comma == std::string_view::npos) {
-    const auto value = parseDouble(text);
+    const auto value = parseForeignDouble(text);
     if (!value) return {Kind::Text};
     if (text.find('.') == std::string_view::npos) return {Kind::Number, *value};
     if (m_pointLine == 0) m_pointLine = m_lastLine;
@@ -193,7 +193,7 @@ CsvNumber CsvReader::number(std::string_view text)
   }
   std::string withPoint(text);
   withPoint[comma] = '.';
-  const auto value = text.find('.') == std::string_view::npos ? parseDouble(withPoint) : std::nullopt;
+  const auto value = text.find('.') == std::string_view::npos ? parseForeignDouble(withPoint) : std::nullopt;
   if (!value) return {Kind::Text};
   if (m_separator != ';' && m_separator != '\t' && mayBeThousands(text)) {
     std::string joined(text);

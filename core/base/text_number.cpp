@@ -2,21 +2,34 @@
 // SPDX-License-Identifier: MIT
 #include "core/base/text_number.h"
 
+#include <algorithm>
 #include <charconv>
+#include <iterator>
 
 namespace esm {
 
 namespace {
 
+std::from_chars_result plainFromChars(const char* from, const char* end, double& value) noexcept
+{
+  return std::from_chars(from, end, value);
+}
+
+std::from_chars_result plainFromChars(const char* from, const char* end, long long& value) noexcept
+{
+  return std::from_chars(from, end, value);
+}
+
 template <class T>
-std::optional<T> parseWhole(std::string_view text) noexcept
+std::optional<T> parseWhole(std::string_view text,
+                            std::from_chars_result (*read)(const char*, const char*, T&) noexcept) noexcept
 {
   if (!text.empty() && text.front() == '+') {
     text.remove_prefix(1);
     if (!text.empty() && text.front() == '-') return std::nullopt;
   }
   T value{};
-  const auto [end, code] = std::from_chars(text.data(), text.data() + text.size(), value);
+  const auto [end, code] = read(text.data(), text.data() + text.size(), value);
   if (code != std::errc{} || end != text.data() + text.size()) return std::nullopt;
   return value;
 }
@@ -25,12 +38,34 @@ std::optional<T> parseWhole(std::string_view text) noexcept
 
 std::optional<double> parseDouble(std::string_view text) noexcept
 {
-  return parseWhole<double>(text);
+  return parseWhole<double>(text, plainFromChars);
+}
+
+std::optional<double> parseForeignDouble(std::string_view text) noexcept
+{
+  return parseWhole<double>(text, foreignDoubleFromChars);
+}
+
+std::from_chars_result foreignDoubleFromChars(const char* from, const char* end, double& value) noexcept
+{
+  const std::from_chars_result plain = std::from_chars(from, end, value);
+  const char* const letter = plain.ptr;
+  if (plain.ec == std::errc::invalid_argument || letter == end || (*letter != 'D' && *letter != 'd'))
+    return plain;
+  const char* digits = letter + 1;
+  if (digits != end && (*digits == '+' || *digits == '-')) ++digits;
+  const char* behind = std::find_if(digits, end, [](char c) { return c < '0' || c > '9'; });
+  char text[64]; // Fortran writes 17 digits; of longer ones the value would be another
+  if (behind == digits || behind - from > std::ssize(text)) return plain;
+  std::copy(from, behind, text);
+  text[letter - from] = 'e';
+  const std::from_chars_result result = std::from_chars(text, text + (behind - from), value);
+  return {from + (result.ptr - text), result.ec};
 }
 
 std::optional<long long> parseInteger(std::string_view text) noexcept
 {
-  return parseWhole<long long>(text);
+  return parseWhole<long long>(text, plainFromChars);
 }
 
 void appendDouble(std::string& text, double value)

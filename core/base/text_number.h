@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <charconv>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -14,6 +15,13 @@ namespace esm {
 /// The whole of `text` as a number; a leading '+' is allowed, blanks are not. "inf" and "nan" parse.
 std::optional<double> parseDouble(std::string_view text) noexcept;
 std::optional<long long> parseInteger(std::string_view text) noexcept;
+
+/// The same for numbers of files that other programs write: D begins an exponent, too, as Fortran writes it
+/// (1.0D+01).
+std::optional<double> parseForeignDouble(std::string_view text) noexcept;
+
+/// std::from_chars() that knows Fortran's exponents.
+std::from_chars_result foreignDoubleFromChars(const char* from, const char* end, double& value) noexcept;
 
 /// The shortest text that reads back to the same bits.
 std::string formatDouble(double value);

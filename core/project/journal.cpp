@@ -83,6 +83,7 @@ struct Journal::Impl {
     RuleDraft draft;
     int undoIndex = 0;
     std::shared_ptr<const SpringNet> net; ///< of work that no file holds, until it is written
+    int model = 0;                        ///< number of the organ
   };
   /// A net in the folder.
   struct NetCopy {
@@ -113,7 +114,8 @@ struct Journal::Impl {
             state.steps,
             state.draft,
             state.undoIndex,
-            {}};
+            {},
+            state.model};
   }
   const NetCopy* copyFor(const JournalState& state) const
   {
@@ -132,6 +134,7 @@ struct Journal::Impl {
   {
     line["base"] = told.copy;
     line["derived"] = told.netDerived;
+    line["model"] = told.model;
     line["undo"] = {{"index", told.undoIndex}, {"saved", isSaved}};
   }
   bool mayTry();
@@ -203,6 +206,7 @@ void Journal::Impl::write(const JournalState& now)
   Json line = {{"time", secondsNow()}, {"steps", now.steps}};
   if (Json patch = Json::diff(told.tree, next.tree); !patch.empty()) line["patch"] = std::move(patch);
   if (now.netDerived != told.netDerived) line["derived"] = now.netDerived;
+  if (now.model != told.model) line["model"] = now.model;
   if (now.draft != told.draft) line["draft"] = json::draftOf(now.draft);
 
   next.copy = told.copy;

@@ -25,6 +25,7 @@ struct JournalState {
   /// Nets of one number differ at most in what is held fast, and in what the tissue gives them.
   std::uint64_t netNumber = 0;
   bool netDerived = false; ///< applyTissue() would leave the net's parameters as they are
+  int model = 0; ///< number of the organ: saving another one than the file holds must be asked about
   std::function<std::shared_ptr<const SpringNet>()> net; ///< project->net to be shared; asked rarely
   int steps = 0;                                         ///< since the last save
   /// Of the undo stack: how many steps are done, out of how many; the names of the last one and the next.

@@ -10,8 +10,8 @@
 
 namespace esm::json {
 
-JournalHistory::JournalHistory(Json tree, std::string copy, bool derived, int index, bool isSaved)
-  : m_now{std::move(tree), std::move(copy), derived, {}}, m_index(index)
+JournalHistory::JournalHistory(Json tree, std::string copy, bool derived, int model, int index, bool isSaved)
+  : m_now{std::move(tree), std::move(copy), derived, model, {}}, m_index(index)
 {
   if (isSaved) m_saved = index;
   m_states[index] = m_now;
@@ -25,6 +25,7 @@ void JournalHistory::take(const Json& line)
     m_now.fixed.reset();
   }
   if (line.contains("fixed")) m_now.fixed = line["fixed"];
+  if (line.contains("model")) m_now.model = line["model"].get<int>();
   if (line.contains("derived")) m_now.derived = line["derived"].get<bool>();
   if (const auto undo = line.find("undo"); undo != line.end()) {
     m_index = undo->at("index").get<int>();
@@ -50,6 +51,7 @@ std::optional<RecoveredState> JournalHistory::read(const State& state, const Net
   if (!read.net) return {};
   read.copy = state.copy;
   read.netDerived = state.derived;
+  read.model = state.model;
   if (state.fixed) {
     Faults faults{origin, {}};
     auto held = std::make_shared<SpringNet>(*read.net);

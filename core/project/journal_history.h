@@ -15,7 +15,7 @@ namespace esm::json {
 class JournalHistory {
 public:
   /// What the lines begin from. @param tree without its net
-  JournalHistory(Json tree, std::string copy, bool derived, int index, bool isSaved);
+  JournalHistory(Json tree, std::string copy, bool derived, int model, int index, bool isSaved);
   /// The next line. May throw where its patch does not fit.
   void take(const Json& line);
   using NetReader = std::function<std::shared_ptr<const SpringNet>(const std::string& copy)>; ///< null: fault
@@ -27,6 +27,7 @@ private:
     Json tree;
     std::string copy;
     bool derived = false;
+    int model = 0;
     std::optional<Json> fixed; ///< nodes held, where they differ from the copy's
   };
   std::optional<RecoveredState> read(const State& state, const NetReader& netOf,

@@ -83,7 +83,7 @@ struct Replay {
   std::string base, copy;
   bool derived = false;
   std::optional<std::vector<Index>> fixed;
-  int steps = 0;
+  int steps = 0, model = 0, fileModel = 0;
   RuleDraft draft;
   std::int64_t time = 0;
   std::string name;
@@ -109,6 +109,8 @@ void Replay::take(const Json& json)
   if (line.has("fingerprint")) fingerprints[copy] = line["fingerprint"].text();
   if (line.has("derived")) derived = line["derived"].boolean();
   if (line.has("fixed")) fixed = line["fixed"].indexList(std::numeric_limits<Index>::max());
+  if (line.has("model")) model = line["model"].integer(0, std::numeric_limits<Index>::max());
+  if (line.has("base") || line.has("file")) fileModel = model; // it was saved
   if (line.has("steps")) steps = line["steps"].integer(0, std::numeric_limits<Index>::max());
   if (line.has("draft")) draft = json["draft"].is_null() ? RuleDraft() : json::readDraft(line["draft"]);
   if (line.has("name")) name = line["name"].text();
@@ -167,7 +169,8 @@ RecoveredHistory historyOf(const Lines& lines, const Replay& replay, Json base)
     const auto undo = head.find("undo");
     if (undo == head.end()) return {};
     json::JournalHistory history(std::move(base), replay.base, head.value("derived", false),
-                                 undo->at("index").get<int>(), undo->at("saved").get<bool>());
+                                 head.value("model", 0), undo->at("index").get<int>(),
+                                 undo->at("saved").get<bool>());
     for (std::size_t i = 1; i < lines.good.size(); ++i) history.take(lines.good[i]);
     return history.states(netOf, replay.folder.string());
   } catch (const std::exception&) {
@@ -320,6 +323,8 @@ Result<RecoveredWork> readJournal(const FoundJournal& found)
   }
   work.netDerived = replay.derived;
   work.copy = replay.copy;
+  work.model = replay.model;
+  work.fileModel = replay.fileModel;
   work.steps = replay.steps;
   work.draft = replay.draft;
   work.isCutShort = lines->isCutShort;

@@ -32,6 +32,7 @@ struct RecoveredState {
   bool netDerived = false;              ///< its parameters are what the tissue gives, and are not in `net`
   std::string copy;                     ///< nets of one copy differ at most in what is held
   std::string text;                     ///< of the step that leads here; empty for the first one
+  int model = 0;                        ///< number of the organ
   bool netStays = false; ///< that step has left the net, what is held, loads and solver as they were
 };
 
@@ -49,7 +50,9 @@ struct RecoveredWork {
   std::string path;         ///< of its file; empty: never saved
   bool fileChanged = false; ///< since, or it is gone: it must not be written over
   bool netDerived = false;
-  std::string copy; ///< the file in the folder that has the net
+  std::string copy;  ///< the file in the folder that has the net
+  int model = 0;     ///< number of the organ
+  int fileModel = 0; ///< of that in the saved file
   int steps = 0;
   RuleDraft draft;
   bool isCutShort = false;  ///< later lines are damaged

@@ -4,6 +4,7 @@
 
 #include "core/base/ascii_case.h"
 #include "meshimport/import_endings.h"
+#include "meshimport/library_words.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/assimp_frame.h"
 #include "meshimport/worker/folder_files.h"
@@ -101,27 +102,12 @@ private:
   std::size_t m_points = 0;
 };
 
-/// Whether what the library complains of is an end that comes too early.
-bool tellsOfTheEnd(std::string_view complaint)
-{
-  const std::string text = asciiLower(complaint);
-  constexpr std::string_view kSigns[] = {"end of file",   "eof",       "unexpected end",
-                                         "premature end", "too small", "truncated"};
-  return std::any_of(std::begin(kSigns), std::end(kSigns),
-                     [&](std::string_view sign) { return text.find(sign) != text.npos; });
-}
-
 /// A file whose parts are missing may well be sound itself.
-Error refusalOf(const std::string& complaint, const std::vector<std::string>& lostParts,
-                const std::string& origin)
+Error lostPartsError(const std::vector<std::string>& lostParts, const std::string& origin)
 {
-  const std::string wayOut = "save it as OBJ, PLY or STL in the program it comes from";
-  if (!lostParts.empty())
-    return fault(ErrorCode::FileUnreadable, origin, 0,
-                 withSemicolons(lostParts).substr(2) + "; put its parts beside it, or " + wayOut);
-  return fault(ErrorCode::BadFormat, origin, 0,
-               "the assimp library cannot read it (" + complaint +
-                 (tellsOfTheEnd(complaint) ? "); fetch it again, it may be cut short, or " : "); ") + wayOut);
+  return fault(ErrorCode::FileUnreadable, origin, 0,
+               withSemicolons(lostParts).substr(2) +
+                 "; put its parts beside it, or save it as OBJ, PLY or STL in the program it comes from");
 }
 
 bool endsWithOneOf(std::string_view name, std::span<const std::string_view> endings)
@@ -168,7 +154,8 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
   for (const std::string& path : archive.lost)
     reply.notes.push_back("Its part '" + path + "' is missing here: the archive does not hold it.");
   if (!scene) {
-    reply.refusal = refusalOf(importer.GetErrorString(), reply.notes, origin);
+    reply.refusal = reply.notes.empty() ? libraryRefusal(importer.GetErrorString(), bytes, ending, origin)
+                                        : lostPartsError(reply.notes, origin);
     return reply;
   }
   reply.format = ending + " (assimp)";
@@ -177,6 +164,8 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
   Result<Mesh> mesh = SceneCollector(*scene, origin).run(start.root, reply.notes);
   if (mesh)
     reply.mesh = std::move(*mesh);
+  else if ((ending == "x3d" || ending == "dae" || ending == "amf") && hasTornTags(bytes))
+    reply.refusal = libraryRefusal("malformed XML", bytes, ending, origin); // of x3d it says nothing
   else
     reply.refusal = mesh.error();
   return reply;

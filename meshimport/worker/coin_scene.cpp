@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "meshimport/worker/coin_scene.h"
 
+#include "meshimport/library_words.h"
 #include "meshimport/raw_mesh.h"
 #include "meshimport/worker/coin_parts.h"
 
@@ -69,13 +70,12 @@ void onPoint(void* to, SoCallbackAction*, const SoPrimitiveVertex*)
   ++static_cast<Collected*>(to)->points;
 }
 
-/// Keeps the first line of the first complaint.
+/// Keeps the first complaint.
 void onError(const SoError* error, void* to)
 {
   auto& text = *static_cast<std::string*>(to);
   if (!text.empty()) return;
   text = error->getDebugString().getString();
-  text.resize(std::min(text.find('\n'), text.size()));
 }
 
 /// What only looks is not asked for, so it can neither crash nor matter.
@@ -235,10 +235,11 @@ WorkerReply readWithCoin(std::string_view bytes, const std::string& origin, cons
   }
   WorkerReply reply;
   reply.notes = parts.folder.lostParts();
-  if (!scene)
-    return refused(ErrorCode::BadFormat, origin,
-                   "the Coin library cannot read it (" + complaint + ")" + withSemicolons(reply.notes) +
-                     "; save it as OBJ, PLY or STL");
+  if (!scene) {
+    reply.refusal = libraryRefusal(complaint, bytes, "", origin);
+    reply.refusal->detail += withSemicolons(reply.notes);
+    return reply;
+  }
 
   Collected collected;
   collect(scene, collected);

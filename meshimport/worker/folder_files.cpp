@@ -57,6 +57,7 @@ FolderFiles::FolderFiles(const fs::path& model, std::string_view bytes, std::str
   if (!ending.empty()) m_model.replace_extension(ending);
   if (ending == "x3d") m_plain = plainX3d(bytes, m_folder, false);
   if (ending == "dae") m_plain = plainCollada(bytes, m_folder);
+  if (ending == "amf") m_plain = plainAmf(bytes);
   if (!m_plain.empty()) m_bytes = m_plain;
 }
 

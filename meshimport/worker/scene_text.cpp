@@ -150,6 +150,36 @@ std::string plainCollada(std::string_view text, ModelFolder& folder)
   return edited.take();
 }
 
+std::string plainAmf(std::string_view text)
+{
+  EditedText edited(text);
+  XmlTags tags(text);
+  bool hasVolume = false;                  // in this mesh
+  std::size_t endBegin = 0, endBehind = 0; // of the tag that ends it; equal: it has gone
+  for (XmlTag tag; tags.next(tag);) {
+    const auto begin = static_cast<std::size_t>(tag.name.data() - text.data()) - (tag.isEnd ? 2 : 1);
+    if (tag.name == "mesh") {
+      if (tag.isEnd && hasVolume && endBegin == endBehind) edited.replace(begin, begin, "</volume>");
+      hasVolume = false;
+    }
+    if (hasVolume && endBegin == endBehind && !tag.isEnd && (tag.name == "color" || tag.name == "metadata"))
+      edited.replace(begin, endOfElement(tags, tag), ""); // a volume may have one colour, of each name one
+    if (tag.name != "volume") continue;
+    if (tag.isEnd) {
+      endBegin = begin, endBehind = tags.position();
+    } else if (hasVolume || tag.isEmpty) {
+      if (hasVolume && endBegin != endBehind) edited.replace(endBegin, endBehind, "");
+      if (hasVolume) endBegin = endBehind;
+      edited.replace(begin, tags.position(), "");
+    } else {
+      hasVolume = true;
+      endBegin = endBehind = begin;
+      if (!tag.attributes.empty()) edited.replace(begin, tags.position(), "<volume>");
+    }
+  }
+  return edited.take();
+}
+
 std::string unreadableExtension(std::string_view bytes)
 {
   std::string_view text = jsonOf(bytes);

@@ -19,6 +19,10 @@ std::string plainX3d(std::string_view text, ModelFolder& folder, bool isPart);
 /// COLLADA: it refuses a file that takes parts from another one; they go, and are told to the folder.
 std::string plainCollada(std::string_view text, ModelFolder& folder);
 
+/// AMF: of the volumes of a mesh it reads the first one; their triangles come into that. What a volume is made
+/// of goes with colours and names, for an absent material or a second colour makes it refuse the file.
+std::string plainAmf(std::string_view text);
+
 /// The first glTF extension that a file calls required and that this program, or the library, cannot read.
 /// By the standard such a file must not be read; its numbers are packed or placed in another way.
 std::string unreadableExtension(std::string_view bytes);

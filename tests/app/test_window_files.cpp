@@ -155,25 +155,77 @@ TEST_F(WindowFilesTest, AsksBeforeAnotherModelTakesTheFile)
   EXPECT_TRUE(again.given);
 }
 
+namespace {
+
+/// Names a file in the next dialog that asks for one, and lets it replace what is there.
+class ChosenFile : public QTimer {
+public:
+  explicit ChosenFile(const QString& path)
+  {
+    connect(this, &QTimer::timeout, this, [this, path] {
+      QWidget* shown = QApplication::activeModalWidget();
+      if (auto* files = qobject_cast<QFileDialog*>(shown); files != nullptr && !m_isNamed) {
+        m_isNamed = true;
+        files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
+          ->setText(path); // selectFile() leaves it while it has focus
+        QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
+      } else if (auto* replace = qobject_cast<QMessageBox*>(shown); m_isNamed && replace != nullptr) {
+        if (QAbstractButton* yes = replace->button(QMessageBox::Yes)) yes->click();
+      }
+    });
+    start(10);
+  }
+
+private:
+  bool m_isNamed = false;
+};
+
+} // namespace
+
 TEST_F(WindowFilesTest, SavesAnotherVersionElsewhere)
 {
   ASSERT_TRUE(writeFileAtomically(path.toStdString(), theirs));
   Answer elsewhere("dlgOtherVersion", "otherVersionSaveAs");
-  QTimer typed;
   const QString other = folder.filePath("elsewhere.esm");
-  QObject::connect(&typed, &QTimer::timeout, &typed, [&] {
-    auto* files = qobject_cast<QFileDialog*>(QApplication::activeModalWidget());
-    if (files == nullptr) return;
-    typed.stop();
-    files->findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))
-      ->setText(other); // selectFile() leaves it while it has focus
-    QMetaObject::invokeMethod(files, "accept", Qt::QueuedConnection);
-  });
-  typed.start(10);
+  const ChosenFile chosen(other);
   EXPECT_TRUE(window->saveProject());
   EXPECT_EQ(onDisk(), theirs);
   EXPECT_EQ(loadProject(other.toStdString())->name, "mine");
   EXPECT_EQ(window->document()->path(), other);
+}
+
+// Save As onto what somebody else has written, in this project's file or another one, keeps that under a name that no
+// later save touches; a version of this window's own goes to .bak as ever.
+TEST_F(WindowFilesTest, SaveAsKeepsWhatSomebodyElseHasWritten)
+{
+  const QString other = folder.filePath("other.esm");
+  const auto saveAs = [&](const QString& to) {
+    const ChosenFile chosen(to);
+    return window->saveProjectAs();
+  };
+  ASSERT_TRUE(writeFileAtomically(other.toStdString(), theirs));
+  ASSERT_TRUE(saveAs(other)); // another project's file
+  ASSERT_TRUE(QFile::exists(other + ".other.bak"));
+  EXPECT_EQ(*readFile(other.toStdString() + ".other.bak"), theirs);
+  EXPECT_TRUE(window->statusBar()->currentMessage().contains("other.esm.other.bak"))
+    << qPrintable(window->statusBar()->currentMessage());
+  window->document()->rename("mine again");
+  ASSERT_TRUE(saveAs(other)); // this window's own by now
+  EXPECT_FALSE(QFile::exists(other + ".other2.bak"));
+  EXPECT_FALSE(window->statusBar()->currentMessage().contains(".bak"));
+  EXPECT_EQ(*readFile(other.toStdString() + ".other.bak"), theirs);
+
+  ASSERT_TRUE(writeFileAtomically(other.toStdString(), theirs + "\n")); // changed since it was saved here
+  window->document()->rename("third");
+  ASSERT_TRUE(saveAs(other));
+  ASSERT_TRUE(QFile::exists(other + ".other2.bak"));
+  EXPECT_EQ(*readFile(other.toStdString() + ".other2.bak"), theirs + "\n");
+  EXPECT_EQ(loadProject(other.toStdString())->name, "third");
+
+  const QString empty = folder.filePath("empty.esm"), fresh = folder.filePath("fresh.esm");
+  ASSERT_TRUE(writeFileAtomically(empty.toStdString(), ""));
+  ASSERT_TRUE(saveAs(empty) && saveAs(fresh)); // nothing to lose
+  EXPECT_FALSE(QFile::exists(empty + ".other.bak") || QFile::exists(fresh + ".other.bak"));
 }
 
 // Closing asks first whether to save, then this; a window that may not save stays.
@@ -292,17 +344,34 @@ std::vector<Error> errorsOfFiles(const QTemporaryDir& folder)
     if (!project) errors.push_back(project.error());
   }
   for (const std::string& path :
-       {folder.filePath("absent.obj").toStdString(), folder.path().toStdString(), std::string("/dev/zero"),
-        written("empty.stl", ""), written("blank.obj", "  \n"), written("noise.stl", std::string(60, '\x01')),
-        written("points.obj", "v 0 0 0\n"), written("comma.obj", "v 0,5 0 0\n"),
+       {folder.filePath("absent.obj").toStdString(),
+        folder.path().toStdString(),
+        std::string("/dev/zero"),
+        written("empty.stl", ""),
+        written("blank.obj", "  \n"),
+        written("noise.stl", std::string(60, '\x01')),
+        written("points.obj", "v 0 0 0\n"),
+        written("comma.obj", "v 0,5 0 0\n"),
         written("far.obj", "v 0 0 0\nv 1 0 0\nf 1 2 9\n"),
         written("cut.stl", "solid a\nfacet normal 0 0 1\nouter loop\nvertex 0 0\n"),
         written("cloud.ply", "ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float "
                              "y\nproperty float z\nend_header\n0 0 0\n"),
-        written("picture.obj", "\x89PNG\r\n\x1a\n"), written("plate.step", "ISO-10303-21;\nHEADER;\n"),
-        written("deck.inp", "*HEADING\n*NODE\n"), written("paged.obj", "<!doctype html>\n"),
-        written("lost.gltf", gltfOf("../outside.bin")), written("gone.gltf", gltfOf("gone.bin")),
+        written("picture.obj", "\x89PNG\r\n\x1a\n"),
+        written("plate.step", "ISO-10303-21;\nHEADER;\n"),
+        written("deck.inp", "*HEADING\n*NODE\n"),
+        written("paged.obj", "<!doctype html>\n"),
+        written("lost.gltf", gltfOf("../outside.bin")),
+        written("gone.gltf", gltfOf("gone.bin")),
         written("old.off", "OFF\n3 1 0\n0 0 0\n"),
+        written("torn.amf", "<amf>\n<object>\n</amf>"),
+        written("cut.dae", "<?xml version=\"1.0\"?><COLLADA"),
+        written("torn.3mf", "PK\3\4 no archive"),
+        written("cut.lwo", "FARM"),
+        written("letter.nff", "p 3\n0 0 0\n1 a 0\n0 1 0\n"),
+        written("none.3ds", "no 3DS at all"),
+        written("cut.fbx", "; FBX 7.3.0 project file\nObjects:  {\n"),
+        written("torn.iv", "#Inventor V2.1 ascii\nSeparator {\n Coord3 { }\n}\n"),
+        written("cut.gltf", gltfOf("gone.bin").substr(0, 200)),
         written("nan.obj", "v 0 0 0\nv nan 0 0\nv 0 1 0\nf 1 2 3\n")}) {
     const auto mesh = importMesh(path);
     EXPECT_FALSE(mesh) << path;
@@ -361,6 +430,24 @@ TEST_F(WindowTest, WhatIsWrongWithAFileIsSaidInTheWindowsLanguage)
                      "CAD program and save that as STL or OBJ")),
     "x.step: das ist eine STEP-Datei, die Flächen enthält und kein Netz; im CAD-Programm vernetzen und das "
     "als STL oder OBJ speichern");
+  EXPECT_EQ(
+    errorDetail(QStringLiteral("x.amf: line 4: </a> stands where </b> should, begun in line 2; mend it, or "
+                               "save it as OBJ, PLY or STL in the program it comes from")),
+    "x.amf: Zeile 4: </a> steht, wo </b> stehen müsste, begonnen in Zeile 2; sie in Ordnung bringen, oder "
+    "sie in dem Programm, aus dem sie kommt, als OBJ, PLY oder STL speichern");
+  EXPECT_EQ(
+    errorDetail(QStringLiteral("x.x: the reader for this format failed: it crashed (segmentation fault), "
+                               "by a fault of its own or because the file is damaged; convert the file to "
+                               "OBJ, PLY or STL")),
+    "x.x: der Leser dieses Formats ist gescheitert: er ist abgestürzt (Speicherschutzfehler), durch einen "
+    "eigenen Fehler oder weil die Datei beschädigt ist; die Datei in OBJ, PLY oder STL umwandeln");
+  // what nobody knows is the library's, and said to be
+  EXPECT_EQ(errorDetail(QStringLiteral(
+              "x.b3d: the file cannot be read; save it as OBJ, PLY or STL in the program it comes "
+              "from; the reading library says: B3D: line 5; a file is odd")),
+            "x.b3d: die Datei kann nicht gelesen werden; sie in dem Programm, aus dem sie kommt, als OBJ, "
+            "PLY oder STL "
+            "speichern; die lesende Bibliothek sagt: B3D: line 5; a file is odd");
   EXPECT_EQ(errorDetail(QStringLiteral("x.esm: cannot be read (Permission denied)")),
             "x.esm: nicht lesbar (keine Berechtigung)");
   EXPECT_EQ(errorDetail(QStringLiteral("%2.obj: line 1: '%1' is no corner (as 7, 7/1, 7//3 or 7/1/3)")),

@@ -76,4 +76,47 @@ TEST(Assimp, brokenFilesAreRefusedInOneLine)
   }
 }
 
+std::string amf(const std::string& volumes)
+{
+  const auto vertex = [](const char* x, const char* y, const char* z) {
+    return std::string("<vertex><coordinates><x>") + x + "</x><y>" + y + "</y><z>" + z +
+           "</z></coordinates></vertex>";
+  };
+  return "<?xml version=\"1.0\"?><amf unit=\"millimeter\"><object id=\"1\"><mesh><vertices>" +
+         vertex("0", "0", "0") + vertex("10", "0", "0") + vertex("0", "10", "0") + vertex("0", "0", "10") +
+         "</vertices>" + volumes + "</mesh></object></amf>";
+}
+std::string amfTriangle(int a, int b, int c)
+{
+  return "<triangle><v1>" + std::to_string(a) + "</v1><v2>" + std::to_string(b) + "</v2><v3>" +
+         std::to_string(c) + "</v3></triangle>";
+}
+
+/// Bodies of two materials share one list of vertices: each volume holds its triangles, and all arrive.
+TEST(Assimp, everyVolumeOfAnAmfIsRead)
+{
+  const std::string wall = amfTriangle(0, 1, 2), rest = amfTriangle(0, 1, 3) + amfTriangle(0, 2, 3);
+  const std::string one = "<volume>" + wall + rest + "</volume>";
+  EXPECT_EQ(summary(importBytes("x.amf", amf(one))), "4/6/3");
+  EXPECT_EQ(
+    summary(importBytes("x.amf", amf("<volume>" + wall + "</volume>\n<volume>" + rest + "</volume>"))),
+    "4/6/3");
+  // materials that the file does not hold, names and colours; volumes without a triangle
+  EXPECT_EQ(
+    summary(importBytes(
+      "x.amf", amf("<volume/><volume materialid=\"7\"><metadata type=\"name\">wall</metadata><color><r>0</r>"
+                   "<g>1</g><b>0</b></color>" +
+                   wall +
+                   "</volume><volume/><!-- <volume> --><volume materialid=\"8\" type=\"object\"><color>"
+                   "<r>1</r><g>0</g><b>0</b></color>" +
+                   rest + "</volume><volume/>"))),
+    "4/6/3");
+  EXPECT_EQ(summary(importBytes("x.amf", amf("<volume>" + wall +
+                                             "</volume><metadata type=\"name\">a</metadata><volume>" + rest +
+                                             "</volume>"))),
+            "4/6/3");
+  EXPECT_EQ(summary(importBytes("x.amf", amf("<volume></volume><volume>" + wall + rest + "</volume>"))),
+            "4/6/3");
+}
+
 } // namespace

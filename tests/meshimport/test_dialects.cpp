@@ -3,9 +3,12 @@
 
 // Small deviations of wide-spread writers, which other programs read: the mesh arrives and what was odd is
 // said.
+#include "tests/meshimport/dxf_text.h"
 #include "tests/meshimport/import_bytes.h"
 
 #include <gmock/gmock.h>
+
+#include <algorithm>
 
 namespace {
 
@@ -303,6 +306,49 @@ TEST(CutShort, isSaidOfFilesThatEndTooEarly)
     {"x.stl", "solid x\n" + kFacet.substr(0, 60)},
     {"x.dxf", "0\nSECTION\n2\nENTITIES\n0\nLINE\n10\n0\n20\n0\n"}};
   for (const auto& [name, bytes] : cut) EXPECT_THAT(refusalOf(name, bytes), HasSubstr("cut short")) << bytes;
+}
+
+// === Numbers of any format
+
+/// Programs in Fortran write numbers of double precision with D: all text formats that have readers of their own.
+TEST(Dialects, exponentsAsFortranWritesThemAreRead)
+{
+  const std::string a = "0.0D+00 0.0D+00 0.0D+00\n", b = "1.0D+01 0.0D+00 0.0D+00\n",
+                    c = "0.0D+00 2.5d-1 0.0D+00\n", all = a + b + c;
+  const auto oneLine = [](std::string text) {
+    std::replace(text.begin(), text.end(), '\n', ' ');
+    return text + "\n";
+  };
+  const std::pair<const char*, std::string> files[] = {
+    {"x.stl", "solid x\nfacet normal 0.0D+00 0.0D+00 1.0D+00\nouter loop\nvertex " + a + "vertex " + b +
+                "vertex " + c + "endloop\nendfacet\nendsolid x\n"},
+    {"x.obj", "v " + a + "v " + b + "v " + c + "f 1 2 3\n"},
+    {"x.off", "OFF\n3 1 3\n" + all + "3 0 1 2\n"},
+    {"x.ply", "ply\nformat ascii 1.0\nelement vertex 3\nproperty double x\nproperty double y\n"
+              "property double z\nelement face 1\nproperty list uchar int vertex_indices\nend_header\n" +
+                all + "3 0 1 2\n"},
+    {"x.vtk", "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS 3 double\n" + all +
+                "POLYGONS 1 4\n3 0 1 2\n"},
+    {"x.vtp",
+     "<?xml version=\"1.0\"?>\n<VTKFile type=\"PolyData\" version=\"0.1\"><PolyData><Piece "
+     "NumberOfPoints=\"3\" NumberOfPolys=\"1\"><Points><DataArray type=\"Float64\" NumberOfComponents=\"3\" "
+     "format=\"ascii\">" +
+       all +
+       "</DataArray></Points><Polys><DataArray type=\"Int32\" Name=\"connectivity\" format=\"ascii\">0 1 2"
+       "</DataArray><DataArray type=\"Int32\" Name=\"offsets\" format=\"ascii\">3</DataArray></Polys></Piece>"
+       "</PolyData></VTKFile>\n"},
+    {"x.msh", "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n$Nodes\n3\n1 " + a + "2 " + b + "3 " + c +
+                "$EndNodes\n$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n"},
+    {"x.raw", oneLine(all)},
+    {"x.dxf", dxf("0\n3DFACE\n8\n0\n10\n0.0D+00\n20\n0.0D+00\n30\n0.0D+00\n11\n1.0D+01\n21\n0.0D+00\n31\n"
+                  "0.0D+00\n12\n0.0D+00\n22\n2.5d-1\n32\n0.0D+00\n13\n0.0D+00\n23\n2.5d-1\n33\n0.0D+00\n")}};
+  for (const auto& [name, bytes] : files) {
+    const auto imported = importBytes(name, bytes);
+    EXPECT_EQ(summary(imported), "3/3/1") << name;
+    if (!imported) continue;
+    EXPECT_EQ(imported->report.boxMin, Eigen::Vector3d(0, 0, 0)) << name;
+    EXPECT_EQ(imported->report.boxMax, Eigen::Vector3d(10, 0.25, 0)) << name;
+  }
 }
 
 } // namespace

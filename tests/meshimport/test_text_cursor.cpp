@@ -27,7 +27,11 @@ TEST(TextCursor, readsEveryDialectOfNumbersWithAPoint)
   EXPECT_EQ(numberOf("  +.5 7"), 0.5);
   EXPECT_EQ(numberOf("4.#"), 4.0);
   EXPECT_EQ(numberOf("-1E-3\r\n"), -1e-3);
-  EXPECT_EQ(numberOf("0.1"), 0.1); // to the last bit
+  EXPECT_EQ(numberOf("0.1"), 0.1);        // to the last bit
+  EXPECT_EQ(numberOf("1.0D+01\n"), 10.0); // as Fortran writes them
+  EXPECT_EQ(numberOf("-2.5d-3 D"), -2.5e-3);
+  EXPECT_EQ(numberOf("1D-999"), 0.0);
+  EXPECT_TRUE(std::isinf(*numberOf("1D+999")));
   EXPECT_TRUE(std::isnan(*numberOf("nan")));
 }
 
@@ -53,7 +57,7 @@ TEST(TextCursor, numbersOfAnyLengthAreReadToTheLastBit)
 
 TEST(TextCursor, whatIsNoWholeNumberIsRefused)
 {
-  for (const char* text : {"1,5", "1.5mm", "x", "", "+-1", "--1", "1e5e5", "0x10"})
+  for (const char* text : {"1,5", "1.5mm", "x", "", "+-1", "--1", "1e5e5", "0x10", "1D", "1D+", "1.0D+01mm"})
     EXPECT_FALSE(numberOf(text)) << text;
 }
 

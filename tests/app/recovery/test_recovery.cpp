@@ -15,6 +15,7 @@
 #include <QListWidget>
 #include <QMessageBox>
 #include <QPlainTextEdit>
+#include <QStatusBar>
 #include <QTabWidget>
 #include <QTemporaryDir>
 #include <QTest>
@@ -304,6 +305,101 @@ TEST_F(RecoveryTest, StepsAreCountedFromTheSavedState)
   EXPECT_EQ(document().stepsAfterSave(), 3);
   document().rename("d");
   EXPECT_EQ(document().stepsAfterSave(), 4);
+}
+
+// A project that is named at the start is not lost for recovered work: it opens in another window, and the status bar
+// says so; where that cannot be, a dialog does.
+TEST_F(RecoveryTest, AProjectNamedAtTheStartIsOpenedBesideRecoveredWork)
+{
+  const QString other = folder.filePath("other.esm");
+  ASSERT_TRUE(saveProject(test::sheetProject(4), other.toStdString()));
+  ASSERT_TRUE(document().saveAs(file()));
+  document().rename("mine");
+  QStringList started;
+  const auto start = [&](const QString& named, bool works) {
+    ASSERT_TRUE(window->recovery()->waitWritten(std::chrono::seconds(10)));
+    crash();
+    openWindow();
+    window->begin(named, [&](const QString& path) {
+      started << path;
+      return works;
+    });
+  };
+  answer("recoveryRecover");
+  ASSERT_NO_FATAL_FAILURE(start(other, true));
+  EXPECT_EQ(document().project().name, "mine");
+  EXPECT_EQ(started, QStringList{other});
+  const QString message = window->statusBar()->currentMessage();
+  EXPECT_TRUE(message.contains("Recovered: 1 step") &&
+              message.contains("“other.esm” opens in a window of its own"))
+    << message.toStdString();
+
+  answer("recoveryRecover");
+  ASSERT_NO_FATAL_FAILURE(start(file(), true)); // the work is a later state of it
+  answer("recoveryRecover");
+  ASSERT_NO_FATAL_FAILURE(start(QString(), true));
+  EXPECT_EQ(started.size(), 1);
+
+  answer("recoveryRecover");
+  answer("Close");
+  ASSERT_NO_FATAL_FAILURE(start(other, false));
+  EXPECT_EQ(asked, "dlgNamedLater");
+  EXPECT_TRUE(said.contains("“other.esm” is not open")) << said.toStdString();
+  EXPECT_EQ(document().project().name, "mine");
+
+  answer("recoveryRecover");
+  answer("namedOpenHere");
+  answer("Discard"); // asked whether to save what was recovered
+  ASSERT_NO_FATAL_FAILURE(start(other, false));
+  EXPECT_EQ(document().path(), other);
+
+  document().rename("changed");
+  answer("recoveryLater");
+  started.clear();
+  ASSERT_NO_FATAL_FAILURE(start(file(), true)); // without recovered work as ever
+  EXPECT_EQ(document().path(), file());
+  EXPECT_TRUE(started.isEmpty());
+}
+
+// Who has replaced the model is asked before the next save takes the former organ's file, in every later process
+// too; not where that is undone, and not once the file holds the new organ.
+TEST_F(RecoveryTest, AnotherModelIsAskedAboutAfterACrashToo)
+{
+  const auto comeBack = [&] {
+    ASSERT_TRUE(window->recovery()->waitWritten(std::chrono::seconds(10)));
+    crash();
+    openWindow();
+    answer("recoveryRecover");
+    ASSERT_TRUE(window->offerRecovery(false));
+    ASSERT_EQ(document().path(), file());
+  };
+  ASSERT_TRUE(document().saveAs(file()));
+  document().rename("mine");
+  ASSERT_NO_FATAL_FAILURE(comeBack());
+  EXPECT_FALSE(document().fileHoldsAnotherModel()) << "it is the file's own";
+  ASSERT_TRUE(document().importModel({"other", {}, test::sheetProject(5).net, {}}, true));
+  document().setInput(0, 0.9, 0);
+  for (int life = 0; life < 2; ++life) {
+    ASSERT_NO_FATAL_FAILURE(comeBack());
+    answer("Cancel");
+    EXPECT_FALSE(window->saveProject()) << life;
+    EXPECT_EQ(asked, "dlgOtherModel") << life;
+    EXPECT_TRUE(said.contains("organ.esm")) << life;
+    EXPECT_EQ(loadProject(file().toStdString())->name, "sheet") << life;
+  }
+  document().undoStack()->undo();
+  EXPECT_TRUE(document().fileHoldsAnotherModel());
+  document().undoStack()->undo(); // the import
+  EXPECT_FALSE(document().fileHoldsAnotherModel());
+  document().undoStack()->redo();
+  makeMistake("hardnes IS very hard"); // a save that leaves something out: the lines go on
+  ASSERT_TRUE(document().saveAs(file()));
+  document().rename("later");
+  ASSERT_NO_FATAL_FAILURE(comeBack());
+  EXPECT_FALSE(document().fileHoldsAnotherModel()) << "the file holds the new organ now";
+  document().undoStack()->undo();
+  document().undoStack()->undo();
+  EXPECT_TRUE(document().fileHoldsAnotherModel()) << "the former organ is another one now";
 }
 
 // A rule with a mistake is unsaved work: in the title, at closing, after a crash, and not in another project.

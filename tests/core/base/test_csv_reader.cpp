@@ -80,6 +80,7 @@ TEST(CsvReader, NumbersHavePointsOrCommasButNotBoth)
 {
   EXPECT_EQ(numbersOf("a;b\n2,5;-0,125\n5;1,5E-1\n"), "2.500 -0.12 5.000 0.150 ");
   EXPECT_EQ(numbersOf("a\n2,5\n5\n"), "2.500 5.000 ");
+  EXPECT_EQ(numbersOf("a;b\n2.5D+00;1\n1.25d-1;1\n"), "2.500 1.000 0.125 1.000 "); // of a Fortran program
   EXPECT_EQ(numbersOf("a\n\"2,5\"\n5\n"), "2.500 5.000 ");
   EXPECT_EQ(numbersOf("a,b\n2.5,x\n+5,1e-1\n"), "2.500 ? 5.000 0.100 ");
   EXPECT_EQ(numbersOf("a;b\n1,23,4;1,2,3\n"), "? ? ");

@@ -37,6 +37,19 @@ TEST(TextNumber, IgnoresTheLocale)
   std::setlocale(LC_ALL, "C");
 }
 
+// Fortran writes double precision with the letter D, which numbers of our own files and commands never have.
+TEST(TextNumber, FortransExponentsAreReadInForeignFilesOnly)
+{
+  EXPECT_EQ(parseForeignDouble("1.0D+01"), 10.0);
+  EXPECT_EQ(parseForeignDouble("-2.5d-3"), -2.5e-3);
+  EXPECT_EQ(parseForeignDouble("+.1D0"), 0.1); // to the last bit
+  EXPECT_EQ(parseForeignDouble("12345678901234567D-16"), 1.2345678901234567);
+  EXPECT_EQ(parseForeignDouble("1.5e2"), 150.0);
+  for (const char* text : {"1.0D", "1.0D+", "D+01", "1.0D+01D", "1.0DE1", "1.0E1D1", "1.0 D1", "1D99999"})
+    EXPECT_FALSE(parseForeignDouble(text)) << text;
+  EXPECT_FALSE(parseDouble("1.0D+01"));
+}
+
 TEST(TextNumber, TakesTheWholeTextOrNothing)
 {
   for (const char* bad : {"", " 1", "1 ", "1,5", "0x10", "1e", "--1", "+-1", "1.5m"})
