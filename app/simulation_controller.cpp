@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/simulation_controller.h"
 
-#include "core/runtime/limited_pull.h"
+#include "core/contact/limited_pull.h"
 
 #include <QCoreApplication>
 #include <QGuiApplication>

@@ -6,11 +6,11 @@
 #include "bench/runs.h"
 #include "bench/scene_shapes.h"
 #include "bench/sub_benches.h"
+#include "core/base/hand_over.h"
 #include "core/base/text_number.h"
+#include "core/contact/tool_grip.h"
 #include "core/project/project_io.h"
-#include "core/runtime/hand_over.h"
 #include "core/runtime/quality_ladder.h"
-#include "core/runtime/tool_grip.h"
 
 #include <cmath>
 #include <cstdio>

@@ -4,7 +4,7 @@
 
 #include "core/base/json_line.h"
 #include "core/geometry/mesh_report.h"
-#include "core/support/net_cost.h"
+#include "core/structure/net_cost.h"
 #include "meshimport/net_import.h"
 
 /// What `esm import` and `esm inspect` tell of meshes and of what becomes of them.

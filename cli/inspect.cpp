@@ -11,7 +11,7 @@
 #include "core/geometry/self_intersections.h"
 #include "core/net/net_edit.h"
 #include "core/project/project_io.h"
-#include "core/support/quality.h"
+#include "core/quality/quality.h"
 #include "meshimport/net_import.h"
 
 #include <filesystem>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/runtime/hand_over.h"
+#include "core/base/hand_over.h"
 #include "haptics/haptic_device.h"
 
 #include <Eigen/Core>

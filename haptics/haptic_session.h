@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/hand_over.h"
 #include "core/base/result.h"
-#include "core/runtime/hand_over.h"
 #include "haptics/arming.h"
 #include "haptics/device/driver_profile.h"
 #include "haptics/haptic_device.h"

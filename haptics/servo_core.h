@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/hand_over.h"
 #include "core/base/triple_buffer.h"
-#include "core/runtime/hand_over.h"
 #include "haptics/arming.h"
 #include "haptics/contact_law.h"
 #include "haptics/energy_guard.h"

@@ -15,26 +15,32 @@ from pathlib import Path
 ROOT = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().parent.parent
 
 # Which of our folders a folder may include, besides itself.
+LOW = ["core/base", "core/geometry", "core/net", "core/forces", "core/linear"]
+# What every room of the engine hands over; the door, simulation.h, is not among them.
+HANDED = [f"core/dynamics/{name}.h" for name in ("net_state", "solver_settings", "step_report", "energy_report",
+                                                 "parameter_change")]
+ROOMS = [f"core/dynamics/{room}" for room in ("system", "bounds", "methods", "planner", "rest")]
 CORE = {
     "core/base": [],
     "core/geometry": ["core/base"],
     "core/net": ["core/base", "core/geometry"],
     "core/forces": ["core/base", "core/geometry", "core/net"],
-    "core/dynamics": ["core/base", "core/geometry", "core/net", "core/forces"],
-    "core/support": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics", "core/fuzzy",
-                     "core/tissue"],
+    "core/linear": ["core/base", "core/geometry", "core/net", "core/forces"],
+    **{room: [*LOW, *HANDED, *ROOMS[:i]] for i, room in enumerate(ROOMS)},
+    "core/dynamics": LOW,
+    "core/contact": [*LOW, "core/dynamics"],
     "core/fuzzy": ["core/base"],
     "core/tissue": ["core/base", "core/geometry", "core/net", "core/fuzzy"],
-    "core/learning": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics", "core/fuzzy",
-                      "core/tissue"],
-    "core/runtime": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics"],
-    "core/project": ["core/base", "core/geometry", "core/net", "core/forces", "core/dynamics", "core/support",
-                     "core/fuzzy", "core/tissue"],
+    "core/quality": [*LOW, "core/fuzzy", "core/tissue"],
+    "core/structure": [*LOW, "core/dynamics", "core/fuzzy", "core/tissue", "core/quality"],
+    "core/learning": [*LOW, "core/dynamics", "core/fuzzy", "core/tissue"],
+    "core/runtime": [*LOW, "core/dynamics", "core/contact"],
+    "core/project": [*LOW, "core/dynamics", "core/fuzzy", "core/tissue", "core/quality", "core/structure"],
 }
 ALLOWED = {
     **CORE,
-    "meshimport": ["core/base", "core/geometry", "core/net", "core/support", "core/project/import_recipe.h"],
-    "haptics": ["core/base", "core/runtime/hand_over.h"],
+    "meshimport": ["core/base", "core/geometry", "core/net", "core/structure", "core/project/import_recipe.h"],
+    "haptics": ["core/base"],
     "haptics/replay": [*CORE["core/runtime"], "core/runtime", "haptics"],
     "fuzzyeditor": ["core"],
     "app": ["core", "meshimport", "haptics", "fuzzyeditor"],

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/import/import_preview.h"
 
-#include "core/support/net_cost.h"
+#include "core/structure/net_cost.h"
 #include "core/tissue/tissue_derivation.h"
 
 namespace esm {

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "app/import/defect_places.h"
-#include "core/support/quality.h"
+#include "core/quality/quality.h"
 #include "core/tissue/tissue_model.h"
 #include "meshimport/net_import.h"
 

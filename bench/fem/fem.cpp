@@ -5,8 +5,8 @@
 #include "bench/fem/fem_case.h"
 #include "bench/sub_benches.h"
 #include "core/dynamics/simulation.h"
-#include "core/support/material.h"
-#include "core/support/support.h"
+#include "core/structure/material.h"
+#include "core/structure/support.h"
 
 #include <algorithm>
 #include <chrono>

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/growth_watch.h"
 #include "core/dynamics/net_state.h"
-#include "core/dynamics/region_driver.h"
+#include "core/dynamics/planner/growth_watch.h"
+#include "core/dynamics/rest/region_driver.h"
 
 #include <memory>
 #include <span>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/budget.h"
 #include "core/base/result.h"
-#include "core/dynamics/budget.h"
 #include "core/dynamics/energy_report.h"
 #include "core/dynamics/net_state.h"
 #include "core/dynamics/parameter_change.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/implicit_matrix.h"
+#include "core/dynamics/system/implicit_matrix.h"
 
 #include <cstdint>
 #include <limits>

@@ -31,7 +31,7 @@ struct ForceTable {
 };
 
 /// Where a spring comes from; tissue gives each kind its stiffness in its own way. From Strut on they belong to
-/// the support layer (core/support/support.h): nothing else makes them, so that they can be taken away again.
+/// the support layer (core/structure/support.h): nothing else makes them, so that they can be taken away again.
 ///
 ///     Strut         from wall to wall, to a hub, of a lattice or of tetrahedra
 ///     WallEdge      of a wall: edge of an inner sheet
@@ -52,7 +52,7 @@ inline constexpr bool isOfSupport(SpringKind kind) noexcept
 ///     2007)
 enum class EdgeFormula : std::uint8_t { VanGelder, Regular };
 
-/// How geometry makes springs from a tissue's Young's modulus, see core/support/material.h.
+/// How geometry makes springs from a tissue's Young's modulus, see core/structure/material.h.
 struct NetMaterial {
   EdgeFormula edges = EdgeFormula::VanGelder;
   double modulusScale = 1.0; ///< every spring's stiffness is multiplied by it [1], > 0

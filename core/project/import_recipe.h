@@ -5,8 +5,8 @@
 #include "core/base/result.h"
 #include "core/geometry/repair/repair.h"
 #include "core/geometry/scene_frame.h"
-#include "core/support/material.h"
-#include "core/support/support.h"
+#include "core/structure/material.h"
+#include "core/structure/support.h"
 
 #include <cstdint>
 #include <filesystem>

@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/contact/node_patch.h"
 #include "core/dynamics/solver_settings.h"
 #include "core/forces/loads.h"
 #include "core/net/parameter_patch.h"
-#include "core/runtime/node_patch.h"
 #include "core/runtime/quality_ladder.h"
 
 #include <Eigen/Core>

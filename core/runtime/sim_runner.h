@@ -2,15 +2,15 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/hand_over.h"
 #include "core/base/triple_buffer.h"
+#include "core/contact/static_compliance.h"
+#include "core/contact/tool_grip.h"
+#include "core/contact/tool_tip.h"
 #include "core/dynamics/simulation.h"
-#include "core/runtime/hand_over.h"
 #include "core/runtime/sim_command.h"
 #include "core/runtime/sim_thread.h"
-#include "core/runtime/static_compliance.h"
 #include "core/runtime/told_error.h"
-#include "core/runtime/tool_grip.h"
-#include "core/runtime/tool_tip.h"
 
 #include <cstdint>
 #include <functional>

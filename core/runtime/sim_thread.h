@@ -2,11 +2,11 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/base/hand_over.h"
 #include "core/base/result.h"
+#include "core/contact/node_patch.h"
 #include "core/dynamics/simulation.h"
 #include "core/runtime/frame_clock.h"
-#include "core/runtime/hand_over.h"
-#include "core/runtime/node_patch.h"
 #include "core/runtime/quality_ladder.h"
 
 #include <memory>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "haptics/replay/true_force.h"
 
-#include "core/runtime/tool_grip.h"
-#include "core/runtime/tool_tip.h"
+#include "core/contact/tool_grip.h"
+#include "core/contact/tool_tip.h"
 
 #include <algorithm>
 #include <cmath>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
-#include "core/dynamics/integrator.h"
+#include "core/dynamics/methods/integrator.h"
 #include "tests/support/nets.h"
 
 #include <memory>

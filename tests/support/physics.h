@@ -3,7 +3,7 @@
 #pragma once
 
 #include "core/dynamics/simulation.h"
-#include "core/dynamics/system.h"
+#include "core/dynamics/system/system.h"
 
 #include <gtest/gtest.h>
 

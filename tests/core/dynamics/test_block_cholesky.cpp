@@ -3,8 +3,8 @@
 
 // The sparse factor against what linear algebra says, with Eigen's dense solvers as witnesses.
 #include "core/base/hash.h"
-#include "core/dynamics/block_cholesky.h"
-#include "core/dynamics/preconditioned_cg.h"
+#include "core/linear/block_cholesky.h"
+#include "core/linear/preconditioned_cg.h"
 #include "tests/support/physics.h"
 
 #include <Eigen/Dense>

@@ -3,8 +3,8 @@
 
 // The step that keeps time under a hand: its matrix, its laws, and that `auto` takes it when the clock asks.
 #include "core/base/text_number.h"
-#include "core/dynamics/implicit_matrix.h"
-#include "core/dynamics/step_gradients.h"
+#include "core/dynamics/methods/step_gradients.h"
+#include "core/dynamics/system/implicit_matrix.h"
 #include "tests/core/dynamics/skip_nets.h"
 #include "tests/support/stress_run.h"
 

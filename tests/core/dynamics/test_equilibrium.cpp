@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Where a net would be in balance is found from where it is, and known as long as it is balance.
-#include "core/dynamics/equilibrium.h"
+#include "core/dynamics/rest/equilibrium.h"
 #include "tests/core/dynamics/skip_nets.h"
 #include "tests/support/physics.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // How much a stretch may err, and what becomes of it.
-#include "core/dynamics/error_gauge.h"
+#include "core/dynamics/planner/error_gauge.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // What the implicit methods share: their matrix, the life of a factor; and the linearised Euler method.
-#include "core/dynamics/implicit_matrix.h"
-#include "core/dynamics/integrator.h"
+#include "core/dynamics/methods/integrator.h"
+#include "core/dynamics/system/implicit_matrix.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 

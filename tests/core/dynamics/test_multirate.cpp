@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // Springs at their own rates give the motion that one rate for all gives, for less.
-#include "core/dynamics/integrator.h"
-#include "core/dynamics/multirate_layout.h"
+#include "core/dynamics/methods/integrator.h"
+#include "core/dynamics/methods/multirate_layout.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 

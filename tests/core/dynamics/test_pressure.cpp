@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
-#include "core/dynamics/implicit_matrix.h"
 #include "core/dynamics/simulation.h"
+#include "core/dynamics/system/implicit_matrix.h"
 #include "core/net/net_builder.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Relaxation leads to states of balance, in one step, and its books of work and heat agree.
-#include "core/dynamics/integrator.h"
+#include "core/dynamics/methods/integrator.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // No net may blow up, and what goes wrong is said.
-#include "core/dynamics/step_driver.h"
+#include "core/dynamics/planner/step_driver.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 

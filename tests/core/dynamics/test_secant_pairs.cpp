@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Pairs of steps and residuals against the dense formula of BFGS, and what theory says of it.
-#include "core/dynamics/secant_pairs.h"
+#include "core/dynamics/methods/secant_pairs.h"
 
 #include <Eigen/Dense>
 #include <gtest/gtest.h>

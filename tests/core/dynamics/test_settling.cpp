@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // The last part of the way to rest is taken in one go, where it is known how long it is.
-#include "core/dynamics/settling.h"
+#include "core/dynamics/rest/settling.h"
 #include "tests/core/dynamics/skip_nets.h"
 #include "tests/support/physics.h"
 

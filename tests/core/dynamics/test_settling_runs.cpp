@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Whole motions end in balance, within the tolerance.
-#include "core/dynamics/settling.h"
+#include "core/dynamics/rest/settling.h"
 #include "tests/core/dynamics/skip_nets.h"
 #include "tests/support/physics.h"
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // Whatever changes wakes whom it touches, and no answer of a simulation depends on who sleeps.
-#include "core/dynamics/active_region.h"
-#include "core/dynamics/rest_watch.h"
+#include "core/dynamics/rest/active_region.h"
+#include "core/dynamics/rest/rest_watch.h"
 #include "tests/core/dynamics/skip_nets.h"
 
 namespace esm::test {

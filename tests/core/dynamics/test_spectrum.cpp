@@ -2,10 +2,10 @@
 // SPDX-License-Identifier: MIT
 
 // How fast a net can move, and what the explicit methods make of it.
-#include "core/dynamics/chebyshev_damping.h"
-#include "core/dynamics/integrator.h"
-#include "core/dynamics/spectral_radius.h"
-#include "core/dynamics/step_bound.h"
+#include "core/dynamics/bounds/spectral_radius.h"
+#include "core/dynamics/bounds/step_bound.h"
+#include "core/dynamics/methods/chebyshev_damping.h"
+#include "core/dynamics/methods/integrator.h"
 #include "tests/support/nets.h"
 #include "tests/support/one_mass.h"
 #include "tests/support/physics.h"

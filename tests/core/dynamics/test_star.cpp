@@ -3,7 +3,7 @@
 
 // Many springs on one free hub: it swings a hundred times faster than what hangs on it, and must not set the
 // steps of all.
-#include "core/dynamics/stiff_nodes.h"
+#include "core/dynamics/methods/stiff_nodes.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 

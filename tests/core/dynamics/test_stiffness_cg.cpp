@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Solutions with the stiffness, and bounds of them, without a factor.
-#include "core/dynamics/stiffness_cg.h"
+#include "core/dynamics/system/stiffness_cg.h"
 #include "tests/core/dynamics/skip_nets.h"
 
 #include <Eigen/Dense>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // Stoermer's multistep method: how far it is stable, and what it keeps from one run to the next.
-#include "core/dynamics/stoermer_limits.h"
+#include "core/dynamics/bounds/stoermer_limits.h"
 #include "tests/support/nets.h"
 #include "tests/support/one_mass.h"
 #include "tests/support/physics.h"

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // What supports lend while Descent moves the net, entry by entry.
-#include "core/dynamics/energy_sums.h"
+#include "core/dynamics/system/energy_sums.h"
 
 #include <gtest/gtest.h>
 

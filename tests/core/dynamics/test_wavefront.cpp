@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // The propagation of 1999, node by node from the greatest force outward.
-#include "core/dynamics/integrator.h"
-#include "core/dynamics/wavefront_order.h"
+#include "core/dynamics/methods/integrator.h"
+#include "core/dynamics/methods/wavefront_order.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 

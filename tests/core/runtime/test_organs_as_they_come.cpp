@@ -3,7 +3,7 @@
 
 // What a hand sees of organs with slivers and struts, whose plain steps no computer could pay for.
 #include "core/runtime/sim_runner.h"
-#include "core/support/support.h"
+#include "core/structure/support.h"
 #include "core/tissue/tissue_model.h"
 
 #include "tests/core/runtime/irregular_organ.h"

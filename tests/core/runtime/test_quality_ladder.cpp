@@ -3,7 +3,7 @@
 #include "core/runtime/quality_ladder.h"
 
 #include "core/runtime/sim_runner.h"
-#include "hanging_chain.h"
+#include "tests/core/contact/hanging_chain.h"
 
 #include <gtest/gtest.h>
 

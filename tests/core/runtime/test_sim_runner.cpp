@@ -3,7 +3,7 @@
 #include "core/runtime/sim_runner.h"
 
 #include "core/runtime/coalesce.h"
-#include "hanging_chain.h"
+#include "tests/core/contact/hanging_chain.h"
 #include "tests/support/patch_between.h"
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/runtime/sim_thread.h"
 
-#include "hanging_chain.h"
+#include "tests/core/contact/hanging_chain.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: MIT
 
 // What the screen says of the error, and what it is.
+#include "core/contact/tool_grip.h"
 #include "core/runtime/told_error.h"
-#include "core/runtime/tool_grip.h"
 #include "core/tissue/tissue_model.h"
 
 #include "tests/core/tissue/test_nets.h"

@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: MIT
 
 // A slider from end to end: from the word to the springs that move. Counted work, no time.
+#include "core/contact/node_hold.h"
+#include "core/contact/tool_grip.h"
 #include "core/dynamics/simulation.h"
-#include "core/runtime/node_hold.h"
-#include "core/runtime/tool_grip.h"
 #include "core/tissue/tissue_derivation.h"
 #include "tests/core/tissue/test_nets.h"
 
