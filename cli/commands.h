@@ -24,6 +24,7 @@ void addInfo(CLI::App& program, Work& work);
 void addValidate(CLI::App& program, Work& work);
 void addApply(CLI::App& program, Work& work);
 void addSimulate(CLI::App& program, Work& work);
+void addReplayLog(CLI::App& program, Work& work);
 void addExplain(CLI::App& program, Work& work);
 void addExport(CLI::App& program, Work& work);
 void addFuzzy(CLI::App& program, Work& work);

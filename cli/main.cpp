@@ -41,7 +41,7 @@ Exit run(int argc, char** argv)
   program.footer(kFooter);
   Work work;
   for (const auto add : {addInspect, addImport, addInfo, addValidate, addApply, addExplain, addSimulate,
-                         addExport, addFuzzy, addHaptics, addLearn, addSolvers})
+                         addReplayLog, addExport, addFuzzy, addHaptics, addLearn, addSolvers})
     add(program, work);
   try {
     program.parse(argc, argv);

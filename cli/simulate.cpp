@@ -241,9 +241,10 @@ void addSimulate(CLI::App& program, Work& work)
   addSolverOption(*command, *options);
   addNumber(*command, "--tolerance", options->tolerance, "wanted relative error (default: the project's)",
             NumberRange::Positive);
-  command->add_flag("--verify", options->verify,
-                    "measure the error by finer runs, and take finer steps where the tolerance is not kept; "
-                    "exit code 3 if it cannot be");
+  CLI::Option* verify = command->add_flag(
+    "--verify", options->verify,
+    "measure the error by finer runs, and take finer steps where the tolerance is not kept; "
+    "exit code 3 if it cannot be");
   command->add_flag(
     "--accept-rough", options->acceptRough,
     "exit code 0, not 3, where the tolerance was given up to bound the work, where errors grow "
@@ -267,12 +268,18 @@ void addSimulate(CLI::App& program, Work& work)
                       "CSV: t, applied force, reaction force [N], displacement of the loaded nodes [m]");
   command->add_option("--mesh", options->outputs.mesh,
                       "the deformed net at the end: obj, ply, stl, glb, vtu or csv");
+  command
+    ->add_option(
+      "--log", options->outputs.log,
+      "the run as `esm replay-log` repeats it to the bit: project, what was asked, methods and steps")
+    ->excludes(verify);
   addJsonFlag(*command, options->json);
   command->footer("Example:\n  esm simulate poked.esm --duration 2 --frames 60 -o motion.pvd "
                   "--report report.json");
   command->callback([options, &work] {
     std::vector<std::string> written = exportedFiles(options->outputs.mesh);
-    for (const std::string& output : {options->outputs.motion, options->report, options->outputs.forceCurve})
+    for (const std::string& output :
+         {options->outputs.motion, options->report, options->outputs.forceCurve, options->outputs.log})
       written.push_back(output);
     keepFilesApart({options->file}, written);
     work = [options] { return simulate(*options); };

@@ -10,6 +10,7 @@
 #include "core/dynamics/simulation.h"
 #include "core/dynamics/tolerance_check.h"
 #include "core/project/export.h"
+#include "core/project/motion_log_file.h"
 
 #include <algorithm>
 #include <array>
@@ -167,6 +168,16 @@ public:
   /// Fills `run`, whatever it held before. @param check  looks on, or null
   Status compute(Run& run, SpringNet net, SolverSettings solver, const std::string& doing,
                  ToleranceCheck* check);
+  /// The coming run is written down. @pre the project still has its net
+  Status beginLog()
+  {
+    SolverSettings settings = m_project.simulation.solver;
+    settings.duration = m_project.simulation.duration;
+    Result<MotionLogWriter> writer = MotionLogWriter::create(m_outputs.log, m_project, settings);
+    if (!writer) return writer.error();
+    m_log.emplace(std::move(*writer));
+    return {};
+  }
   /// Its files appear.
   Status finish(Run& run)
   {
@@ -194,8 +205,18 @@ private:
     return {};
   }
 
+  Status writeLog()
+  {
+    if (!m_log) return {};
+    const Status written = m_log->add(m_entries);
+    m_entries.clear();
+    return written;
+  }
+
   const Project& m_project;
   const RunOutputs& m_outputs;
+  std::optional<MotionLogWriter> m_log;
+  MotionLog m_entries;
   std::array<Run, 2> m_runs;
   std::size_t m_current = 0;
   InterruptWatch m_watch{[this] {
@@ -218,7 +239,13 @@ Status Runner::compute(Run& run, SpringNet net, SolverSettings solver, const std
   if (!created) return created.error();
   run.simulation.emplace(std::move(*created));
   Simulation& simulation = *run.simulation;
-  const auto addFrame = [&] { return withFiles([&] { return run.files->add(simulation); }); };
+  if (m_log) simulation.record(&m_entries);
+  const auto addFrame = [&] {
+    return withFiles([&] {
+      const Status added = run.files->add(simulation);
+      return added ? writeLog() : added;
+    });
+  };
   if (const Status opened = withFiles([&] { return open(run); }); !opened) return opened.error();
 
   const long long last = std::llround(settings.duration * settings.frameRate);
@@ -249,6 +276,8 @@ Status Runner::compute(Run& run, SpringNet net, SolverSettings solver, const std
     if (const Status added = addFrame(); !added) return added.error();
     progress.show(summary.frames++, last);
   }
+  simulation.record(nullptr);
+  if (const Status written = withFiles([&] { return writeLog(); }); !written) return written.error();
   summary.energy = simulation.energyReport();
   summary.energyOfParts = simulation.islandEnergies();
   summary.errorGrowth = simulation.errorGrowth();
@@ -277,8 +306,9 @@ Result<RunSummary> runSimulation(Project& project, const RunOutputs& outputs)
 {
   Runner runner(project, outputs);
   Run& run = runner.current();
-  Status status =
-    runner.compute(run, std::move(project.net), project.simulation.solver, "simulating", nullptr);
+  Status status = outputs.log.empty() ? Status{} : runner.beginLog();
+  if (status)
+    status = runner.compute(run, std::move(project.net), project.simulation.solver, "simulating", nullptr);
   if (status) status = runner.finish(run);
   if (!status) return status.error();
   return run.summary;

@@ -15,6 +15,7 @@ struct RunOutputs {
   std::string motion;     ///< .csv, .f64 or .pvd
   std::string forceCurve; ///< CSV
   std::string mesh;       ///< the net at the end, by ending
+  std::string log;        ///< of the run, see MotionLogWriter
 };
 
 /// What finer runs have said of the one that was written, see ToleranceCheck.

@@ -18,7 +18,7 @@ ROOT = Path(sys.argv[1]) if len(sys.argv) > 1 else Path(__file__).resolve().pare
 LOW = ["core/base", "core/geometry", "core/net", "core/forces", "core/linear"]
 # What every room of the engine hands over; the door, simulation.h, is not among them.
 HANDED = [f"core/dynamics/{name}.h" for name in ("net_state", "solver_settings", "step_report", "energy_report",
-                                                 "parameter_change")]
+                                                 "parameter_change", "motion_log")]
 ROOMS = [f"core/dynamics/{room}" for room in ("system", "bounds", "methods", "planner", "rest")]
 CORE = {
     "core/base": [],

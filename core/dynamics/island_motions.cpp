@@ -111,7 +111,60 @@ StepReport IslandMotions::advance(double interval, const Budget& budget)
     m_time = m_islands.front().motion->time();
     return report;
   }
-  if (m_keepsTime) shareEffort();
+  std::mutex asking;
+  Budget asked = budget;
+  if (m_workers && budget.isSpent)
+    asked.isSpent = [&] {
+      const std::scoped_lock lock(asking);
+      return budget.isSpent();
+    };
+  return advanceAll(
+    interval, [&](std::size_t) { return asked; }, nullptr, nullptr);
+}
+
+StepReport IslandMotions::advance(double interval, const Budget& budget, logged::Advance& record)
+{
+  std::mutex asking;
+  record = {interval, budget.steps, budget.isSpent != nullptr, {}, 0.0, 0};
+  record.parts.assign(m_islands.size(), {});
+  std::vector<std::int64_t> granted(m_islands.size(), 0);
+  const auto budgetOf = [&](std::size_t k) {
+    Budget asked = budget;
+    if (budget.isSpent)
+      asked.isSpent = [&, k] {
+        const std::scoped_lock lock(asking);
+        const bool isSpent = budget.isSpent();
+        std::int64_t& grants = record.parts[k].grants;
+        if (isSpent)
+          grants = std::min(grants, granted[k]);
+        else
+          ++granted[k];
+        return isSpent;
+      };
+    return asked;
+  };
+  return advanceAll(interval, budgetOf, &record, nullptr);
+}
+
+StepReport IslandMotions::advanceAgain(const logged::Advance& former, logged::Advance& record)
+{
+  record = {former.interval, former.steps, former.isAsked, {}, 0.0, 0};
+  record.parts.assign(m_islands.size(), {});
+  std::vector<std::int64_t> granted(m_islands.size(), 0);
+  const auto budgetOf = [&](std::size_t k) {
+    Budget asked{former.steps, {}};
+    if (former.isAsked)
+      asked.isSpent = [&, k] { return granted[k] == former.parts[k].grants || granted[k]++ < 0; };
+    record.parts[k].grants = former.parts[k].grants;
+    return asked;
+  };
+  return advanceAll(former.interval, budgetOf, &record, &former);
+}
+
+StepReport IslandMotions::advanceAll(double interval, const BudgetOf& budgetOf, logged::Advance* record,
+                                     const logged::Advance* former)
+{
+  if (m_keepsTime && !isOne()) shareEffort();
   const double begin = m_time;
   std::vector<std::size_t> order(m_islands.size());
   std::iota(order.begin(), order.end(), std::size_t{0});
@@ -121,19 +174,21 @@ StepReport IslandMotions::advance(double interval, const Budget& budget)
     island.last = {};
     island.last.nodesAwake = awake;
   }
+  const auto move = [&](std::size_t k) {
+    if (former && !former->parts[k].isMoved) return;
+    Island& island = m_islands[k];
+    if (record) {
+      record->parts[k].isMoved = true;
+      island.motion->record(&record->parts[k].stretches);
+    }
+    island.last = advanceOne(island, interval, budgetOf(k));
+    if (record) island.motion->record(nullptr);
+  };
   if (m_workers) {
-    std::mutex asking;
-    Budget asked = budget;
-    if (budget.isSpent)
-      asked.isSpent = [&] {
-        const std::scoped_lock lock(asking);
-        return budget.isSpent();
-      };
     std::vector<std::exception_ptr> troubles(order.size());
     m_workers->forEach(order.size(), [&](std::size_t i) noexcept {
       try {
-        Island& island = m_islands[order[i]];
-        island.last = advanceOne(island, interval, asked);
+        move(order[i]);
       } catch (...) {
         troubles[i] = std::current_exception();
       }
@@ -142,8 +197,8 @@ StepReport IslandMotions::advance(double interval, const Budget& budget)
       if (trouble) std::rethrow_exception(trouble);
   } else {
     for (const std::size_t k : order) {
-      m_islands[k].last = advanceOne(m_islands[k], interval, budget);
-      if (m_islands[k].last.interrupted) break;
+      move(k);
+      if (m_islands[k].last.interrupted && !former) break;
     }
   }
   return sumUp(begin);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/motion_log.h"
 #include "core/dynamics/net_motion.h"
 #include "core/net/net_islands.h"
 
@@ -28,6 +29,10 @@ public:
   // As Simulation has them.
   void reset();
   StepReport advance(double interval, const Budget& budget);
+  /// The same, and writes into `record` what each island did.
+  StepReport advance(double interval, const Budget& budget, logged::Advance& record);
+  /// As `former` tells that it was, islands that the budget ended included. @param record  what they did this time
+  StepReport advanceAgain(const logged::Advance& former, logged::Advance& record);
   ParameterChange setParameters(const ParameterPatch& patch); ///< @pre checkPatch()
   void setParameters(SpringNet net);                          ///< @pre checkNet(), the same topology
   void setAccuracy(double tolerance, double effort);
@@ -79,6 +84,9 @@ private:
   Place placeOfNode(Index node) const noexcept { return isOne() ? Place{0, node} : m_nodes[at(node)]; }
   void split(const SolverSettings& settings);
   std::vector<Place> placesOf(const AnchorSet& set) const;
+  using BudgetOf = std::function<Budget(std::size_t island)>;
+  StepReport advanceAll(double interval, const BudgetOf& budgetOf, logged::Advance* record,
+                        const logged::Advance* former);
   StepReport advanceOne(Island& island, double interval, const Budget& budget);
   StepReport sumUp(double begin);
   void shareEffort();

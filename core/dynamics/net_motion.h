@@ -31,6 +31,8 @@ public:
   void setAccuracy(double tolerance, double effort) { m_driver.setAccuracy(tolerance, effort); }
   void setTools(std::span<const ToolSpring> tools);
   void watchGrowth();
+  /// What advance() keeps is added to it, until the next call; null: nothing is written down.
+  void record(std::vector<Stretch>* stretches) noexcept { m_driver.record(stretches); }
 
   /// Writes what has moved since the last call.
   /// @param places  of the nodes in `state`; empty: the same as here.

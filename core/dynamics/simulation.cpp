@@ -3,6 +3,8 @@
 #include "core/dynamics/simulation.h"
 
 #include "core/base/assert.h"
+#include "core/base/hash.h"
+#include "core/base/text_number.h"
 #include "core/dynamics/island_motions.h"
 #include "core/net/net_builder.h"
 
@@ -43,6 +45,53 @@ int usefulThreads(const SolverSettings& settings) noexcept
   return processors > 0 ? std::min(settings.threads, processors) : settings.threads;
 }
 
+void sign(logged::Advance& record, const NetState& state)
+{
+  const auto bytes = [](const Eigen::Matrix3Xd& values) {
+    return static_cast<std::size_t>(values.size()) * sizeof(double);
+  };
+  record.time = state.time;
+  record.state = hashBytes(state.position.data(), bytes(state.position));
+  record.state = hashBytes(state.velocity.data(), bytes(state.velocity), record.state);
+}
+
+std::string textOf(const Stretch& stretch)
+{
+  return std::to_string(stretch.steps) + " steps of " + stretch.method + " from " +
+         formatDouble(stretch.begin, 9) + " to " + formatDouble(stretch.end, 9) + " s";
+}
+
+/// The first thing that came out otherwise; empty: nothing.
+std::string differenceBetween(const logged::Advance& former, const logged::Advance& now)
+{
+  for (std::size_t k = 0; k < former.parts.size(); ++k) {
+    const auto &then = former.parts[k].stretches, &again = now.parts[k].stretches;
+    const auto [a, b] = std::ranges::mismatch(then, again);
+    if (a == then.end() && b == again.end()) continue;
+    const auto text = [](auto at, const auto& all) { return at == all.end() ? "nothing" : textOf(*at); };
+    return "part " + std::to_string(k + 1) + " took " + text(b, again) + ", the log says " + text(a, then);
+  }
+  if (former.time != now.time)
+    return "it came to " + formatDouble(now.time, 17) + " s, the log to " + formatDouble(former.time, 17) +
+           " s";
+  if (former.state != now.state)
+    return "places or velocities at " + formatDouble(now.time, 9) +
+           " s differ, though the steps are the same";
+  return {};
+}
+
+Error isOfAnotherNet(const std::string& why)
+{
+  return Error{ErrorCode::InvalidValue, "the log is of another net: " + why};
+}
+
+template <class... Case>
+struct Cases : Case... {
+  using Case::operator()...;
+};
+template <class... Case>
+Cases(Case...) -> Cases<Case...>;
+
 } // namespace
 
 struct Simulation::Impl {
@@ -54,8 +103,16 @@ struct Simulation::Impl {
     islands.publish(state);
   }
 
+  void publish() { islands.publish(state); }
+  template <class Entry>
+  void write(Entry entry)
+  {
+    if (log) log->emplace_back(std::move(entry));
+  }
+
   IslandMotions islands;
   NetState state;
+  MotionLog* log = nullptr;
 };
 
 Result<Simulation> Simulation::create(SpringNet net, Loads loads, SolverSettings settings)
@@ -75,15 +132,24 @@ Simulation::~Simulation() = default;
 StepReport Simulation::advance(double interval, const Budget& budget)
 {
   if (!(interval > 0.0) || !std::isfinite(interval)) return {};
-  const StepReport report = m_impl->islands.advance(interval, budget);
-  m_impl->islands.publish(m_impl->state);
+  if (!m_impl->log) {
+    const StepReport report = m_impl->islands.advance(interval, budget);
+    m_impl->publish();
+    return report;
+  }
+  logged::Advance record;
+  const StepReport report = m_impl->islands.advance(interval, budget, record);
+  m_impl->publish();
+  sign(record, m_impl->state);
+  m_impl->write(std::move(record));
   return report;
 }
 
 void Simulation::reset()
 {
   m_impl->islands.reset();
-  m_impl->islands.publish(m_impl->state);
+  m_impl->publish();
+  m_impl->write(logged::Reset{});
 }
 
 Status Simulation::setParameters(SpringNet net)
@@ -94,8 +160,9 @@ Status Simulation::setParameters(SpringNet net)
     return Error{ErrorCode::InvalidValue,
                  "the new parameters are for a net of other springs; start a new simulation with it"};
   if (Status status = checkNet(net); !status) return status.error();
+  if (m_impl->log) m_impl->write(logged::Net{net});
   m_impl->islands.setParameters(std::move(net));
-  m_impl->islands.publish(m_impl->state);
+  m_impl->publish();
   return {};
 }
 
@@ -103,7 +170,8 @@ Result<ParameterChange> Simulation::setParameters(const ParameterPatch& patch)
 {
   if (Status status = checkPatch(patch, net()); !status) return status.error();
   ParameterChange change = m_impl->islands.setParameters(patch);
-  m_impl->islands.publish(m_impl->state);
+  m_impl->publish();
+  if (m_impl->log) m_impl->write(logged::Patch{patch});
   return change;
 }
 
@@ -112,12 +180,66 @@ Status Simulation::setAccuracy(double tolerance, double effort)
   if (!(tolerance > 0.0) || !std::isfinite(tolerance) || !(effort > 0.0) || !std::isfinite(effort))
     return Error{ErrorCode::InvalidValue, "the tolerance and the effort must be positive numbers"};
   m_impl->islands.setAccuracy(tolerance, effort);
+  m_impl->write(logged::Accuracy{tolerance, effort});
   return {};
 }
 
 void Simulation::setTools(std::span<const ToolSpring> tools)
 {
   m_impl->islands.setTools(tools);
+  if (m_impl->log) m_impl->write(logged::Tools{{tools.begin(), tools.end()}});
+}
+
+void Simulation::record(MotionLog* log) noexcept
+{
+  m_impl->log = log;
+}
+
+Result<std::string> Simulation::replay(const LogEntry& entry)
+{
+  const auto done = [](const Status& status) -> Result<std::string> {
+    if (!status) return status.error();
+    return std::string();
+  };
+  const auto visitor =
+    Cases{[&](const logged::Advance& former) { return replayAdvance(former); },
+          [&](const logged::Tools& tools) -> Result<std::string> {
+            for (const ToolSpring& tool : tools.springs)
+              if (tool.node < 0 || tool.node >= net().nodeCount())
+                return isOfAnotherNet("a tool holds an absent node");
+            setTools(tools.springs);
+            return std::string();
+          },
+          [&](const logged::Patch& patch) -> Result<std::string> {
+            const Result<ParameterChange> change = setParameters(patch.patch);
+            return change ? done({}) : done(change.error());
+          },
+          [&](const logged::Net& other) { return done(setParameters(other.net)); },
+          [&](const logged::Accuracy& wanted) { return done(setAccuracy(wanted.tolerance, wanted.effort)); },
+          [&](const logged::Reset&) {
+            reset();
+            return done({});
+          },
+          [&](const logged::GrowthWatch&) {
+            watchGrowth();
+            return done({});
+          }};
+  return std::visit(visitor, entry);
+}
+
+Result<std::string> Simulation::replayAdvance(const logged::Advance& former)
+{
+  if (former.parts.size() != islandCount())
+    return isOfAnotherNet("the log knows " + std::to_string(former.parts.size()) +
+                          " parts that move on their own, the net has " + std::to_string(islandCount()));
+  if (!(former.interval > 0.0) || !std::isfinite(former.interval)) return std::string();
+  logged::Advance record;
+  m_impl->islands.advanceAgain(former, record);
+  m_impl->publish();
+  sign(record, m_impl->state);
+  std::string difference = differenceBetween(former, record);
+  m_impl->write(std::move(record));
+  return difference;
 }
 
 const SpringNet& Simulation::net() const noexcept
@@ -191,6 +313,7 @@ Eigen::Vector3d Simulation::reaction(Index node) const
 void Simulation::watchGrowth()
 {
   m_impl->islands.watchGrowth();
+  m_impl->write(logged::GrowthWatch{});
 }
 
 double Simulation::livingError() const noexcept

@@ -5,6 +5,7 @@
 #include "core/base/budget.h"
 #include "core/base/result.h"
 #include "core/dynamics/energy_report.h"
+#include "core/dynamics/motion_log.h"
 #include "core/dynamics/net_state.h"
 #include "core/dynamics/parameter_change.h"
 #include "core/dynamics/solver_settings.h"
@@ -59,6 +60,14 @@ public:
   Status setAccuracy(double tolerance, double effort);
   void setTools(std::span<const ToolSpring> tools); ///< @pre nodes in range; replaces the former tools
 
+  // === Again
+  /// From now on each call that moves or changes something adds to the log; null: no longer. Not owned. A log that is
+  /// to be replayed begins with the Simulation, or with its reset().
+  void record(MotionLog* log) noexcept;
+  /// Does what an entry says. @return what came out otherwise than it says, in one English sentence; empty: the
+  /// same to the bit. Errors: InvalidValue for an entry of another net.
+  Result<std::string> replay(const LogEntry& entry);
+
   // === What it knows
   const SpringNet& net() const noexcept;
   const Loads& loads() const noexcept;
@@ -101,6 +110,7 @@ public:
   why() const noexcept; ///< one English sentence: the choice, or what went wrong and the cure
 
 private:
+  Result<std::string> replayAdvance(const logged::Advance& former);
   struct Impl;
   explicit Simulation(std::unique_ptr<Impl> impl);
   std::unique_ptr<Impl> m_impl;

@@ -138,6 +138,12 @@ std::size_t View::size() const
   return 0;
 }
 
+void View::expectSize(std::size_t items) const
+{
+  if (!m_value->is_array() || m_value->size() != items)
+    mustBe(("a list of " + std::to_string(items)).c_str());
+}
+
 double View::number(Range range) const
 {
   const double smallest = range == Range::Positive ? 1.0 : 0.0;

@@ -38,7 +38,8 @@ public:
   std::vector<std::string> keys() const;  ///< of an object, else a complaint
 
   // === Lists
-  std::size_t size() const; ///< of a list; anything else: a complaint, and 0
+  std::size_t size() const;                 ///< of a list; anything else: a complaint, and 0
+  void expectSize(std::size_t items) const; ///< of a list; anything else: a complaint
   View operator[](std::size_t item) const;
   bool isList() const { return m_value->is_array(); }
   bool isObject() const { return m_value->is_object(); }

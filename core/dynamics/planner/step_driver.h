@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/methods/integrator.h"
+#include "core/dynamics/motion_log.h"
 #include "core/dynamics/planner/error_gauge.h"
 #include "core/dynamics/planner/free_bodies.h"
 #include "core/dynamics/solver_settings.h"
@@ -72,6 +73,8 @@ public:
   /// @param mostWork  that may be done [spring evaluations]; the report's stepLimit says that it was
   StepReport advance(System& system, MotionState& state, double interval, std::int64_t maxSteps,
                      double mostWork = kInfinity);
+  /// What advance() keeps is added to it, until the next call; null: nothing is written down.
+  void record(std::vector<Stretch>* stretches) noexcept { m_stretches = stretches; }
   /// Of the last advance() [spring evaluations]; a step is a force pass at least.
   double workDone(const System& system, const StepReport& report) const noexcept;
 
@@ -209,6 +212,7 @@ private:
                                 std::int64_t steps, StepReport& report);
   StepResult runInFrames(System& system, MotionState& state, double end, std::int64_t steps,
                          StepReport& report);
+  void note(double begin, double end, std::int64_t steps);
   std::int64_t stepsLeft(const System& system, double step, const StepReport& report);
   Run runWithLook(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
   Run runAgain(System& system, MotionState& state, double end, std::int64_t steps, StepReport& report);
@@ -316,6 +320,8 @@ private:
   Onset m_onset;
   std::int64_t m_maxSteps = 0;   ///< of this advance(); 0: any number
   double m_mostWork = kInfinity; ///< of this advance() [spring evaluations]
+
+  std::vector<Stretch>* m_stretches = nullptr; ///< where they are written down; not owned
 
   std::vector<Index> m_names;  ///< of the whole net's nodes; empty: their places
   std::vector<Index> m_places; ///< of the system's nodes in the whole net; empty: it is the whole net

@@ -94,6 +94,7 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
     const MotionState coarse = state;
     const ErrorScale coarseScale = m_gauge.scale();
     const double local = m_roughLocal;
+    const std::vector<Stretch> stretches = m_stretches ? *m_stretches : std::vector<Stretch>();
     m_untilRoughCheck = kRoughCheckGap;
     m_checkedSteps = steps;
     state = m_start; // same size: no allocation
@@ -110,6 +111,7 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
       }
     } else { // that was for nothing
       state = coarse;
+      if (m_stretches) *m_stretches = stretches;
       m_gauge.setScale(coarseScale);
       report.rejectedSteps += 2 * steps;
     }

@@ -62,6 +62,13 @@ StepResult StepDriver::runInFrames(System& system, MotionState& state, double en
   return result;
 }
 
+/// A run that begins where others did takes their place: they were taken back.
+void StepDriver::note(double begin, double end, std::int64_t steps)
+{
+  while (!m_stretches->empty() && m_stretches->back().begin >= begin) m_stretches->pop_back();
+  m_stretches->push_back({begin, end, steps, std::string(integratorTable()[m_method].name)});
+}
+
 StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, std::int64_t steps,
                                 StepReport& report)
 {
@@ -78,6 +85,7 @@ StepDriver::Run StepDriver::run(System& system, MotionState& state, double end, 
   if (result == StepResult::NonFinite) return Run::NonFinite;
   if (result == StepResult::NotConverged)
     return workDone(system, report) < m_mostWork && !system.isInterrupted() ? Run::NotConverged : Run::Limit;
+  if (m_stretches) note(begin, runEnd, count);
   if (isLimited) return run(system, state, end, steps - allowed, report); // what they cost was a guess
   report.smallestStep = report.smallestStep > 0.0 ? std::min(report.smallestStep, h) : h;
   m_sinceBound += static_cast<double>(steps) * passesOf(system, h);

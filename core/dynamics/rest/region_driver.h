@@ -62,6 +62,8 @@ public:
   /// Another accuracy from the next stretch on; see Simulation.
   void setAccuracy(double tolerance, double effort);
   StepReport advance(double interval, const Budget& budget);
+  /// See NetMotion.
+  void record(std::vector<Stretch>* stretches) noexcept { m_driver.record(stretches); }
 
   /// Books all that the method has lost up to now.
   void closeLoss();
