@@ -9,7 +9,7 @@ namespace {
 /// With a factor for each iteration: the refuge where everything else fails.
 class Descent final : public IncrementalDescent {
 public:
-  Descent() noexcept : IncrementalDescent({8, 1e-3, 0.0, false}) {}
+  Descent() noexcept : IncrementalDescent({8, 4.0, 1e-3, 0.0, false}) {}
 
 private:
   void layOut(const System& system) override { m_matrix.prepare(system, true); }

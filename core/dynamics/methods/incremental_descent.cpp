@@ -41,7 +41,21 @@ double IncrementalDescent::stableStep(const FastestMode&) const noexcept
 double IncrementalDescent::stepCost(const System& system, double /*h*/)
 {
   const auto springs = static_cast<double>(system.forces().activeSprings());
-  return 0.5 * m_effort.iterations * (matrixCost(system) + 6.0 * springs);
+  return m_effort.usual * (matrixCost(system) + 6.0 * springs);
+}
+
+StepResult IncrementalDescent::run(System& system, MotionState& state, double end, std::int64_t steps,
+                                   StepReport& report)
+{
+  const double begin = state.time, h = (end - begin) / static_cast<double>(steps), limit = system.workLimit;
+  StepResult result = StepResult::Done;
+  for (std::int64_t i = 1; i <= steps && result == StepResult::Done; ++i) {
+    const double stepEnd = i == steps ? end : begin + static_cast<double>(i) * h;
+    if (i < steps) system.workLimit = system.shareOfWork(limit, steps - i + 1);
+    result = Integrator::run(system, state, stepEnd, 1, report);
+    system.workLimit = limit;
+  }
+  return result;
 }
 
 StepResult IncrementalDescent::step(System& system, MotionState& state, double h, double end,

@@ -36,10 +36,14 @@ public:
   double stableStep(const FastestMode& mode) const noexcept final;
   double stepCost(const System& system, double h) final;
   StepResult step(System& system, MotionState& state, double h, double end, StepReport& report) final;
+  /// Each step has its share of what the work limit leaves, so that none is left without.
+  StepResult run(System& system, MotionState& state, double end, std::int64_t steps,
+                 StepReport& report) final;
 
 protected:
   struct Effort {
     int iterations; ///< of a step at most
+    double usual;   ///< iterations, for stepCost()
     double enough;  ///< an iteration that gains less of what all have gained is the last
     /// And so is one that gains what the matrix foretells, to within this share.
     double asForetold;

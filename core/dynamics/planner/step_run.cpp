@@ -50,12 +50,14 @@ StepResult StepDriver::runInPieces(Integrator& method, System& system, MotionSta
 StepResult StepDriver::runInFrames(System& system, MotionState& state, double end, std::int64_t steps,
                                    StepReport& report)
 {
-  const double begin = state.time, h = (end - begin) / static_cast<double>(steps);
+  const double begin = state.time, h = (end - begin) / static_cast<double>(steps), limit = system.workLimit;
   StepResult result = StepResult::Done;
   for (std::int64_t i = 1; i <= steps && result == StepResult::Done; ++i) {
     const double stepEnd = i < steps ? begin + static_cast<double>(i) * h : end;
+    system.workLimit = system.shareOfWork(limit, steps - i + 1);
     m_bodies.enterFrame(system, state, stepEnd);
     result = current().run(system, state, stepEnd, 1, report);
+    system.workLimit = limit;
     m_bodies.leaveFrame(system, state);
     m_bodies.keep(system, state, h);
   }

@@ -144,6 +144,11 @@ public:
   /// Work of implicit solvers besides force passes, in spring evaluations; and how much of both there may be.
   double solverWork = 0.0, workLimit = std::numeric_limits<double>::infinity();
   double workDone() const noexcept { return static_cast<double>(springsEvaluated) + solverWork; }
+  /// The limit for the next of so many equal pieces of work that share what `limit` leaves.
+  double shareOfWork(double limit, std::int64_t pieces) const noexcept
+  {
+    return workDone() + (limit - workDone()) / static_cast<double>(pieces);
+  }
   bool isExhausted() const noexcept { return workDone() > workLimit || isInterrupted(); }
   /// By the clock or somebody else, during a call that lends its budget's question; null: none. Not owned.
   Interruption* interruption = nullptr;
