@@ -233,7 +233,7 @@ QString statedText(const QString& words)
 
 QString importNoteText(const std::string& note)
 {
-  const QString text = QString::fromStdString(note);
+  QString text = QString::fromStdString(note);
   if (const auto whole = known(text, kNotes, false)) return *whole;
   const QString border = QStringLiteral(": "); // behind the name of one of several files
   for (qsizetype place = text.indexOf(border); place > 0; place = text.indexOf(border, place + 1))

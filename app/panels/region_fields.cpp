@@ -136,10 +136,10 @@ void RegionFields::buildLayout()
   grid->addWidget(m_nameLabel, 0, 0);
   grid->addWidget(m_name, 0, 1, 1, 3);
   QLabel* const rows[] = {m_centreLabel, m_axesLabel, m_turnLabel};
-  for (int row = 0; row < 3; ++row) {
+  for (int row = 0, number = 0; row < 3; ++row) {
     grid->addWidget(rows[row], row + 1, 0);
-    for (int axis = 0; axis < 3; ++axis)
-      grid->addWidget(m_numbers[static_cast<std::size_t>(3 * row + axis)], row + 1, axis + 1);
+    for (int axis = 0; axis < 3; ++axis, ++number)
+      grid->addWidget(m_numbers[static_cast<std::size_t>(number)], row + 1, axis + 1);
   }
   grid->addWidget(m_falloffLabel, 4, 0);
   grid->addWidget(m_numbers[Falloff], 4, 1);

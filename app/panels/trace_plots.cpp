@@ -48,7 +48,7 @@ const char* plotName(TracePlot::Kind kind)
 
 void applyPlotPalette(QCustomPlot* plot, const QWidget* around)
 {
-  const QPalette palette = around->palette();
+  const QPalette& palette = around->palette();
   const QColor text = palette.color(QPalette::WindowText);
   QColor faint = text;
   faint.setAlphaF(0.2F);

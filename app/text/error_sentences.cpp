@@ -8,6 +8,7 @@ namespace esm {
 
 namespace {
 
+// NOLINTBEGIN(bugprone-suspicious-missing-comma): long sentences go on in the next line
 constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "No such file or directory"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "Permission denied"),
@@ -424,6 +425,7 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a shape uses vertex %1, counted from 0, but it has %2"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "mend it in the program it comes from"),
 };
+// NOLINTEND(bugprone-suspicious-missing-comma)
 
 } // namespace
 

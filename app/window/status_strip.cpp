@@ -67,7 +67,7 @@ StabilityLight::StabilityLight(QWidget* parent) : QLabel(parent)
 
 void StabilityLight::show(const SimSnapshot& snapshot)
 {
-  const auto shown = [](double factor) { return static_cast<int>(100.0 * factor + 0.5); };
+  const auto shown = [](double factor) { return std::lround(100.0 * factor); };
   const double frameTime =
     snapshot.frameTime >= kLongFrame ? 0.1 * std::floor(10.0 * snapshot.frameTime) : 0.0;
   if (snapshot.stability == m_stability && snapshot.playing == m_playing && snapshot.message == m_message &&
