@@ -154,7 +154,11 @@ StepReport IslandMotions::advanceAgain(const logged::Advance& former, logged::Ad
   const auto budgetOf = [&](std::size_t k) {
     Budget asked{former.steps, {}};
     if (former.isAsked)
-      asked.isSpent = [&, k] { return granted[k] == former.parts[k].grants || granted[k]++ < 0; };
+      asked.isSpent = [&, k] {
+        if (granted[k] == former.parts[k].grants) return true;
+        ++granted[k];
+        return false;
+      };
     record.parts[k].grants = former.parts[k].grants;
     return asked;
   };
