@@ -376,6 +376,35 @@ TEST_F(RealTimeTest, TheWindowReadsTheClockBetweenTwoPictures)
   EXPECT_EQ(snapshot.lag, 0.0);
 }
 
+// The light turns for the worse with the reading of the clock that finds it so, not with the next of the numbers:
+// each time that a net which keeps time gives way to one whose pictures take a second.
+TEST_F(RealTimeTest, TheLightTurnsAtOnce)
+{
+  MainWindow window(&language);
+  window.show();
+  const SimSnapshot& snapshot = window.controller()->snapshot();
+  const auto* light = window.findChild<QLabel*>("lblStable");
+  int readings = 0, wrong = 0;
+  const auto read = [&] { // after the window has
+    if (snapshot.stability != Stability::Slow) return;
+    ++readings;
+    wrong += light->text().contains("stable") || light->text().contains("paused") ? 1 : 0;
+  };
+  QObject::connect(window.controller(), &SimulationController::clockRead, &window, read);
+  QObject::connect(window.controller(), &SimulationController::frame, &window, read);
+  for (int i = 0; i < 6; ++i) {
+    Project project = test::sheetProject();
+    window.document()->start(project, QString());
+    window.controller()->setPlaying(true);
+    QTest::qWait(150 + 15 * i);
+    project.simulation.solver = {"verlet", 1e-3, 1e-8, 1};
+    window.document()->start(std::move(project), QString());
+    readings = 0;
+    EXPECT_TRUE(QTest::qWaitFor([&] { return readings > 3; }, 20000));
+  }
+  EXPECT_EQ(wrong, 0);
+}
+
 // What the engine really says, in German: should a sentence of it change, its translation is missed here.
 TEST_F(RealTimeTest, TheEnginesReasonsAreTranslated)
 {
