@@ -46,6 +46,7 @@ SimulationController::SimulationController(Document* document, SceneView* view, 
   : QObject(parent), m_document(document), m_view(view), m_sim(refreshRate()), m_gripRadius(savedGripRadius())
 {
   setQuality({});
+  view->setGripRadius(m_gripRadius);
   connect(document, &Document::projectReset, this, [this] {
     disarm(); // the hand does not know what comes
     load();
@@ -319,6 +320,7 @@ void SimulationController::setGripRadius(double metres)
 {
   m_gripRadius = std::clamp(metres, 0.0, kLargestGrip);
   QSettings().setValue(kGripRadiusKey, m_gripRadius);
+  m_view->setGripRadius(m_gripRadius);
 }
 
 void SimulationController::setForceScale(double scale)

@@ -171,6 +171,11 @@ void SceneView::setToolForce(const Eigen::Vector3d& force)
   if (m_impl->canvas) m_impl->canvas->setToolForce(force);
 }
 
+void SceneView::setGripRadius(double metres)
+{
+  m_impl->repaintIf(m_impl->model.setGripRadius(metres));
+}
+
 void SceneView::setInstrument(const Instrument& instrument)
 {
   m_impl->repaintIf(m_impl->model.setInstrument(instrument));
