@@ -121,6 +121,14 @@ bool SceneModel::setSnapshot(const SimSnapshot& snapshot)
   return moved || rescaled || m_grabbed != wasGrabbed;
 }
 
+bool SceneModel::letGo()
+{
+  if (m_grabbed == kNoIndex) return false;
+  m_grabbed = kNoIndex;
+  m_grip.hold(m_position, kNoIndex, {});
+  return true;
+}
+
 bool SceneModel::setParameters(std::shared_ptr<const SpringNet> net)
 {
   if (!net || !m_net || net->nodeCount() != m_net->nodeCount() || net->springCount() != m_net->springCount())

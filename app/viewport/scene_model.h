@@ -45,6 +45,7 @@ public:
   bool setShown(bool surface, bool springs, bool struts);
   bool setMarks(const Eigen::Matrix3Xd& places); ///< 3 x K [m]
   bool setInstrument(const Instrument& instrument);
+  bool letGo(); ///< of what the last snapshot held
   bool setGripRadius(double metres) { return m_grip.setRadius(metres); }
 
   /// For topology and rest shape: of its parameters patches have changed some, see springValues().

@@ -176,6 +176,12 @@ void SceneView::setGripRadius(double metres)
   m_impl->repaintIf(m_impl->model.setGripRadius(metres));
 }
 
+void SceneView::showNothingHeld()
+{
+  setToolForce(Eigen::Vector3d::Zero());
+  m_impl->repaintIf(m_impl->model.letGo());
+}
+
 void SceneView::setInstrument(const Instrument& instrument)
 {
   m_impl->repaintIf(m_impl->model.setInstrument(instrument));
