@@ -46,6 +46,7 @@ SimulationController::SimulationController(Document* document, SceneView* view, 
   : QObject(parent), m_document(document), m_view(view), m_sim(refreshRate()), m_gripRadius(savedGripRadius())
 {
   setQuality({});
+  view->setGripRadius(m_gripRadius);
   connect(document, &Document::projectReset, this, [this] {
     disarm(); // the hand does not know what comes
     load();
@@ -111,6 +112,7 @@ void SimulationController::poll()
     return emit clockRead();
   }
   m_snapshot = newest;
+  if (m_snapshot.grabbedNode != m_pulledNode) forgetHold();
   readClock(m_snapshot, SimThread::now());
   if (snapshotIsCurrent()) {
     m_view->setSnapshot(m_snapshot);
@@ -183,6 +185,17 @@ void SimulationController::endPull()
   m_pulledNode = kNoIndex;
   if (!std::exchange(m_leadsByMouse, false)) m_sim.release();
   letDeviceLead();
+  forgetHold();
+  m_view->showNothingHeld();
+}
+
+/// A simulation that is late may go on for a while with what the hand has let go of: the hand feels nothing of it.
+void SimulationController::forgetHold()
+{
+  if (m_snapshot.grabbedNode == kNoIndex) return;
+  m_snapshot.grabbedNode = kNoIndex;
+  m_snapshot.heldNodes.clear();
+  m_snapshot.toolForce.setZero();
 }
 
 /// A device that touches leads as long as it works, but while the mouse holds a node; one that holds nodes
@@ -319,6 +332,7 @@ void SimulationController::setGripRadius(double metres)
 {
   m_gripRadius = std::clamp(metres, 0.0, kLargestGrip);
   QSettings().setValue(kGripRadiusKey, m_gripRadius);
+  m_view->setGripRadius(m_gripRadius);
 }
 
 void SimulationController::setForceScale(double scale)

@@ -92,6 +92,7 @@ private:
   void load();
   void poll();
   void letDeviceLead();
+  void forgetHold();
   void touchWithDevice();
   void showInstrument();
 

@@ -4625,6 +4625,26 @@
         <source>Error of the motion, as its own steps tell: about %1 %</source>
         <translation>Fehler der Bewegung nach Auskunft ihrer eigenen Schritte: etwa %1 %</translation>
     </message>
+    <message>
+        <source>stopped</source>
+        <translation>gestoppt</translation>
+    </message>
+    <message>
+        <source>stiff</source>
+        <translation>steif</translation>
+    </message>
+    <message>
+        <source>rougher</source>
+        <translation>gröber</translation>
+    </message>
+    <message>
+        <source>no picture for %1 s</source>
+        <translation>seit %1 s kein Bild</translation>
+    </message>
+    <message>
+        <source>slowed</source>
+        <translation>verlangsamt</translation>
+    </message>
 </context>
 <context>
     <name>esm::StatusStrip</name>
@@ -4643,8 +4663,8 @@
         </translation>
     </message>
     <message>
-        <source>%1, %2 ms behind</source>
-        <translation>%1, %2 ms im Rückstand</translation>
+        <source>%1, %2 behind</source>
+        <translation>%1, %2 im Rückstand</translation>
     </message>
     <message>
         <source>real time %1×</source>
@@ -4717,6 +4737,10 @@
     <message>
         <source>Fewer nodes, softer tissue or heavier nodes help; what gives way is chosen in Simulation, Real time.</source>
         <translation>Weniger Knoten, weicheres Gewebe oder schwerere Knoten helfen; was nachgibt, ist unter Simulation, Echtzeit wählbar.</translation>
+    </message>
+    <message>
+        <source>%1 awake</source>
+        <translation>%1 wach</translation>
     </message>
 </context>
 <context>
@@ -5057,6 +5081,14 @@
     <message>
         <source>What moves now comes from there. Reset begins anew.</source>
         <translation>Was sich jetzt bewegt, kommt von dort her. Zurücksetzen beginnt neu.</translation>
+    </message>
+    <message>
+        <source>error about %1 %</source>
+        <translation>Fehler etwa %1 %</translation>
+    </message>
+    <message>
+        <source>rough until t = %1 s</source>
+        <translation>grob bis t = %1 s</translation>
     </message>
 </context>
 <context>

@@ -5,10 +5,22 @@
 #include "app/viewport/gl_probe.h"
 #include "app/viewport/overlay.h"
 
+#include <QElapsedTimer>
 #include <QOpenGLContext>
+#include <QOpenGLExtraFunctions>
 #include <QPainter>
 
+#include <utility>
+
 namespace esm {
+
+namespace {
+
+constexpr Index kManySprings = 30'000; ///< only then is it worth measuring, which waits for the graphics
+constexpr qint64 kSlowScene = 60;      ///< that status and hand can wait for [ms]
+constexpr int kRest = 500;             ///< without another picture, until all springs are drawn again [ms]
+
+} // namespace
 
 GlView::GlView(SceneModel* model, const ViewInput* input, QWidget* parent)
   : QOpenGLWidget(parent), m_model(model), m_input(input)
@@ -17,6 +29,13 @@ GlView::GlView(SceneModel* model, const ViewInput* input, QWidget* parent)
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   setFormat(glFormat(glProbe().samples));
+  m_rest.setSingleShot(true);
+  m_rest.setInterval(kRest);
+  connect(&m_rest, &QTimer::timeout, this, [this] {
+    if (m_input->pulledNode() != kNoIndex) return m_rest.start(); // the next picture may come at any moment
+    m_rests = true;
+    update();
+  });
 }
 
 GlView::~GlView()
@@ -48,6 +67,7 @@ void GlView::releaseGl()
 {
   if (!context()) return;
   makeCurrent();
+  m_scene.reset();
   m_renderer.release();
   m_ready = false;
   doneCurrent();
@@ -56,8 +76,95 @@ void GlView::releaseGl()
 void GlView::paintGL()
 {
   if (!m_ready) return;
-  const Look style = look();
-  m_renderer.draw(*m_model, style);
+  paintScene();
+  paintOverlay();
+}
+
+GlView::SceneKey GlView::sceneKey() const
+{
+  return {look(),
+          m_model->camera.view(),
+          m_model->camera.projection(),
+          size() * devicePixelRatioF(),
+          m_model->colouring(),
+          m_model->surfaceShown(),
+          m_model->springsShown(),
+          m_model->strutsShown()};
+}
+
+void GlView::paintScene()
+{
+  const SceneKey key = sceneKey();
+  const SceneModel::Dirty& dirty = m_model->dirty;
+  if (dirty.topology) m_springsAreSlow = m_isTimed = false;
+  const bool isKept = prepareToKeep(key.size) && key == m_key &&
+                      !(dirty.topology || dirty.frame || dirty.regions || dirty.selection);
+  const bool sharpens = std::exchange(m_rests, false) && !(m_hasSprings && m_isTimed);
+  if (!isKept || sharpens) {
+    m_key = key;
+    Look look = key.look;
+    look.springsToo = m_hasSprings = !m_springsAreSlow || isKept;
+    if (m_scene) m_scene->bind();
+    drawScene(look);
+    if (!(m_hasSprings && m_isTimed)) m_rest.start();
+  }
+  if (!m_scene || showKept()) return;
+  m_scene.reset();
+  m_canKeep = m_springsAreSlow = false;
+  drawScene(key.look);
+}
+
+/// Of a large net it is timed how long all of it takes; not the first time, when much has to be made.
+void GlView::drawScene(const Look& look)
+{
+  const bool isFirst = m_model->dirty.topology;
+  QElapsedTimer clock;
+  clock.start();
+  m_renderer.draw(*m_model, look);
+  ++m_scenesDrawn;
+  const bool isLarge = m_canKeep && m_model->net() != nullptr && m_model->net()->springCount() > kManySprings;
+  if (isLarge && (isFirst || !look.springsToo)) return;
+  m_isTimed = true;
+  if (!isLarge) return;
+  context()->functions()->glFinish();
+  m_springsAreSlow = clock.elapsed() > kSlowScene;
+}
+
+/// A framebuffer like the widget's own, so that the driver copies it as it is.
+bool GlView::prepareToKeep(const QSize& pixels)
+{
+  if (!m_canKeep) return false;
+  if (m_scene && m_scene->size() == pixels) return true;
+  QOpenGLFramebufferObjectFormat format;
+  format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
+  format.setSamples(this->format().samples());
+  format.setInternalTextureFormat(textureFormat() != 0 ? textureFormat() : GL_RGBA8);
+  m_scene = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
+  if (!m_scene->isValid()) {
+    m_scene.reset();
+    m_canKeep = false;
+  }
+  context()->functions()->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  return false; // nothing is in it yet
+}
+
+bool GlView::showKept()
+{
+  QOpenGLExtraFunctions* gl = context()->extraFunctions();
+  while (gl->glGetError() != GL_NO_ERROR) {
+  } // what others have left behind
+  const QSize size = m_scene->size();
+  gl->glDisable(GL_SCISSOR_TEST);
+  gl->glBindFramebuffer(GL_READ_FRAMEBUFFER, m_scene->handle());
+  gl->glBindFramebuffer(GL_DRAW_FRAMEBUFFER, defaultFramebufferObject());
+  gl->glBlitFramebuffer(0, 0, size.width(), size.height(), 0, 0, size.width(), size.height(),
+                        GL_COLOR_BUFFER_BIT, GL_NEAREST);
+  gl->glBindFramebuffer(GL_FRAMEBUFFER, defaultFramebufferObject());
+  return gl->glGetError() == GL_NO_ERROR;
+}
+
+void GlView::paintOverlay()
+{
   OverlayState state;
   state.tool = m_input->tool();
   state.hovered = m_input->hoveredNode();

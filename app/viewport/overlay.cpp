@@ -3,6 +3,7 @@
 #include "app/viewport/overlay.h"
 
 #include "app/viewport/gizmo_painter.h"
+#include "app/viewport/grip_painter.h"
 #include "core/base/colour_map.h"
 
 #include <QLinearGradient>
@@ -262,6 +263,8 @@ void Overlay::drawPull()
 {
   drawRing(m_state.selected, 7.0, m_palette.color(QPalette::Highlight));
   drawSelectedSpring();
+  GripPainter grip(m_painter, m_model, kAccent);
+  if (m_state.tool == Tool::Pull && m_state.hovered != kNoIndex) grip.drawRim(m_state.hovered);
   drawRing(m_state.hovered, 5.0, kAccent);
   const Index grabbed = m_state.pulled != kNoIndex ? m_state.pulled : m_model.grabbedNode();
   if (grabbed < 0 || grabbed >= m_model.position().cols()) return;
@@ -271,20 +274,10 @@ void Overlay::drawPull()
     m_painter.setPen(QPen(faded(m_palette.color(QPalette::WindowText), 0.7), 1.5, Qt::DashLine));
     m_painter.drawLine(node, hand);
   }
-  drawHeld();
+  grip.drawHeld();
+  grip.drawRim(grabbed);
   drawRing(grabbed, 5.0, kAccent);
   drawForce(grabbed);
-}
-
-/// The patch in the hand, node by node, so that it is seen how it lies on the tissue.
-void Overlay::drawHeld()
-{
-  m_painter.setPen(Qt::NoPen);
-  m_painter.setBrush(kAccent);
-  for (const Index node : m_model.heldNodes()) {
-    const QPointF at = toQt(m_model.camera.project(m_model.position().col(node)).pixel);
-    if (!std::isnan(at.x())) m_painter.drawEllipse(at, 2.5, 2.5);
-  }
 }
 
 void Overlay::drawForce(Index node)

@@ -40,7 +40,6 @@ private:
   void drawRegion();
   void drawSelectionBox();
   QString hint() const;
-  void drawHeld();
   void drawForce(Index node);
   void drawSelectedSpring();
   void drawMarks();

@@ -64,7 +64,7 @@ bool SceneModel::setNet(std::shared_ptr<const SpringNet> net, std::uint64_t gene
   m_sequence = m_revision = 0;
   m_time = m_largest = 0.0;
   m_grabbed = kNoIndex;
-  m_held.clear();
+  m_grip.setNet(m_net);
   m_position = m_net ? m_net->restPosition : Eigen::Matrix3Xd(3, 0);
   m_tension = Eigen::ArrayXd::Zero(m_net ? m_net->springCount() : 0);
   m_strainRange.reset();
@@ -101,15 +101,17 @@ bool SceneModel::setSnapshot(const SimSnapshot& snapshot)
   }
   m_time = snapshot.time;
   m_revision = snapshot.revision;
+  m_grabbed =
+    snapshot.grabbedNode >= 0 && snapshot.grabbedNode < m_net->nodeCount() ? snapshot.grabbedNode : kNoIndex;
+  std::vector<Index> held = m_grabbed != kNoIndex ? snapshot.heldNodes : std::vector<Index>();
+  std::erase_if(held, [this](Index node) { return node < 0 || node >= m_net->nodeCount(); });
+  if (held != m_grip.heldNodes() || m_grabbed != m_grip.heldNode())
+    m_grip.hold(m_position, m_grabbed, held); // as the net lay before the hand moved it
   if (moved) {
     m_position = snapshot.position;
     if (fits) m_tension = snapshot.tension;
     updateBounds();
   }
-  m_grabbed =
-    snapshot.grabbedNode >= 0 && snapshot.grabbedNode < m_net->nodeCount() ? snapshot.grabbedNode : kNoIndex;
-  m_held = m_grabbed != kNoIndex ? snapshot.heldNodes : std::vector<Index>();
-  std::erase_if(m_held, [this](Index node) { return node < 0 || node >= m_net->nodeCount(); });
   if (SteadyRange* range = movingRange()) {
     if (moved) m_largest = largest(springValues());
     range->add(m_largest, elapsed);
@@ -117,6 +119,14 @@ bool SceneModel::setSnapshot(const SimSnapshot& snapshot)
   const bool rescaled = valueRange() != before; // of a net that rests the legend still draws in
   dirty.frame = dirty.frame || moved || rescaled;
   return moved || rescaled || m_grabbed != wasGrabbed;
+}
+
+bool SceneModel::letGo()
+{
+  if (m_grabbed == kNoIndex) return false;
+  m_grabbed = kNoIndex;
+  m_grip.hold(m_position, kNoIndex, {});
+  return true;
 }
 
 bool SceneModel::setParameters(std::shared_ptr<const SpringNet> net)

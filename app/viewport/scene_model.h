@@ -3,6 +3,7 @@
 #pragma once
 
 #include "app/viewport/camera.h"
+#include "app/viewport/grip_mark.h"
 #include "app/viewport/legend_range.h"
 #include "app/viewport/scene_view.h"
 
@@ -44,6 +45,8 @@ public:
   bool setShown(bool surface, bool springs, bool struts);
   bool setMarks(const Eigen::Matrix3Xd& places); ///< 3 x K [m]
   bool setInstrument(const Instrument& instrument);
+  bool letGo(); ///< of what the last snapshot held
+  bool setGripRadius(double metres) { return m_grip.setRadius(metres); }
 
   /// For topology and rest shape: of its parameters patches have changed some, see springValues().
   const SpringNet* net() const noexcept { return m_net.get(); }
@@ -59,7 +62,8 @@ public:
   bool strutsShown() const noexcept { return m_struts; }
   Index grabbedNode() const noexcept { return m_grabbed; }
   /// What a hand holds besides.
-  const std::vector<Index>& heldNodes() const noexcept { return m_held; }
+  const std::vector<Index>& heldNodes() const noexcept { return m_grip.heldNodes(); }
+  const GripMark& grip() const noexcept { return m_grip; }
   const Eigen::Matrix3Xd& marks() const noexcept { return m_marks; }
   const Instrument& instrument() const noexcept { return m_instrument; }
 
@@ -112,7 +116,7 @@ private:
   Eigen::ArrayXd m_stiffness;                   ///< S, the net's with all patches since [N/m]
   double m_time = 0.0;                          ///< of the snapshot [s]
   Index m_grabbed = kNoIndex;
-  std::vector<Index> m_held;
+  GripMark m_grip;
   std::vector<Region> m_regions;
   int m_selectedRegion = -1;
   std::vector<Index> m_selection;

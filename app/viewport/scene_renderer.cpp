@@ -7,6 +7,7 @@
 #include "core/base/colour_map.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 
 namespace esm {
@@ -15,6 +16,7 @@ namespace {
 
 constexpr float kSpringBias = 2e-4f; ///< lifts lines off the surface they lie on
 constexpr float kPointBias = 4e-4f;
+constexpr float kQuietAlpha = 0.45f, kQuietBrightness = 0.45f; ///< of edges over the colours of the surface
 
 QVector3D rgb(const QColor& colour)
 {
@@ -132,6 +134,9 @@ void SceneRenderer::uploadTopology(const SceneModel& model)
       if (net->fixed[i]) fixed.push_back(static_cast<GLuint>(i));
   }
   m_triangles = static_cast<int>(triangles.size() / 3);
+  m_meanEdge = 0.0;
+  for (int i = 0; i < m_edges; ++i)
+    m_meanEdge += model.net()->restLength(m_springOrder[static_cast<std::size_t>(i)]) / m_edges;
   m_fixed = static_cast<int>(fixed.size());
   glBindVertexArray(0); // an index buffer bound now belongs to no array
   glBindBuffer(GL_ARRAY_BUFFER, m_triangleIndices);
@@ -264,6 +269,17 @@ void SceneRenderer::drawBackground(const Look& look)
   glDrawArrays(GL_TRIANGLES, 0, 3);
 }
 
+/// By how much the quiet net darkens the surface, as seen from where its strokes run together: so that nothing
+/// flickers where it is left out for a while.
+double SceneRenderer::darkeningOfEdges(const SceneModel& model) const
+{
+  if (!model.springsShown() || !(m_meanEdge > 0.0)) return 0.0;
+  const double pixels = m_meanEdge / model.camera.metresPerPixel(model.camera.target());
+  const double covered =
+    std::min(1.0, 2.0 * std::sqrt(3.0) / pixels); // strokes of a pixel on equal triangles
+  return covered * kQuietAlpha * (model.colouring() != Colouring::None ? 1.0 - kQuietBrightness : 0.4);
+}
+
 void SceneRenderer::drawSurface(const SceneModel& model, const Look& look)
 {
   if (m_triangles == 0) return;
@@ -273,6 +289,8 @@ void SceneRenderer::drawSurface(const SceneModel& model, const Look& look)
   m_surface->setUniformValue("colourMap", 0);
   m_surface->setUniformValue("plain", rgb(look.tissue));
   m_surface->setUniformValue("mapped", model.colouring() != Colouring::None);
+  m_surface->setUniformValue("brightness",
+                             static_cast<float>(look.springsToo ? 1.0 : 1.0 - darkeningOfEdges(model)));
   m_surface->setUniformValue("parallel", model.camera.orthographic());
   glBindVertexArray(m_netArray);
   glBindBuffer(GL_ELEMENT_ARRAY_BUFFER, m_triangleIndices);
@@ -323,12 +341,13 @@ void SceneRenderer::drawLines(const LineStyle& style, float pixelRatio, Draw&& d
 
 void SceneRenderer::drawSprings(const SceneModel& model, const Look& look)
 {
+  const bool onSurface = model.surfaceShown() && m_triangles > 0;
+  if (onSurface && !look.springsToo) return;
   const int edges = model.springsShown() ? m_edges : 0;
   // Lines and struts look alike, and follow each other.
   const int first = m_edges + (model.springsShown() ? 0 : m_lines);
   const int inside = (model.springsShown() ? m_lines : 0) + (model.strutsShown() ? m_struts : 0);
   if (edges + inside == 0) return;
-  const bool onSurface = model.surfaceShown() && m_triangles > 0;
   const bool mapped = model.colouring() != Colouring::None;
   const auto ratio = static_cast<float>(look.pixelRatio);
   bindLines(model, look, mapped, onSurface ? 0.0f : 0.75f);
@@ -341,7 +360,7 @@ void SceneRenderer::drawSprings(const SceneModel& model, const Look& look)
     drawLines(style, ratio, [&] { glDrawElements(GL_LINES, 2 * count, GL_UNSIGNED_INT, begin); });
   };
   // On the surface the edges are a quiet net over its colours; bare, they carry the colours themselves.
-  const LineStyle quiet{1.0f, 0.45f, mapped ? 0.45f : 1.0f};
+  const LineStyle quiet{1.0f, kQuietAlpha, mapped ? kQuietBrightness : 1.0f};
   const LineStyle bold{1.6f, 1.0f, 1.0f, 0.0f, true};
   lines(0, edges, onSurface ? quiet : bold);
   lines(first, inside, {2.0f, 1.0f, 1.0f, 0.0f, true});

@@ -22,6 +22,8 @@ struct Look {
   QColor selectedNode;
   bool dark = false;
   double pixelRatio = 1.0; ///< device pixels per logical pixel
+  bool springsToo = true;  ///< beside the surface; else it is only as dark as they would make it
+  bool operator==(const Look&) const = default;
 };
 
 /// Draws a SceneModel with OpenGL 3.3 core into the bound framebuffer. Owns the GL objects: create() and
@@ -60,6 +62,7 @@ private:
   void drawLines(const LineStyle& style, float pixelRatio, Draw&& draw);
 
   void drawBackground(const Look& look);
+  double darkeningOfEdges(const SceneModel& model) const;
   void drawSurface(const SceneModel& model, const Look& look);
   void drawSprings(const SceneModel& model, const Look& look);
   void drawNodes(const SceneModel& model, const Look& look);
@@ -73,6 +76,7 @@ private:
   GLuint m_placeBuffer = 0, m_placeTexture = 0; ///< per spring, read by the line shader
   GLuint m_mapTexture = 0;
   int m_triangles = 0, m_edges = 0, m_lines = 0, m_struts = 0, m_fixed = 0, m_selected = 0;
+  double m_meanEdge = 0.0;          ///< at rest [m]
   std::vector<Index> m_springOrder; ///< edges, lines, struts: a draw call each
   std::vector<RegionLines> m_regionLines;
 };

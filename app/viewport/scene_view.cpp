@@ -171,6 +171,17 @@ void SceneView::setToolForce(const Eigen::Vector3d& force)
   if (m_impl->canvas) m_impl->canvas->setToolForce(force);
 }
 
+void SceneView::setGripRadius(double metres)
+{
+  m_impl->repaintIf(m_impl->model.setGripRadius(metres));
+}
+
+void SceneView::showNothingHeld()
+{
+  setToolForce(Eigen::Vector3d::Zero());
+  m_impl->repaintIf(m_impl->model.letGo());
+}
+
 void SceneView::setInstrument(const Instrument& instrument)
 {
   m_impl->repaintIf(m_impl->model.setInstrument(instrument));

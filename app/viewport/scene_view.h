@@ -54,6 +54,8 @@ public:
   void setColouring(Colouring colouring);                            ///< legend with unit follows
   void setShown(bool surface, bool springs, bool struts);
   void setToolForce(const Eigen::Vector3d& force); ///< arrow at the grabbed node [N]
+  void setGripRadius(double metres);               ///< of the pull tool: its rim is shown
+  void showNothingHeld();                          ///< until a snapshot holds something, no arrow either
   void setInstrument(const Instrument& instrument);
   const Instrument& instrument() const;
   void setMarks(const Eigen::Matrix3Xd& places); ///< rings over the picture that stay; 3 x K [m]

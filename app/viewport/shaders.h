@@ -44,6 +44,7 @@ in float place;
 uniform sampler2D colourMap;
 uniform vec3 plain;
 uniform bool mapped, parallel;
+uniform float brightness;
 out vec4 colour;
 void main() {
   vec3 eye = parallel ? vec3(0.0, 0.0, 1.0) : normalize(-viewPosition);
@@ -59,7 +60,7 @@ void main() {
   if (mapped) light = mix(light, 1.0, 0.4); // colours that mean something are shaded less
   float grazing = pow(1.0 - max(dot(n, eye), 0.0), 3.0);
   float shine = pow(max(dot(n, normalize(key + eye)), 0.0), 48.0);
-  colour = vec4(base * light + vec3((mapped ? 0.10 : 0.16) * shine + 0.10 * grazing), 1.0);
+  colour = vec4(brightness * (base * light + vec3((mapped ? 0.10 : 0.16) * shine + 0.10 * grazing)), 1.0);
 })";
 
 // === Lines: each becomes a quad of `width` pixels with soft edges, since core profiles draw 1 pixel only.

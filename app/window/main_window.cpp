@@ -327,18 +327,19 @@ void MainWindow::connectFrame()
 }
 
 /// Numbers that change sixty times a second cannot be read: the status bar follows ten times, whether or not
-/// there is a new picture.
+/// there is a new picture; but a light that turns for the worse does so at once.
 void MainWindow::showRun()
 {
   constexpr qint64 kPause = 80; // [ms]; with the screen's own 20 at most nothing is older than 100
   const SimSnapshot& snapshot = m_controller->snapshot();
-  const bool stopped = snapshot.stability == Stability::Stopped && m_lastStability != Stability::Stopped;
-  m_lastStability = snapshot.stability;
+  const bool worse = snapshot.stability > m_shownStability; // in the order of the enumeration
+  const bool stopped = worse && snapshot.stability == Stability::Stopped;
   if (stopped)
     statusBar()->showMessage(
       tr("The simulation stopped on its last good state. %1").arg(reasonText(snapshot.message)), 20000);
-  if (m_lastStatus.isValid() && m_lastStatus.elapsed() < kPause && !stopped) return;
+  if (m_lastStatus.isValid() && m_lastStatus.elapsed() < kPause && !worse) return;
   m_lastStatus.start();
+  m_shownStability = snapshot.stability;
   m_status->setRun(snapshot);
   const HapticStatus device = m_controller->hapticStatus();
   m_status->setDevice(device);

@@ -153,7 +153,7 @@ private:
               *m_dockHaptics = nullptr;
   QLabel* m_dropHint;
   Index m_selectedNode = kNoIndex;
-  Stability m_lastStability = Stability::Idle;
+  Stability m_shownStability = Stability::Idle;
   QElapsedTimer m_lastStatus;
 };
 

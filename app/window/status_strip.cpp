@@ -30,6 +30,12 @@ QString aboutPercent(double share)
   return QLocale().toString(100.0 * share, 'g', share < 0.1 ? 1 : 2);
 }
 
+QString lagText(double lag)
+{
+  return lag < 0.9995 ? QStringLiteral("%1 ms").arg(QLocale().toString(1e3 * lag, 'f', 0))
+                      : QStringLiteral("%1 s").arg(QLocale().toString(lag, 'f', 1));
+}
+
 /// Against a tolerance that is not kept.
 QString roughCure()
 {
@@ -59,9 +65,8 @@ QString rungText(const QualityState& quality)
 
 } // namespace
 
-StabilityLight::StabilityLight(QWidget* parent) : QLabel(parent)
+StabilityLight::StabilityLight(QWidget* parent) : StatusField("lblStable", parent)
 {
-  setObjectName(QStringLiteral("lblStable"));
   refresh();
 }
 
@@ -108,56 +113,56 @@ QString StabilityLight::causeAndCure() const
   return {};
 }
 
+QStringList StabilityLight::wordings() const
+{
+  if (m_stability == Stability::Idle) return {tr("no model")};
+  if (m_stability == Stability::Stopped) return {tr("stopped, last good state"), tr("stopped")};
+  if (!m_playing) return {tr("paused")};
+  switch (m_stability) {
+  case Stability::Implicit:
+    return {tr("stiff, implicit steps"), tr("stiff")};
+  case Stability::Rough:
+    return {tr("rougher than wanted"), tr("rougher")};
+  case Stability::Slow: {
+    const QString absence = QLocale().toString(m_frameTime, 'f', 1);
+    if (m_frameTime > 0.0)
+      return {tr("too heavy, no picture for %1 s").arg(absence), tr("no picture for %1 s").arg(absence)};
+    return {tr("slowed, %1 × real time").arg(QLocale().toString(m_realTimeFactor, 'f', 2)), tr("slowed")};
+  }
+  default:
+    return {tr("stable")};
+  }
+}
+
 void StabilityLight::refresh()
 {
   const SignalColours colours = signalColours(palette());
-  QColor colour = m_playing ? colours.warning : palette().color(QPalette::Disabled, QPalette::WindowText);
-  QString words = tr("paused");
-  if (m_stability == Stability::Idle) {
-    words = tr("no model");
-  } else if (m_stability == Stability::Stopped) {
-    words = tr("stopped, last good state");
+  QColor colour = palette().color(QPalette::Disabled, QPalette::WindowText);
+  if (m_stability == Stability::Stopped)
     colour = colours.bad;
-  } else if (m_playing) {
-    switch (m_stability) {
-    case Stability::Implicit:
-      words = tr("stiff, implicit steps");
-      break;
-    case Stability::Rough:
-      words = tr("rougher than wanted");
-      break;
-    case Stability::Slow:
-      words = m_frameTime > 0.0
-                ? tr("too heavy, no picture for %1 s").arg(QLocale().toString(m_frameTime, 'f', 1))
-                : tr("slowed, %1 × real time").arg(QLocale().toString(m_realTimeFactor, 'f', 2));
-      break;
-    default:
-      words = tr("stable");
-      colour = colours.good;
-      break;
-    }
-  }
-  setTextFormat(Qt::RichText);
-  setText(QStringLiteral("<span style='color:%1'>●</span> %2").arg(colour.name(), words));
-  setAccessibleName(tr("Stability: %1").arg(words));
-  QStringList tip{words};
+  else if (m_playing && m_stability != Stability::Idle)
+    colour = m_stability == Stability::Good ? colours.good : colours.warning;
+  const QStringList wordings = this->wordings();
+  QStringList tip{wordings.first()};
   if (const QString cure = causeAndCure(); !cure.isEmpty()) tip << cure;
   if (m_playing && m_toldError > 0.0)
     tip << tr("Error of the motion, as its own steps tell: about %1 %").arg(aboutPercent(m_toldError));
   if (!m_message.empty()) tip << reasonText(m_message);
-  setToolTip(tip.join(QStringLiteral("\n")));
+  setMark(QStringLiteral("●"), colour);
+  explain(tip.join(QLatin1Char('\n')));
+  say(wordings);
+  setAccessibleName(tr("Stability: %1").arg(wordings.first()));
+  emit said();
 }
 
 void StabilityLight::changeEvent(QEvent* event)
 {
   if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ApplicationPaletteChange) refresh();
-  QLabel::changeEvent(event);
+  StatusField::changeEvent(event);
 }
 
-ToleranceNote::ToleranceNote(QWidget* parent) : QLabel(parent)
+ToleranceNote::ToleranceNote(QWidget* parent) : StatusField("lblTolerance", parent)
 {
-  setObjectName(QStringLiteral("lblTolerance"));
-  setContentsMargins(6, 0, 6, 0);
   refresh();
 }
 
@@ -178,37 +183,39 @@ void ToleranceNote::show(const SimSnapshot& snapshot)
 
 void ToleranceNote::refresh()
 {
-  setVisible(m_now || m_until >= 0.0);
-  const QString until = QLocale().toString(m_until, 'f', 2);
-  QString words = tr("tolerance given up until t = %1 s").arg(until);
-  if (m_now) // before anything has moved there is no error to speak of
-    words = m_toldError > 0.0 ? tr("rough, error about %1 %").arg(aboutPercent(m_toldError)) : tr("rough");
-  setTextFormat(Qt::RichText);
-  setText(
-    QStringLiteral("<span style='color:%1'>⚠</span> %2").arg(signalColours(palette()).warning.name(), words));
-  setAccessibleName(words);
+  QStringList wordings;
+  if (m_now && m_toldError > 0.0) {
+    const QString error = aboutPercent(m_toldError);
+    wordings = {tr("rough, error about %1 %").arg(error), tr("error about %1 %").arg(error)};
+  } else if (m_now) { // before anything has moved there is no error to speak of
+    wordings = {tr("rough")};
+  } else if (m_until >= 0.0) {
+    const QString until = QLocale().toString(m_until, 'f', 2);
+    wordings = {tr("tolerance given up until t = %1 s").arg(until), tr("rough until t = %1 s").arg(until)};
+  }
   const QString why =
     tr("To keep the tolerance of %1 % would have cost too much work: the motion is bounded, but rough.")
       .arg(percent(m_tolerance));
-  setToolTip(why + QLatin1Char('\n') +
-             (m_now ? roughCure() : tr("What moves now comes from there. Reset begins anew.")));
+  setMark(QStringLiteral("⚠"), signalColours(palette()).warning);
+  explain(why + QLatin1Char('\n') +
+          (m_now ? roughCure() : tr("What moves now comes from there. Reset begins anew.")));
+  say(wordings);
+  emit said();
 }
 
 void ToleranceNote::changeEvent(QEvent* event)
 {
   if (event->type() == QEvent::LanguageChange || event->type() == QEvent::ApplicationPaletteChange) refresh();
-  QLabel::changeEvent(event);
+  StatusField::changeEvent(event);
 }
 
 StatusStrip::StatusStrip(QStatusBar* bar)
-  : QObject(bar),
-    m_tool(new QLabel(bar)),
-    m_tolerance(new ToleranceNote(bar)),
-    m_light(new StabilityLight(bar))
+  : QObject(bar), m_tolerance(new ToleranceNote(bar)), m_light(new StabilityLight(bar))
 {
   bar->setSizeGripEnabled(false);
-  m_tool->setObjectName(QStringLiteral("lblTool"));
-  bar->addWidget(m_tool, 1);
+  auto* tool = new QLabel(bar);
+  tool->setObjectName(QStringLiteral("lblTool"));
+  bar->addWidget(tool, 1);
   m_derived = add("lblDerived");
   m_nodes = add("lblNodes");
   m_springs = add("lblSprings");
@@ -218,54 +225,25 @@ StatusStrip::StatusStrip(QStatusBar* bar)
   bar->addPermanentWidget(m_light);
   m_device = add("lblDevice");
   m_language = add("lblLanguage");
-  m_room.setSingleShot(true);
-  m_room.setInterval(0);
-  connect(&m_room, &QTimer::timeout, this, &StatusStrip::makeRoom);
-  connect(bar, &QStatusBar::messageChanged, this, [this, bar](const QString& message) {
-    bar->setToolTip(message); // one longer than any window can be read there
-    m_room.start();
-  });
-  bar->installEventFilter(this);
+  // The hint stands in the preview, too: it gives way before the tolerance, which has a tool tip. A message tells
+  // of something new: the counts give way first.
+  const std::vector<StatusRoom::Step> steps{{m_derived, 1},   {m_solver, 1}, {m_springs, 1}, {m_realTime, 1},
+                                            {m_language, 1},  {m_nodes, 1},  {m_device, 1},  {m_light, 1},
+                                            {m_tolerance, 1}, {m_nodes, 2},  {m_realTime, 2}};
+  m_room = new StatusRoom(
+    bar, tool,
+    {m_derived, m_nodes, m_springs, m_realTime, m_solver, m_tolerance, m_light, m_device, m_language}, steps,
+    3, steps.size() - 1);
+  connect(m_light, &StabilityLight::said, m_room, &StatusRoom::share);
+  connect(m_tolerance, &ToleranceNote::said, m_room, &StatusRoom::share);
 }
 
-bool StatusStrip::eventFilter(QObject*, QEvent* event)
-{
-  if (event->type() == QEvent::Resize || event->type() == QEvent::LayoutRequest) m_room.start();
-  return false;
-}
-
-/// A label that is cut off says less than none: the least telling go first.
-void StatusStrip::makeRoom()
-{
-  const auto* bar = static_cast<QStatusBar*>(parent());
-  constexpr int kGap = 8;          // [pixel], about what the bar leaves around a label
-  constexpr int kReturnAfter = 40; // [pixel] more, so that changing digits make no label come and go
-  const auto wide = [&](const QLabel* label) { return label->sizeHint().width() + kGap; };
-  const QString message = bar->currentMessage();
-  int needed = message.isEmpty() ? wide(m_tool) : bar->fontMetrics().horizontalAdvance(message) + 2 * kGap;
-  needed += wide(m_light) + wide(m_device) + wide(m_language);
-  if (m_tolerance->isVisibleTo(bar)) needed += wide(m_tolerance);
-  bool fits = true;
-  for (QLabel* label : {m_realTime, m_nodes, m_springs, m_solver, m_derived}) {
-    const bool isThere = !label->text().isEmpty() && (label != m_derived || m_lastApply);
-    if (!isThere) {
-      label->setVisible(false);
-      continue;
-    }
-    needed += wide(label);
-    fits = fits && needed + (label->isVisibleTo(bar) ? 0 : kReturnAfter) <= bar->width();
-    label->setVisible(fits);
-  }
-}
-
-QLabel* StatusStrip::add(const char* name)
+StatusField* StatusStrip::add(const char* name)
 {
   auto* bar = static_cast<QStatusBar*>(parent());
-  auto* label = new QLabel(bar);
-  label->setObjectName(QLatin1String(name));
-  label->setContentsMargins(6, 0, 6, 0);
-  bar->addPermanentWidget(label);
-  return label;
+  auto* field = new StatusField(name, bar);
+  bar->addPermanentWidget(field);
+  return field;
 }
 
 void StatusStrip::setNet(Index nodes, Index springs)
@@ -285,50 +263,69 @@ void StatusStrip::setDerived(const DerivationReport& report, double time)
 void StatusStrip::clearDerived()
 {
   m_lastApply.reset();
-  m_derived->clear();
   retranslate();
 }
 
 void StatusStrip::retranslate()
 {
+  m_derived->explain(tr("Springs that the last edit of the tissue gave new numbers, and how long it took"));
+  showCounts();
+  m_room->share();
+}
+
+void StatusStrip::showCounts()
+{
   const QLocale locale;
-  m_room.start();
-  m_derived->setToolTip(
-    tr("Springs that the last edit of the tissue gave new numbers, and how long it took"));
+  QStringList derived;
   if (m_lastApply)
-    m_derived->setText(tr("%1 of %2 springs derived, %3 ms")
-                         .arg(locale.toString(m_lastApply->first), locale.toString(m_springCount),
-                              locale.toString(1e3 * m_lastApply->second, 'f', 1)));
+    derived = {tr("%1 of %2 springs derived, %3 ms")
+                 .arg(locale.toString(m_lastApply->first), locale.toString(m_springCount),
+                      locale.toString(1e3 * m_lastApply->second, 'f', 1)),
+               QString()};
+  m_derived->say(derived);
   const QString nodes = tr("%n node(s)", nullptr, m_nodeCount);
   const bool someRest = m_awakeCount >= 0 && m_awakeCount < m_nodeCount;
-  m_nodes->setText(someRest ? tr("%1 of %2 awake").arg(m_awakeCount).arg(nodes) : nodes);
-  m_springs->setText(tr("%n spring(s)", nullptr, m_springCount));
+  if (someRest)
+    m_nodes->say(
+      {tr("%1 of %2 awake").arg(m_awakeCount).arg(nodes), tr("%1 awake").arg(m_awakeCount), QString()});
+  else
+    m_nodes->say({nodes, nodes, QString()});
+  m_springs->say({tr("%n spring(s)", nullptr, m_springCount), QString()});
 }
 
 void StatusStrip::setRun(const SimSnapshot& snapshot)
 {
-  const QLocale locale;
-  const QString factor = locale.toString(snapshot.realTimeFactor, 'f', 2);
-  if (m_nodeCount == 0) // the snapshot is of the model before
-    m_realTime->clear();
-  else if (!snapshot.playing)
-    m_realTime->setText(tr("t = %1 s").arg(locale.toString(snapshot.time, 'f', 2)));
-  else if (snapshot.quality.rung == 0)
-    m_realTime->setText(tr("real time %1×").arg(factor));
-  else
-    m_realTime->setText(tr("real time %1×, tolerance %2 %").arg(factor, percent(snapshot.quality.tolerance)));
-  if (m_nodeCount > 0 && snapshot.lag > kLongLag)
-    m_realTime->setText(
-      tr("%1, %2 ms behind").arg(m_realTime->text(), locale.toString(1e3 * snapshot.lag, 'f', 0)));
-  m_realTime->setToolTip(tr("Simulated time over wall time; a frame costs %1 % of its period")
-                           .arg(locale.toString(100.0 * snapshot.frameCost, 'f', 0)) +
-                         QLatin1Char('\n') + rungText(snapshot.quality));
-  m_solver->setText(m_nodeCount == 0 ? QString()
-                                     : tr("solver %1").arg(QString::fromStdString(snapshot.solver)));
-  m_solver->setToolTip(reasonText(snapshot.message));
+  showPace(snapshot);
+  m_solver->explain(reasonText(snapshot.message));
+  m_solver->say(m_nodeCount == 0
+                  ? QStringList()
+                  : QStringList{tr("solver %1").arg(QString::fromStdString(snapshot.solver)), QString()});
   showWork(snapshot);
   m_tolerance->show(snapshot);
   m_light->show(snapshot);
+  m_room->share();
+}
+
+/// Simulated time against the clock: the factor is the last to go.
+void StatusStrip::showPace(const SimSnapshot& snapshot)
+{
+  m_realTime->explain(tr("Simulated time over wall time; a frame costs %1 % of its period")
+                        .arg(QLocale().toString(100.0 * snapshot.frameCost, 'f', 0)) +
+                      QLatin1Char('\n') + rungText(snapshot.quality));
+  if (m_nodeCount == 0) return m_realTime->say({}); // the snapshot is of the model before
+  if (!snapshot.playing)
+    return m_realTime->say({tr("t = %1 s").arg(QLocale().toString(snapshot.time, 'f', 2))});
+  const QString factor = QLocale().toString(snapshot.realTimeFactor, 'f', 2);
+  QStringList wordings{tr("real time %1×, tolerance %2 %").arg(factor, percent(snapshot.quality.tolerance)),
+                       tr("real time %1×").arg(factor), QStringLiteral("%1×").arg(factor)};
+  if (snapshot.quality.rung == 0) wordings[0] = wordings[1];
+  if (snapshot.lag > kLongLag) {
+    const QString lag = lagText(snapshot.lag);
+    wordings[0] = tr("%1, %2 behind").arg(wordings[0], lag);
+    wordings[1] = tr("%1, %2 behind").arg(wordings[1], lag);
+    wordings[2] = QStringLiteral("%1, −%2").arg(wordings[2], lag);
+  }
+  m_realTime->say(wordings);
 }
 
 void StatusStrip::showWork(const SimSnapshot& snapshot)
@@ -336,35 +333,37 @@ void StatusStrip::showWork(const SimSnapshot& snapshot)
   const QLocale locale;
   const StepReport& work = snapshot.report;
   m_awakeCount = snapshot.playing ? static_cast<Index>(work.nodesAwake) : -1;
-  retranslate();
-  m_nodes->setToolTip(tr("%1 of %2 nodes awake; the others rest and cost nothing")
-                        .arg(work.nodesAwake)
-                        .arg(snapshot.position.cols()));
-  m_springs->setToolTip(
-    tr("Last frame: %1 springs evaluated in %2 steps, %3 factorizations, %4 rejected steps")
-      .arg(locale.toString(static_cast<qlonglong>(work.springsEvaluated)),
-           locale.toString(static_cast<qlonglong>(work.steps)))
-      .arg(work.factorizations)
-      .arg(work.rejectedSteps));
+  m_nodes->explain(tr("%1 of %2 nodes awake; the others rest and cost nothing")
+                     .arg(work.nodesAwake)
+                     .arg(snapshot.position.cols()));
+  m_springs->explain(tr("Last frame: %1 springs evaluated in %2 steps, %3 factorizations, %4 rejected steps")
+                       .arg(locale.toString(static_cast<qlonglong>(work.springsEvaluated)),
+                            locale.toString(static_cast<qlonglong>(work.steps)))
+                       .arg(work.factorizations)
+                       .arg(work.rejectedSteps));
+  showCounts();
 }
 
 void StatusStrip::setDevice(const HapticStatus& status)
 {
   if (status.state == DeviceState::Absent) {
-    m_device->setText(tr("no device"));
-    return;
+    m_device->explain(QString());
+    m_device->say({tr("no device"), QString()});
+  } else {
+    m_device->explain(tr("%1: %2; %3 of %4 ticks late, worst %5 ms")
+                        .arg(QString::fromStdString(status.device), deviceStateText(status.state))
+                        .arg(status.lateTicks)
+                        .arg(status.ticks)
+                        .arg(QLocale().toString(1e3 * status.worstLateness, 'f', 1)));
+    m_device->say({tr("device %1 Hz").arg(QLocale().toString(status.rate, 'f', 0)), QString()});
   }
-  m_device->setText(tr("device %1 Hz").arg(QLocale().toString(status.rate, 'f', 0)));
-  m_device->setToolTip(tr("%1: %2; %3 of %4 ticks late, worst %5 ms")
-                         .arg(QString::fromStdString(status.device), deviceStateText(status.state))
-                         .arg(status.lateTicks)
-                         .arg(status.ticks)
-                         .arg(QLocale().toString(1e3 * status.worstLateness, 'f', 1)));
+  m_room->share();
 }
 
 void StatusStrip::setLanguage(const QString& code)
 {
-  m_language->setText(code);
+  m_language->say({code, QString()});
+  m_room->share();
 }
 
 } // namespace esm

@@ -2,12 +2,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "app/window/status_field.h"
 #include "core/runtime/sim_thread.h"
 #include "core/tissue/tissue_model.h"
 #include "haptics/haptic_session.h"
 
 #include <QLabel>
-#include <QTimer>
 
 #include <optional>
 #include <utility>
@@ -20,12 +20,15 @@ namespace esm {
 /// (implicit steps, accuracy, the clock), red when it had to stop. A picture that does not come is said while
 /// it does not. Cause and cure are in the tool tip (and in
 /// the status line when the simulation had to stop).
-class StabilityLight : public QLabel {
+class StabilityLight : public StatusField {
   Q_OBJECT
 public:
   explicit StabilityLight(QWidget* parent = nullptr);
   void show(const SimSnapshot& snapshot);
-  using QLabel::show;
+  using StatusField::show;
+
+signals:
+  void said(); ///< something else, in whatever room it has
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -33,6 +36,7 @@ protected:
 private:
   void refresh();
   QString causeAndCure() const;
+  QStringList wordings() const;
   Stability m_stability = Stability::Idle;
   bool m_playing = false;
   double m_realTimeFactor = 0.0;
@@ -44,12 +48,15 @@ private:
 
 /// Says that the tolerance was given up, for as long as it is so and while the motion comes from there; else
 /// it is hidden. What helps is in the tool tip.
-class ToleranceNote : public QLabel {
+class ToleranceNote : public StatusField {
   Q_OBJECT
 public:
   explicit ToleranceNote(QWidget* parent = nullptr);
   void show(const SimSnapshot& snapshot);
-  using QLabel::show;
+  using StatusField::show;
+
+signals:
+  void said(); ///< something else, in whatever room it has
 
 protected:
   void changeEvent(QEvent* event) override;
@@ -64,13 +71,13 @@ private:
 
 /// The fields of the status bar: tool, what the last edit derived, nodes (and how many are awake), springs
 /// (and the work on them), real time with the accuracy in force, solver and why it was chosen, a tolerance
-/// that was given up, stability, device, language. Where they and the message do not fit beside each other
-/// the lesser ones make room.
+/// that was given up, stability, device, language. Where they and the hint or a message do not fit beside each
+/// other, the lesser ones make room; light, factor, lag and error stay. Each change is laid out at once.
 class StatusStrip : public QObject {
   Q_OBJECT
 public:
   explicit StatusStrip(QStatusBar* bar);
-  void setTool(const QString& hint) { m_tool->setText(hint); }
+  void setTool(const QString& hint) { m_room->setHint(hint); }
   void setNet(Index nodes, Index springs);
   /// What the last edit of the tissue cost. @param time [s].
   void setDerived(const DerivationReport& report, double time);
@@ -80,17 +87,15 @@ public:
   void setLanguage(const QString& code);
   void retranslate();
 
-protected:
-  bool eventFilter(QObject* watched, QEvent* event) override;
-
 private:
-  QLabel* add(const char* name);
-  void makeRoom();
+  StatusField* add(const char* name);
+  void showPace(const SimSnapshot& snapshot);
   void showWork(const SimSnapshot& snapshot);
-  QLabel *m_tool, *m_derived, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
+  void showCounts();
+  StatusField *m_derived, *m_nodes, *m_springs, *m_realTime, *m_solver, *m_device, *m_language;
   ToleranceNote* m_tolerance;
   StabilityLight* m_light;
-  QTimer m_room; ///< until makeRoom(), once for all that changes at a time
+  StatusRoom* m_room;
   Index m_nodeCount = 0, m_springCount = 0;
   std::optional<std::pair<Index, double>> m_lastApply; ///< springs, time [s]
   Index m_awakeCount = -1;                             ///< -1: nothing runs

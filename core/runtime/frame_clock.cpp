@@ -17,7 +17,7 @@ void FrameClock::start(double now) noexcept
 {
   m_deadline = now;
   m_lastEnd = now;
-  m_lag = 0.0;
+  m_lag = m_unpaid = 0.0;
   m_first = true;
 }
 
@@ -32,12 +32,15 @@ Pace FrameClock::paceAt(double now) const noexcept
 
 void FrameClock::endFrame(double now, double simulated, double processorTime) noexcept
 {
+  m_unpaid += processorTime;
+  if (!(simulated > 0.0)) return;
   // The pace over one whole cycle of waiting and working. The first frame has waited for nothing yet: it
   // counts as if it had taken a period at least.
   const double elapsed = std::max(now - m_lastEnd, m_first ? m_period : 1e-9);
   const double weight = m_first ? 1.0 : 1.0 - std::exp(-elapsed / kSmoothing);
   m_factor += weight * (simulated / elapsed - m_factor);
-  m_cost += weight * (processorTime / m_period - m_cost);
+  m_cost += weight * (m_unpaid / m_period - m_cost);
+  m_unpaid = 0.0;
   m_lastEnd = m_first ? m_deadline + elapsed : now;
   m_first = false;
 

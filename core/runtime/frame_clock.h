@@ -35,7 +35,8 @@ public:
   double period() const noexcept { return m_period; }
   double deadline() const noexcept { return m_deadline; }
 
-  /// A frame ended at `now`. It moved the simulation by `simulated` and took `processorTime`.
+  /// A frame ended at `now`. It moved the simulation by `simulated` and took `processorTime`. One that got nowhere
+  /// is no end: what it was to do is still under way, and the longer late.
   void endFrame(double now, double simulated, double processorTime) noexcept;
 
   /// @param now  not before the last endFrame() or start().
@@ -51,7 +52,8 @@ private:
   double m_deadline = 0.0;
   double m_lastEnd = 0.0;
   double m_factor = 0.0, m_cost = 0.0;
-  double m_lag = 0.0; ///< with which the last frame ended [s]
+  double m_unpaid = 0.0; ///< processor time of frames that got nowhere, since the last that did [s]
+  double m_lag = 0.0;    ///< with which the last frame ended [s]
   bool m_first = true;
 };
 

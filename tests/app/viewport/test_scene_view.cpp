@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport/gl_view.h"
 #include "app/viewport/scene_view.h"
 #include "core/base/colour_map.h"
 #include "tests/app/viewport/sample_nets.h"
@@ -343,6 +344,87 @@ TEST(SceneViewGl, AnIdleSceneIsNotPainted)
     QTest::qWait(2);
   }
   EXPECT_EQ(painted.count(), 0);
+}
+
+namespace {
+
+int orangePixels(const QImage& picture)
+{
+  int count = 0;
+  for (int y = 0; y < picture.height(); ++y)
+    for (int x = 0; x < picture.width(); ++x)
+      count += difference(picture.pixelColor(x, y), QColor(0xf2, 0x6b, 0x21)) < 60 ? 1 : 0;
+  return count;
+}
+
+} // namespace
+
+// Before it pulls the tool shows on the tissue how far its hold will reach, and follows the radius; in both themes,
+// and without drawing the net anew.
+TEST(SceneView, ThePullToolShowsWhatItWillHold)
+{
+  for (const bool dark : {false, true}) {
+    View view;
+    if (dark) view.scene.setPalette(darkPalette());
+    view.scene.setNet(samples::sphere(4, 0.05), 1);
+    view.scene.setColouring(Colouring::None);
+    view.scene.setTool(Tool::Pull);
+    view.scene.setGripRadius(0.008);
+    EXPECT_EQ(orangePixels(view.scene.picture()), 0);
+    const auto* canvas = view.scene.findChild<GlView*>("view3dCanvas");
+    ASSERT_NE(canvas, nullptr);
+    const int before = canvas->scenesDrawn();
+    QTest::mouseMove(&view.scene, QPoint(300, 240));
+    QTest::mouseMove(&view.scene, view.scene.project({0.0, -0.05, 0.0}).toPoint());
+    const QImage small = view.scene.picture();
+    view.scene.setGripRadius(0.02);
+    const QImage large = view.scene.picture();
+    EXPECT_EQ(canvas->scenesDrawn(), before) << "only the overlay is another";
+    EXPECT_GT(orangePixels(small), 100);
+    EXPECT_GT(orangePixels(large), 2 * orangePixels(small) - 60); // about as its radius
+    // The ring is where the radius is, on the surface: 20 mm beside the node.
+    const Eigen::Vector3d rim(0.05 * std::sin(0.4027), -0.05 * std::cos(0.4027), 0.0);
+    const QPoint at = view.scene.project(rim).toPoint();
+    EXPECT_GT(orangePixels(large.copy(at.x() - 4, at.y() - 4, 9, 9)), 3);
+    EXPECT_EQ(orangePixels(small.copy(at.x() - 4, at.y() - 4, 9, 9)), 0);
+    view.scene.setTool(Tool::Camera);
+    EXPECT_EQ(orangePixels(view.scene.picture()), 0);
+  }
+}
+
+// What is kept is not shown when anything of the scene is another: camera, motion, colours, what is shown, theme.
+TEST(SceneView, AKeptSceneIsDrawnAnewWhenItChanges)
+{
+  View view;
+  const auto net = samples::sphere(3, 0.05);
+  view.scene.setNet(net, 1);
+  const auto* canvas = view.scene.findChild<GlView*>("view3dCanvas");
+  const auto isNew = [&] {
+    const int before = canvas->scenesDrawn();
+    view.scene.picture();
+    return canvas->scenesDrawn() > before;
+  };
+  EXPECT_TRUE(isNew());
+  EXPECT_FALSE(isNew());
+  view.scene.setToolForce({0.0, 0.0, 1.0});
+  EXPECT_FALSE(isNew());
+  ViewSettings turned;
+  turned.azimuth = 1.0;
+  view.scene.setViewSettings(turned);
+  EXPECT_TRUE(isNew());
+  SimSnapshot snapshot = samples::restSnapshot(*net, 1, 2);
+  snapshot.position *= 1.01;
+  view.scene.setSnapshot(snapshot);
+  EXPECT_TRUE(isNew());
+  view.scene.setShown(true, false, false);
+  EXPECT_TRUE(isNew());
+  view.scene.setPalette(darkPalette());
+  EXPECT_TRUE(isNew());
+  view.scene.setColouring(Colouring::Strain);
+  EXPECT_TRUE(isNew());
+  view.scene.resize(500, 400);
+  EXPECT_TRUE(isNew());
+  EXPECT_FALSE(isNew());
 }
 
 // A new top-level parent replaces the OpenGL context; buffers and textures must come back.

@@ -106,6 +106,27 @@ TEST_F(FrameClockTest, AFrameThatHangsIsKnownBeforeItEnds)
   EXPECT_EQ(clock.paceAt(end).frameTime, 0.0);
 }
 
+// A step of a second, asked for in frames of 50 ms that each come back with nothing: the same as one that hangs.
+TEST_F(FrameClockTest, FramesThatGetNowhereAreOneThatHangs)
+{
+  start(0.0);
+  run(100, 0.005);
+  FrameClock hanging = clock;
+  const double due = clock.deadline();
+  for (int i = 1; i <= 20; ++i) {
+    now = due + 0.05 * i;
+    clock.endFrame(now, 0.0, 0.05);
+    EXPECT_EQ(clock.paceAt(now).realTimeFactor, hanging.paceAt(now).realTimeFactor);
+    EXPECT_NEAR(clock.paceAt(now).lag, std::max(0.0, 0.05 * i - kPeriod), 1e-9);
+    EXPECT_NEAR(clock.paceAt(now).frameTime, 0.05 * i, 1e-9);
+    EXPECT_LE(clock.deadline(), now); // the next one starts at once
+  }
+  clock.endFrame(now, kPeriod, 0.0);
+  hanging.endFrame(now, kPeriod, 1.0);
+  EXPECT_EQ(clock.realTimeFactor(), hanging.realTimeFactor());
+  EXPECT_NEAR(clock.frameCost(), hanging.frameCost(), 1e-9);
+}
+
 // Frames of four periods each, one after the other: three periods behind at each end, and no less between.
 TEST_F(FrameClockTest, TheLagOfSlowMotionIsSteady)
 {
