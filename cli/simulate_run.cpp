@@ -278,8 +278,8 @@ Status Runner::compute(Run& run, SpringNet net, SolverSettings solver, const std
   }
   simulation.record(nullptr);
   if (const Status written = withFiles([&] { return writeLog(); }); !written) return written.error();
-  summary.energy = simulation.energyReport();
   summary.energyOfParts = simulation.islandEnergies();
+  for (const EnergyReport& part : summary.energyOfParts) summary.energy += part;
   summary.errorGrowth = simulation.errorGrowth();
   summary.errorGrowthTime = simulation.errorGrowthTime();
   summary.solver = simulation.solverName();

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport/grip_mark.h"
 
-#include "core/runtime/node_patch.h"
+#include "core/contact/node_patch.h"
 
 #include <Eigen/Geometry>
 

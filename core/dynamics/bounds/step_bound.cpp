@@ -145,18 +145,48 @@ void StepBound::sumSprings(const System& system)
       sumHub(springs, m_rootViscosity, inverseMass[i], m_rowViscosity);
       continue;
     }
-    for (std::size_t p = 0; p < springs.size(); ++p)
-      for (std::size_t q = 0; q <= p; ++q) {
-        const std::uint32_t e = springs[p], f = springs[q];
-        const double cosine = std::abs(m_tangents[e].direction.dot(m_tangents[f].direction)) * inverseMass[i];
-        const double k = cosine * m_rootStiffness[e] * m_rootStiffness[f];
-        const double c = cosine * m_rootViscosity[e] * m_rootViscosity[f];
-        m_rowStiffness[e] += k;
-        m_rowViscosity[e] += c;
-        if (p == q) continue;
-        m_rowStiffness[f] += k;
-        m_rowViscosity[f] += c;
-      }
+    sumPairs(springs, inverseMass[i]);
+  }
+}
+
+/// The rows of a node pair by pair, on what its springs have gathered side by side: struts make many pairs.
+void StepBound::sumPairs(std::span<const std::uint32_t> springs, double inverseMass)
+{
+  struct Row {
+    double x[kHub], y[kHub], z[kHub], root[kHub], rootViscosity[kHub], stiffness[kHub], viscosity[kHub];
+  } row;
+  const std::size_t count = springs.size();
+  for (std::size_t p = 0; p < count; ++p) {
+    const std::uint32_t e = springs[p];
+    const Eigen::Vector3d& u = m_tangents[e].direction;
+    row.x[p] = u.x();
+    row.y[p] = u.y();
+    row.z[p] = u.z();
+    row.root[p] = m_rootStiffness[e];
+    row.rootViscosity[p] = m_rootViscosity[e];
+    row.stiffness[p] = m_rowStiffness[e];
+    row.viscosity[p] = m_rowViscosity[e];
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    double k[kHub], c[kHub];
+    for (std::size_t q = 0; q <= p; ++q) {
+      const double cosine =
+        std::abs(row.x[p] * row.x[q] + (row.y[p] * row.y[q] + row.z[p] * row.z[q])) * inverseMass;
+      k[q] = cosine * row.root[p] * row.root[q];
+      c[q] = cosine * row.rootViscosity[p] * row.rootViscosity[q];
+    }
+    for (std::size_t q = 0; q < p; ++q) {
+      row.stiffness[q] += k[q];
+      row.viscosity[q] += c[q];
+    }
+    for (std::size_t q = 0; q <= p; ++q) {
+      row.stiffness[p] += k[q];
+      row.viscosity[p] += c[q];
+    }
+  }
+  for (std::size_t p = 0; p < count; ++p) {
+    m_rowStiffness[springs[p]] = row.stiffness[p];
+    m_rowViscosity[springs[p]] = row.viscosity[p];
   }
 }
 

@@ -61,6 +61,7 @@ private:
   void makeRoom(const System& system);
   void sumNodes(const System& system);
   void sumSprings(const System& system);
+  void sumPairs(std::span<const std::uint32_t> springs, double inverseMass);
   void sumHub(std::span<const std::uint32_t> springs, const std::vector<double>& weight, double inverseMass,
               std::vector<double>& rows) const;
   void sumPressure(const System& system, const NodeArray& x);

@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/viewport/grip_mark.h"
 #include "app/viewport/scene_model.h"
-#include "core/runtime/node_patch.h"
+#include "core/contact/node_patch.h"
 #include "tests/app/viewport/sample_nets.h"
 
 #include <gtest/gtest.h>
