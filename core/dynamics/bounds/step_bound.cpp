@@ -171,7 +171,7 @@ void StepBound::sumPairs(std::span<const std::uint32_t> springs, double inverseM
     double k[kHub], c[kHub];
     for (std::size_t q = 0; q <= p; ++q) {
       const double cosine =
-        std::abs(row.x[p] * row.x[q] + (row.y[p] * row.y[q] + row.z[p] * row.z[q])) * inverseMass;
+        std::abs(row.x[p] * row.x[q] + row.y[p] * row.y[q] + row.z[p] * row.z[q]) * inverseMass;
       k[q] = cosine * row.root[p] * row.root[q];
       c[q] = cosine * row.rootViscosity[p] * row.rootViscosity[q];
     }
