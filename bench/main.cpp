@@ -26,7 +26,8 @@ int usage()
     "cost\n"
     "       esm_bench fem [tube|block|NET] [--cases] [--data=FOLDER]   errors of imported nets against "
     "finite elements\n"
-    "       esm_bench kernel|stability|growth|skip|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
+    "       esm_bench stability [--quick] [METHOD...]   what stays bounded at one step a frame\n"
+    "       esm_bench kernel|growth|skip|realtime|fuzzy|tissue_edit|remesh|import [--quick]\n"
     "       esm_bench --quick [--validate-hash FILE]   seconds; exit 1 if a bit differs\n");
   return 2;
 }

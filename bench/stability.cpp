@@ -77,7 +77,24 @@ bool runTheirs(const Scene& scene, const MethodEntry& entry)
   return true;
 }
 
-void sweep(const char* axis, double k, double m, double c, double second)
+using Names = std::vector<std::string>;
+
+bool contains(const Names& names, const std::string& name)
+{
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// Ours, and the competitors that take fixed steps.
+Names allMethods()
+{
+  Names names = {"auto"};
+  for (const SolverInfo& solver : solverNames()) names.push_back(solver.name);
+  for (const MethodEntry& entry : competitors())
+    if (!entry.adaptive) names.emplace_back(entry.name);
+  return names;
+}
+
+void sweep(const char* axis, double k, double m, double c, double second, const Names& wanted)
 {
   const Scene scene = variant(k, m, c);
   const auto tell = [&](const std::string& method, bool ours, bool bounded, double seconds,
@@ -87,16 +104,17 @@ void sweep(const char* axis, double k, double m, double c, double second)
                 note.c_str());
     std::fflush(stdout);
   };
-  std::vector<std::string> solvers = {"auto"};
+  Names solvers = {"auto"};
   for (const SolverInfo& solver : solverNames()) solvers.push_back(solver.name);
   for (const std::string& solver : solvers) {
+    if (!contains(wanted, solver)) continue;
     const double start = cpuSeconds();
     std::string note;
     const bool bounded = runOurs(scene, solver, note);
     tell(solver, true, bounded, cpuSeconds() - start, note);
   }
   for (const MethodEntry& entry : competitors()) {
-    if (entry.adaptive) continue;
+    if (!contains(wanted, entry.name)) continue;
     const double start = cpuSeconds();
     const bool bounded = runTheirs(scene, entry);
     tell(entry.name, false, bounded, cpuSeconds() - start, "");
@@ -108,11 +126,22 @@ void sweep(const char* axis, double k, double m, double c, double second)
 int runStability(const std::vector<std::string>& words)
 {
   const bool quick = isQuick(words);
+  const Names all = allMethods();
+  Names wanted;
+  for (const std::string& word : words) {
+    if (word == "--quick") continue;
+    if (!contains(all, word)) {
+      std::fprintf(stderr, "esm_bench: there is no method \"%s\" that takes fixed steps\n", word.c_str());
+      return 2;
+    }
+    wanted.push_back(word);
+  }
+  if (wanted.empty()) wanted = all;
   std::printf("method,ours,axis,stiffness_decades,second_decades,bounded,seconds_per_frame,note\n");
   for (double k = 0.0; k <= 9.0; k += quick ? 3.0 : 1.0) {
-    for (double m = 0.0; m <= 12.0; m += quick ? 6.0 : 3.0) sweep("mass", k, m, 0.0, m);
+    for (double m = 0.0; m <= 12.0; m += quick ? 6.0 : 3.0) sweep("mass", k, m, 0.0, m, wanted);
     for (const double c : {-9.0, -3.0, 3.0, 6.0}) // -9 stands for no viscosity at all
-      if (!quick || c == -9.0 || c == 6.0) sweep("viscosity", k, 0.0, c, c);
+      if (!quick || c == -9.0 || c == 6.0) sweep("viscosity", k, 0.0, c, c, wanted);
   }
   return 0;
 }

@@ -16,6 +16,19 @@ enum class StepResult { Done, NonFinite, NotConverged };
 
 /// One way to move a system through one step. Keeps only what speeds up the next step; the motion itself is
 /// in MotionState, so that methods can be exchanged between two steps without a jump.
+///
+/// What a step owes to those around it (runge_kutta.cpp is the plainest explicit method to learn it from,
+/// linearized.cpp the plainest implicit one):
+/// - Forces at a time come from System::evaluate(), which counts springs and puts prescribed nodes to their
+///   place; System::toAccelerations() makes accelerations of them, 0 where a support holds. At the end of the
+///   step System::place() puts prescribed nodes to theirs once more, if no evaluate() there has done it.
+/// - Work and heat are the powers that evaluate() returns, summed with the weights that the forces have in
+///   the step: only so does the balance of energy have the order of the method.
+/// - StepReport::steps counts every step, one that fails, too; factors and iterations are counted by who makes
+///   them. All else in the report is the planner's.
+/// - The new state is made in buffers of the method's own; if allFinite() denies, the result is NonFinite, else
+///   MotionState::advanceTo() exchanges the arrays and adds the energies.
+/// - Sweeps over the nodes go through System::sweepNodes(), so that threads share them with the same bits.
 class Integrator {
 public:
   virtual ~Integrator() = default;
@@ -64,7 +77,9 @@ public:
   virtual bool keepsLoan() const noexcept { return false; }
   /// Whether it brakes what a free body does as one, so that it is best run in the body's frame of reference.
   virtual bool brakesBodies() const noexcept { return false; }
-  /// Largest stable step for such motions [s]; infinity for an implicit method.
+  /// Largest stable step for such motions [s]; infinity for an implicit method. The planner keeps a margin of
+  /// a twentieth. Where no step is stable, as without dampers by most methods of Runge-Kutta's kind, the one
+  /// by which the fastest motion grows by some 1e-4 of itself: slower than the checks of the tolerance mend.
   virtual double stableStep(const FastestMode& mode) const noexcept = 0;
   /// Whether stableStep() looks at FastestMode::decay, of which to know more than `damping` takes half of
   /// what a look at the bounds costs.
@@ -72,28 +87,30 @@ public:
   /// How exactly an implicit method must solve for positions [m]; `rough`: a few iterations that gain are
   /// enough, the state only has to stay bounded.
   virtual void setSolveTolerance(double /*tolerance*/, bool /*rough*/) noexcept {}
-  /// Cost of a step of length `h` [s] in spring evaluations.
+  /// Cost of a step of length `h` [s] in spring evaluations: passes times ForceModel::passCost(), and
+  /// System::sweepCost() of all that is done with the nodes besides.
   virtual double stepCost(const System& system, double h) = 0;
 };
 
-/// What a method is to the planner (StepDriver): one of the explicit ones that compete by cost; the implicit
-/// one that serves where they all are too slow; or one that only runs when asked for by name.
+/// What a method is to the planner (StepDriver): one of those that `auto` weighs against each other, or one that
+/// only runs when asked for by name. The tests that go over all methods choose them by it, too.
 enum class MethodRole {
-  Explicit,
-  Local, ///< explicit with local steps: laid out and weighed only where few springs or nodes hold up many
-  ExplicitByName,
-  Implicit,
-  ByName
+  Explicit, ///< competes by cost
+  Local,    ///< the same with local steps: laid out and weighed only where few springs or nodes hold up many
+  ExplicitByName, ///< by name; explicit, so its steps come from stableStep() and the checks of the tolerance
+  Implicit,       ///< the one that serves where the explicit ones are all too slow; there is only one
+  ByName          ///< by name; any other: implicit, damping or rough
 };
 
-/// A line of the table of methods: adding one is adding one file and one line in integrators.cpp.
+/// A line of the table of methods: adding one is adding one file and one line in methods.inc.
 struct IntegratorEntry {
-  std::string_view name, description;
+  std::string_view name, description; ///< unique; one line for `esm solvers`
   std::unique_ptr<Integrator> (*make)();
   MethodRole role;
   /// Error (docs/FILE_FORMAT.md) that an explicit method makes at its largest stable step on tissue-like nets
   /// of some hundreds of nodes that have just been pulled: the planner's guess before it has measured for
-  /// itself. Set by the force passes of `auto` on ninety scenes.
+  /// itself. Set by the force passes of `auto` on ninety scenes; of a method by name it only chooses the
+  /// first steps, and a power of ten is enough.
   double typicalError = 0.0;
   /// Of an error across the motion, the share that does not add up where dampers are stronger than springs,
   /// measured; see StepDriver::addingUp().
@@ -106,22 +123,8 @@ struct IntegratorEntry {
 std::span<const IntegratorEntry> integratorTable() noexcept;
 std::unique_ptr<Integrator> makeIntegrator(std::string_view name); ///< null for an unknown name
 
-std::unique_ptr<Integrator> makeLeapfrog();
-std::unique_ptr<Integrator> makeChebyshev();
-std::unique_ptr<Integrator> makeStoermer3();
-std::unique_ptr<Integrator> makeVerlet();
-std::unique_ptr<Integrator> makeStoermer();
-std::unique_ptr<Integrator> makeRungeKutta4();
-std::unique_ptr<Integrator> makeDormandPrince();
-std::unique_ptr<Integrator> makeImplicit();
-std::unique_ptr<Integrator> makeMultirate();
 /// Part of `multirate`: velocity Verlet, a few stiff nodes by the trapezoidal rule.
 std::unique_ptr<Integrator> makeFewImplicit();
-std::unique_ptr<Integrator> makeWavefront();
-std::unique_ptr<Integrator> makeLinearized();
-std::unique_ptr<Integrator> makeRelax();
-std::unique_ptr<Integrator> makeDescent();
-std::unique_ptr<Integrator> makeBlockDescent();
 
 /// Whether all numbers are finite.
 bool allFinite(const NodeArray& x, const NodeArray& v) noexcept;

@@ -8,57 +8,18 @@
 
 namespace esm {
 
+#define METHOD(make, ...) std::unique_ptr<Integrator> make();
+#include "core/dynamics/methods/methods.inc"
+#undef METHOD
+
 std::span<const IntegratorEntry> integratorTable() noexcept
 {
   using enum MethodRole;
+#define METHOD(make, name, description, ...) IntegratorEntry{name, description, &make, __VA_ARGS__},
   static constexpr std::array table{
-    IntegratorEntry{
-      "leapfrog",
-      "leapfrog (staggered symplectic Euler), explicit, one force pass per step and short viscous "
-      "ones where viscosity would limit it; second order",
-      &makeLeapfrog, Explicit, 4e-2},
-    IntegratorEntry{"chebyshev", "the same with more viscous stages: second order in viscosity too",
-                    &makeChebyshev, Explicit, 1e-2, 0.5, 0.0, "stoermer3"},
-    IntegratorEntry{"stoermer3", "the same by Stoermer's rule of third order, which keeps waves in phase",
-                    &makeStoermer3, Explicit, 3e-3, 0.7, 3e-4},
-    IntegratorEntry{"verlet",
-                    "velocity Verlet: second order in viscosity too, explicit, one force pass per step",
-                    &makeVerlet, Explicit, 1.5e-3},
-    IntegratorEntry{
-      "stoermer",
-      "Stoermer's multistep method: fourth order, explicit, one force pass per step, and viscous "
-      "forces once more where they would limit it",
-      &makeStoermer, Explicit, 2e-5},
-    IntegratorEntry{"rk4", "classical Runge-Kutta: fourth order, explicit, four force passes per step",
-                    &makeRungeKutta4, ExplicitByName, 1e-4},
-    IntegratorEntry{"dopri5",
-                    "Dormand-Prince: fifth order, explicit, six force passes per step; small errors",
-                    &makeDormandPrince, ExplicitByName, 1e-5},
-    IntegratorEntry{"implicit",
-                    "TR-BDF2: second order, implicit with sparse Cholesky, stable at any step; stiff nets",
-                    &makeImplicit, Implicit},
-    IntegratorEntry{
-      "lie", "linearised implicit Euler (Baraff and Witkin): one linear system a step, first order, bounded",
-      &makeLinearized, ByName},
-    IntegratorEntry{
-      "descent",
-      "implicit Euler by descent on its incremental potential: gains no energy, whatever net and step",
-      &makeDescent, ByName},
-    IntegratorEntry{"block-descent",
-                    "the same without a factor: every node descends by its own block, in conjugate "
-                    "directions; a frame at a time, for the hand",
-                    &makeBlockDescent, ByName},
-    IntegratorEntry{
-      "multirate",
-      "velocity Verlet with each spring at its own rate: nets with a few stiff springs or light nodes",
-      &makeMultirate, Local, 1e-3},
-    IntegratorEntry{"wavefront",
-                    "the propagation of 1999: from the greatest force outward layer by layer, first order",
-                    &makeWavefront, ByName},
-    IntegratorEntry{"relax",
-                    "to the energy minimum in each interval, then on in time: no inertia, slow hands only",
-                    &makeRelax, ByName},
+#include "core/dynamics/methods/methods.inc"
   };
+#undef METHOD
   return table;
 }
 

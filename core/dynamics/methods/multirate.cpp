@@ -88,7 +88,7 @@ public:
     for (NodeArray* array : {&m_x, &m_v, &m_p, &m_force})
       array->assign(m_plan.pays ? system.nodeCount() : 0, Lanes{0, 0, 0, 0});
     if (m_plan.pays) return;
-    m_uniform = StiffNodes::find(system).empty() ? makeVerlet() : makeFewImplicit();
+    m_uniform = StiffNodes::find(system).empty() ? makeIntegrator("verlet") : makeFewImplicit();
     m_uniform->prepare(system);
   }
   void restart() noexcept override
@@ -278,7 +278,8 @@ private:
     }
   }
 
-  std::unique_ptr<Integrator> m_uniform = makeVerlet(); ///< where one rate for all springs is cheaper
+  /// Where one rate for all springs is cheaper.
+  std::unique_ptr<Integrator> m_uniform = makeIntegrator("verlet");
   MultirateLayout::Plan m_plan;
   MultirateLayout m_layout;
   std::vector<ClassMotion> m_motion; ///< by class

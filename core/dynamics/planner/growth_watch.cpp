@@ -106,7 +106,7 @@ void GrowthWatch::setMode(const FastestMode& mode) noexcept
 void GrowthWatch::start()
 {
   m_system = System(*m_net, *m_loads);
-  m_integrator = makeLeapfrog();
+  m_integrator = makeIntegrator("leapfrog");
   m_integrator->prepare(m_system);
   m_v = m_pattern;
   m_x.assign(m_v.size(), Lanes{0, 0, 0, 0});

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 #include "tests/support/allocation_counter.h"
+#include "tests/support/methods.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 
@@ -11,7 +12,7 @@ namespace esm::test {
 // the accuracy included.
 TEST(Allocation, ExplicitFramesDoNotAllocate)
 {
-  for (const char* solver : {"leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4", "dopri5"}) {
+  for (const std::string& solver : explicitMethods()) {
     SpringNet net = randomNet(3, 20, SpringLaw::Exponential);
     net.fixed[0] = 1;
     Loads loads;

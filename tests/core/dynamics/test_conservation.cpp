@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // What must stay, balance or be as the loads say, with every solver.
+#include "tests/support/methods.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 
@@ -19,7 +20,7 @@ VectorCurve curve(std::vector<double> time, std::vector<Eigen::Vector3d> values)
   return result;
 }
 
-class Conservation : public ::testing::TestWithParam<const char*> {
+class Conservation : public ::testing::TestWithParam<std::string> {
 protected:
   SolverSettings settings(double tolerance) const
   {
@@ -32,16 +33,14 @@ protected:
   /// Velocities half a step beside the positions see dampers turned by that much: heat is of first order.
   bool isStaggered() const
   {
-    const std::string solver = GetParam();
+    const std::string& solver = GetParam();
     return solver == "leapfrog" || solver == "chebyshev" || solver == "stoermer3";
   }
-  bool isFirstOrder() const { return std::string(GetParam()) == "leapfrog"; } ///< where dampers work
-  bool isImplicit() const { return std::string(GetParam()) == "implicit"; }
+  bool isFirstOrder() const { return GetParam() == "leapfrog"; } ///< where dampers work
+  bool isImplicit() const { return GetParam() == "implicit"; }
 };
-INSTANTIATE_TEST_SUITE_P(Solvers, Conservation,
-                         ::testing::Values("leapfrog", "chebyshev", "stoermer3", "verlet", "stoermer", "rk4",
-                                           "dopri5", "implicit"),
-                         [](const auto& solver) { return std::string(solver.param); });
+INSTANTIATE_TEST_SUITE_P(Solvers, Conservation, ::testing::ValuesIn(accurateMethods()),
+                         [](const auto& solver) { return testName(solver.param); });
 
 } // namespace
 

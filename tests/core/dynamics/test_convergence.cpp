@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 
 // The order that each solver claims, measured: halving the step divides the error by 2^order.
+#include "tests/support/methods.h"
 #include "tests/support/nets.h"
 #include "tests/support/physics.h"
 
@@ -9,9 +10,9 @@ namespace esm::test {
 namespace {
 
 struct Case {
-  const char* solver;
+  std::string solver;
   double order;
-  double step;             ///< coarsest [s]
+  double step = 4e-3;      ///< coarsest [s]
   double undamped = order; ///< the order without dampers
 };
 
@@ -33,13 +34,28 @@ double observedOrder(const SpringNet& net, const Loads& loads, const Case& c, do
   return std::log2(coarse / fine);
 }
 
+/// Of every method the order that it claims; where 4e-3 s does not suit it, with another step. Not of `leapfrog`,
+/// whose order is one with dampers and two without.
+std::vector<Case> cases()
+{
+  std::vector<Case> all;
+  for (const std::string& solver : accurateMethods()) {
+    const auto claimed = static_cast<double>(makeIntegrator(solver)->order());
+    if (solver == "stoermer3")
+      all.push_back({solver, 2, 4e-3, claimed});
+    else if (solver == "rk4" || solver == "implicit")
+      all.push_back({solver, claimed, 8e-3});
+    else if (solver == "dopri5")
+      all.push_back({solver, claimed, 6.5e-3});
+    else if (solver != "leapfrog")
+      all.push_back({solver, claimed});
+  }
+  return all;
+}
+
 class Convergence : public ::testing::TestWithParam<Case> {};
-INSTANTIATE_TEST_SUITE_P(Solvers, Convergence,
-                         ::testing::Values(Case{"verlet", 2, 4e-3}, Case{"stoermer", 4, 4e-3},
-                                           Case{"rk4", 4, 8e-3}, Case{"chebyshev", 2, 4e-3},
-                                           Case{"stoermer3", 2, 4e-3, 3}, Case{"dopri5", 5, 6.5e-3},
-                                           Case{"implicit", 2, 8e-3}),
-                         [](const auto& solver) { return std::string(solver.param.solver); });
+INSTANTIATE_TEST_SUITE_P(Solvers, Convergence, ::testing::ValuesIn(cases()),
+                         [](const auto& solver) { return testName(solver.param.solver); });
 
 SpringNet movingNet(SpringLaw law)
 {
@@ -111,7 +127,7 @@ TEST_P(Convergence, EnergyBalance)
     advanceWell(simulation, 0.25);
     return std::abs(balance(simulation) - before);
   };
-  const std::string solver = GetParam().solver;
+  const std::string& solver = GetParam().solver;
   const double order = solver == "chebyshev" || solver == "stoermer3" ? 1.0 : 2.0;
   EXPECT_GT(std::log2(drift(GetParam().step / 2) / drift(GetParam().step / 8)) / 2.0, order - 0.4);
 }

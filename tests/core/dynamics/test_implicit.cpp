@@ -87,7 +87,7 @@ TEST(Implicit, StepsTellWhatTheyErr)
   net.restPosition(0, 1) = 1.1;
   net.restLength.setConstant(1.0);
   for (const double angle : {0.02, 0.05}) {
-    Motion motion = begin(net, {}, makeImplicit(), 1e-15);
+    Motion motion = begin(net, {}, makeIntegrator("implicit"), 1e-15);
     ASSERT_EQ(go(motion, angle / 20.0, 10), StepResult::Done);
     const double sum = motion.method->takeLocalError();
     const double x = motion.state.x[1][0] - 1.0, v = motion.state.v[1][0];
@@ -186,7 +186,7 @@ TEST(ImplicitMatrix, IsTheDerivativeOfTheResidual)
 // A calm swing: one factor serves for many steps, and a stage needs hardly more than two solutions.
 TEST(Implicit, OneFactorServesManySteps)
 {
-  Motion motion = begin(framedSheet(), weight(), makeImplicit(), 1e-8);
+  Motion motion = begin(framedSheet(), weight(), makeIntegrator("implicit"), 1e-8);
   ASSERT_EQ(go(motion, 1e-3, 400), StepResult::Done);
   EXPECT_LT(motion.report.factorizations, 40);
   EXPECT_LT(motion.report.newtonIterations, 400 * 2 * 3);
@@ -197,10 +197,10 @@ TEST(Implicit, OneFactorServesManySteps)
 // to rounding the end differs by less than the sum of what every stage was granted.
 TEST(Implicit, StageToleranceBoundsTheDifference)
 {
-  Motion exact = begin(framedSheet(), weight(), makeImplicit(), 1e-14);
+  Motion exact = begin(framedSheet(), weight(), makeIntegrator("implicit"), 1e-14);
   ASSERT_EQ(go(exact, 2e-3, 100), StepResult::Done);
   for (const double tolerance : {1e-6, 1e-8}) {
-    Motion motion = begin(framedSheet(), weight(), makeImplicit(), tolerance);
+    Motion motion = begin(framedSheet(), weight(), makeIntegrator("implicit"), tolerance);
     ASSERT_EQ(go(motion, 2e-3, 100), StepResult::Done);
     double sum = 0.0;
     for (std::size_t i = 0; i < motion.state.x.size(); ++i) {
@@ -217,7 +217,7 @@ TEST(Implicit, StageToleranceBoundsTheDifference)
 TEST(LinearizedEuler, IsBoundedAtFrameStepsWhateverTheStiffness)
 {
   for (const double stiffer : {1.0, 1e2, 1e4, 1e6}) {
-    Motion motion = begin(hungSheet(stiffer), weight(), makeLinearized(), 0.0);
+    Motion motion = begin(hungSheet(stiffer), weight(), makeIntegrator("lie"), 0.0);
     const double start = fallEnergy(motion);
     for (int frame = 0; frame < 120; ++frame) {
       ASSERT_EQ(go(motion, 1.0 / 60.0, 1), StepResult::Done) << stiffer;
@@ -238,7 +238,7 @@ TEST(LinearizedEuler, IsOfFirstOrder)
   const double w = std::sqrt(40.0), time = 0.5, exact = 1.0 + 0.1 * std::cos(w * time);
   double errors[2] = {};
   for (const int steps : {1000, 2000}) {
-    Motion motion = begin(net, {}, makeLinearized(), 0.0);
+    Motion motion = begin(net, {}, makeIntegrator("lie"), 0.0);
     ASSERT_EQ(go(motion, time / steps, steps), StepResult::Done);
     errors[steps == 1000 ? 0 : 1] = std::abs(motion.state.x[1][0] - exact);
   }

@@ -99,8 +99,8 @@ SpringNet sheetWithFewStiffSprings(double stiffer)
 TEST(Multirate, IsVerletWhereAllSpringsAreAlike)
 {
   const SpringNet net = sheetWithFewStiffSprings(1.0);
-  const Trial one = runOf(net, {}, makeVerlet(), 1e-4, 0.02),
-              many = runOf(net, {}, makeMultirate(), 1e-4, 0.02);
+  const Trial one = runOf(net, {}, makeIntegrator("verlet"), 1e-4, 0.02),
+              many = runOf(net, {}, makeIntegrator("multirate"), 1e-4, 0.02);
   EXPECT_TRUE(sameBits(one.state.x, many.state.x));
   EXPECT_TRUE(sameBits(one.state.v, many.state.v));
 }
@@ -111,11 +111,11 @@ TEST(Multirate, IsVerletWhereAllSpringsAreAlike)
 TEST(Multirate, AFewStiffSpringsCostLittle)
 {
   const SpringNet net = sheetWithFewStiffSprings(1e4);
-  auto method = makeMultirate();
+  auto method = makeIntegrator("multirate");
   Trial many = begin(net);
   method->prepare(many.system);
   advance(many, *method, method->stableStep({}), 0.02);
-  const Trial one = runOf(net, {}, makeVerlet(), 1e-6, 0.02);
+  const Trial one = runOf(net, {}, makeIntegrator("verlet"), 1e-6, 0.02);
   NodeArray rest(many.state.x.size());
   copyNodes(net.restPosition, rest);
   ASSERT_EQ(many.result, StepResult::Done);
@@ -139,9 +139,9 @@ TEST(Multirate, IsOfSecondOrder)
   VectorCurve shift{{0.0, 0.004}, Eigen::Matrix3Xd::Zero(3, 2)};
   shift.value(2, 1) = 0.001;
   loads.motions.push_back({{66}, shift, 0.0061});
-  const Trial exact = runOf(net, loads, makeRungeKutta4(), 5e-7, 0.008);
+  const Trial exact = runOf(net, loads, makeIntegrator("rk4"), 5e-7, 0.008);
   const auto error = [&](double h) {
-    const Trial run = runOf(net, loads, makeMultirate(), h, 0.008);
+    const Trial run = runOf(net, loads, makeIntegrator("multirate"), h, 0.008);
     EXPECT_EQ(run.result, StepResult::Done);
     EXPECT_NEAR(run.balance(), exact.balance(), 0.02 * exact.state.heat) << h; // quadratures of second order
     return distance(run.state.x, exact.state.x);
@@ -153,8 +153,8 @@ TEST(Multirate, IsOfSecondOrder)
 TEST(Multirate, IsDeterministic)
 {
   const SpringNet net = sheetWithFewStiffSprings(1e5);
-  const Trial first = runOf(net, {}, makeMultirate(), 3e-5, 0.01);
-  const Trial second = runOf(net, {}, makeMultirate(), 3e-5, 0.01);
+  const Trial first = runOf(net, {}, makeIntegrator("multirate"), 3e-5, 0.01);
+  const Trial second = runOf(net, {}, makeIntegrator("multirate"), 3e-5, 0.01);
   EXPECT_TRUE(sameBits(first.state.x, second.state.x));
   EXPECT_TRUE(sameBits(first.state.v, second.state.v));
 }
@@ -176,7 +176,7 @@ TEST(Multirate, IsBoundedOrSaysSo)
     }
     for (Index i = 0; i < net.nodeCount(); ++i) net.mass[i] = seed % 5 ? decade(-4, 0) : decade(-9, 3);
     if (seed % 4 == 0) net.restPosition.col(3) = net.restPosition.col(net.ends(1, 6));
-    auto method = makeMultirate();
+    auto method = makeIntegrator("multirate");
     Trial run = begin(net);
     if (!MultirateLayout::plan(run.system).pays) continue; // plain Verlet
     method->prepare(run.system);

@@ -15,7 +15,7 @@ namespace {
 class Relaxation {
 public:
   explicit Relaxation(const SpringNet& net, const Loads& loads = {})
-    : m_system(net, loads), m_relax(makeRelax())
+    : m_system(net, loads), m_relax(makeIntegrator("relax"))
   {
     state = startOf(net);
     m_system.enter(state, true);

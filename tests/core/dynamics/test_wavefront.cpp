@@ -88,8 +88,8 @@ TEST(Wavefront, GoesOutwardLayerByLayer)
 TEST(Wavefront, ComesToTheSameRestShape)
 {
   const SpringNet net = hangingSheet();
-  const WaveRun wave = runOf(net, weight(), makeWavefront(), 5e-4, 4000);
-  const WaveRun verlet = runOf(net, weight(), makeVerlet(), 5e-4, 4000);
+  const WaveRun wave = runOf(net, weight(), makeIntegrator("wavefront"), 5e-4, 4000);
+  const WaveRun verlet = runOf(net, weight(), makeIntegrator("verlet"), 5e-4, 4000);
   NodeArray start(wave.state.x.size());
   copyNodes(net.restPosition, start);
   EXPECT_LT(largestDistance(wave.state.x, verlet.state.x), 1e-6);
@@ -100,9 +100,10 @@ TEST(Wavefront, ComesToTheSameRestShape)
 TEST(Wavefront, IsOfFirstOrder)
 {
   const SpringNet net = hangingSheet();
-  const WaveRun exact = runOf(net, weight(), makeRungeKutta4(), 1e-5, 3000);
+  const WaveRun exact = runOf(net, weight(), makeIntegrator("rk4"), 1e-5, 3000);
   const auto error = [&](double h, int steps) {
-    return largestDistance(runOf(net, weight(), makeWavefront(), h, steps).state.x, exact.state.x);
+    return largestDistance(runOf(net, weight(), makeIntegrator("wavefront"), h, steps).state.x,
+                           exact.state.x);
   };
   EXPECT_NEAR(std::log2(error(2e-4, 150) / error(5e-5, 600)) / 2.0, 1.0, 0.25);
 }
@@ -118,9 +119,9 @@ TEST(Wavefront, StartsOverWhereForcesJump)
   VectorCurve blow{{0.0}, Eigen::Matrix3Xd::Zero(3, 1)};
   blow.value(2, 0) = 2.0;
   loads.forces.push_back({{14}, blow});
-  const WaveRun wave = runOf(net, loads, makeWavefront(), 2.5e-4, 40);
+  const WaveRun wave = runOf(net, loads, makeIntegrator("wavefront"), 2.5e-4, 40);
   EXPECT_GT(wave.report.rejectedSteps, 0);
-  const WaveRun exact = runOf(net, loads, makeRungeKutta4(), 1e-5, 1000);
+  const WaveRun exact = runOf(net, loads, makeIntegrator("rk4"), 1e-5, 1000);
   EXPECT_NEAR(wave.state.work, exact.state.work, 0.2 * exact.state.work);
 }
 
@@ -128,12 +129,12 @@ TEST(Wavefront, StartsOverWhereForcesJump)
 TEST(Wavefront, IsDeterministicAndNeverKeepsInfinity)
 {
   const SpringNet net = hangingSheet();
-  const WaveRun first = runOf(net, weight(), makeWavefront(), 7e-4, 100);
-  const WaveRun second = runOf(net, weight(), makeWavefront(), 7e-4, 100);
+  const WaveRun first = runOf(net, weight(), makeIntegrator("wavefront"), 7e-4, 100);
+  const WaveRun second = runOf(net, weight(), makeIntegrator("wavefront"), 7e-4, 100);
   EXPECT_EQ(std::memcmp(first.state.x.data(), second.state.x.data(), first.state.x.size() * sizeof(Lanes)),
             0);
   WaveRun run{System(net, weight()), first.state, {}};
-  auto method = makeWavefront();
+  auto method = makeIntegrator("wavefront");
   method->prepare(run.system);
   StepResult result = StepResult::Done;
   for (int i = 0; i < 2000 && result == StepResult::Done; ++i) {
