@@ -34,11 +34,21 @@ const EnergyReport* unaccountedEnergy(const RunSummary& summary, double toleranc
   return bad == summary.energyOfParts.end() ? nullptr : &*bad;
 }
 
+constexpr double kMostGrowth = 100.0; ///< of errors; steps of stiff nets leave room for snaps of 20 to 60
+
+/// Of a part of the net whose method has taken most of its energy away; null: of none.
+const EnergyReport* lostEnergy(const RunSummary& summary)
+{
+  const auto lost = std::ranges::find_if(summary.energyOfParts, &EnergyReport::hasLost);
+  return lost == summary.energyOfParts.end() ? nullptr : &*lost;
+}
+
 /// @return whether the numerics went well, the tolerance was not given up, and no energy has come or gone that
-/// nobody accounts for
+/// nobody accounts for or that the method has eaten, and errors have not grown
 bool isGood(const RunSummary& summary, double tolerance)
 {
-  return summary.steps.good() && !summary.steps.rough && unaccountedEnergy(summary, tolerance) == nullptr;
+  return summary.steps.good() && !summary.steps.rough && unaccountedEnergy(summary, tolerance) == nullptr &&
+         lostEnergy(summary) == nullptr && summary.errorGrowth < kMostGrowth;
 }
 
 JsonLine jsonOf(const RunSummary& summary, const Project& project)
@@ -142,10 +152,24 @@ bool sayEnergy(const SimulateOptions& options, const RunSummary& summary, double
   return false;
 }
 
+/// @return whether the method has left the motion its energy
+bool sayLoss(const SimulateOptions& options, const RunSummary& summary)
+{
+  const EnergyReport* energy = lostEnergy(summary);
+  if (energy == nullptr) return true;
+  EnergyReport others = *energy;
+  others.loss = 0.0;
+  say(options.file + ": the method itself has taken " + formatDouble(energy->loss, 3) +
+      " J from the motion, of " + formatDouble(others.largestTerm(), 3) +
+      " J: vibrations have died that nothing damps, and the tolerance may well be missed; use a smaller "
+      "--tolerance, or "
+      "--solver verlet with a --step of a tenth of their time");
+  return false;
+}
+
 /// @return whether the tolerance is believable, as steps keep it that know nothing of what becomes of errors
 bool sayGrowth(const SimulateOptions& options, const RunSummary& summary, double tolerance)
 {
-  constexpr double kMostGrowth = 100.0; // steps of stiff nets leave room for snaps of 20 to 60
   if (summary.errorGrowth < kMostGrowth) return true;
   say(options.file + ": this motion multiplies small errors, " + formatDouble(summary.errorGrowth, 2) +
       "-fold and more up to " + formatDouble(summary.errorGrowthTime, 3) + " s: the tolerance of " +
@@ -205,7 +229,8 @@ Exit simulate(const SimulateOptions& options)
   const bool isAccountedFor = !good || sayEnergy(options, *summary, tolerance);
   const bool isVerified = !good || sayVerification(options, *summary, tolerance);
   const bool isCredible = !good || sayGrowth(options, *summary, tolerance);
-  const bool isRough = summary->steps.rough || !isAccountedFor || !isCredible;
+  const bool isAlive = !good || summary->steps.rough || sayLoss(options, *summary);
+  const bool isRough = summary->steps.rough || !isAccountedFor || !isCredible || !isAlive;
   if (options.json) print(json);
   return good && isVerified && (!isRough || options.acceptRough) ? Exit::Done : Exit::Numerics;
 }

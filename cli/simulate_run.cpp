@@ -178,6 +178,7 @@ public:
     m_log.emplace(std::move(*writer));
     return {};
   }
+  Status endLog() { return m_log ? m_log->finish() : Status{}; }
   /// Its files appear.
   Status finish(Run& run)
   {
@@ -309,6 +310,7 @@ Result<RunSummary> runSimulation(Project& project, const RunOutputs& outputs)
   Status status = outputs.log.empty() ? Status{} : runner.beginLog();
   if (status)
     status = runner.compute(run, std::move(project.net), project.simulation.solver, "simulating", nullptr);
+  if (status) status = runner.endLog();
   if (status) status = runner.finish(run);
   if (!status) return status.error();
   return run.summary;

@@ -86,6 +86,7 @@ constexpr Sign kSigns[] = {
   {"bin chunk", Cause::End},
   {"exceeds size", Cause::End},
   {"out of range", Cause::Index},
+  {"_m_range_check", Cause::Index},
   {"invalid face index", Cause::Index},
   {"invalid vertex index", Cause::Index},
   {"invalid index", Cause::Index},

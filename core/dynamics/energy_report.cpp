@@ -43,6 +43,14 @@ bool EnergyReport::hasAdded(double tolerance) const noexcept
            appeared() <= share * largestTerm());
 }
 
+bool EnergyReport::hasLost() const noexcept
+{
+  constexpr double kMostLost = 0.5;
+  EnergyReport others = *this;
+  others.loss = 0.0;
+  return loss > kMostLost * others.largestTerm();
+}
+
 bool EnergyReport::isKept(double tolerance) const noexcept
 {
   return std::abs(residual()) <= std::max(tolerance, kSummed) * largestTerm() && !hasAdded(tolerance);

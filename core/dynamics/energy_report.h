@@ -48,6 +48,9 @@ struct EnergyReport {
   /// share of the largest of all other terms, beyond half of the heat; or whether there is more in the end than
   /// was put in, by more than this share of the largest term.
   bool hasAdded(double tolerance) const noexcept;
+  /// Whether the method itself has taken away more than half of the largest of all other terms. Vibrations have died then
+  /// that nothing damps; no check of steps sees it where the coarser and the finer ones have both lost them.
+  bool hasLost() const noexcept;
   /// Whether the residual is at most this share of the largest term, or rounding, and the method has not added.
   bool isKept(double tolerance) const noexcept;
 };

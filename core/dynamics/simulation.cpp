@@ -58,7 +58,7 @@ void sign(logged::Advance& record, const NetState& state)
 std::string textOf(const Stretch& stretch)
 {
   return std::to_string(stretch.steps) + " steps of " + stretch.method + " from " +
-         formatDouble(stretch.begin, 9) + " to " + formatDouble(stretch.end, 9) + " s";
+         formatDouble(stretch.begin, 17) + " to " + formatDouble(stretch.end, 17) + " s";
 }
 
 /// The first thing that came out otherwise; empty: nothing.

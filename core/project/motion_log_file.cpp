@@ -14,6 +14,7 @@
 #include <fcntl.h>
 #include <limits>
 #include <optional>
+#include <sys/file.h>
 #include <unistd.h>
 #include <utility>
 
@@ -284,9 +285,12 @@ Result<MotionLogWriter> MotionLogWriter::create(const std::filesystem::path& pat
   if (const std::string kind = specialFileKind(path); !kind.empty())
     return Error{ErrorCode::FileUnwritable,
                  path.string() + ": is " + kind + "; a log needs a file of its own"};
-  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666);
+  const int file = ::open(path.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
   if (file < 0) return fileUnwritable(path, errno);
   MotionLogWriter writer(path, file);
+  if (::flock(file, LOCK_EX | LOCK_NB) != 0)
+    return Error{ErrorCode::FileUnwritable, path.string() + ": another run is being written to it"};
+  if (::ftruncate(file, 0) != 0) return fileUnwritable(path, errno);
   const std::string text = toJson(project);
   const Json head = {{"format", kLogFormat},
                      {"version", kLogVersion},
@@ -311,6 +315,13 @@ Status MotionLogWriter::add(const MotionLog& entries)
   std::string text;
   for (const LogEntry& entry : entries) text += json::writeLine(std::visit(Writing{}, entry)) + "\n";
   if (!writeAll(m_file, text)) return fileUnwritable(m_path, errno);
+  return {};
+}
+
+Status MotionLogWriter::finish()
+{
+  const Json end = {{"end", true}};
+  if (!writeAll(m_file, json::writeLine(end) + "\n")) return fileUnwritable(m_path, errno);
   return {};
 }
 
@@ -346,19 +357,20 @@ Result<RecordedRun> readMotionLog(const std::filesystem::path& path)
     if (!project) return project.error();
     run.project = std::move(*project);
     const Index nodes = run.project.net.nodeCount();
-    while (!lines.isAtEnd()) {
+    bool isEnded = false;
+    while (!lines.isAtEnd() && !isEnded) {
       const std::optional<std::string_view> line = lines.next();
-      if (!line) {
-        run.cut = origin + ": its last line is not whole; the run was killed there";
-        break;
-      }
+      if (!line) break;
       const std::string where = origin + ", entry " + std::to_string(lines.number() - 1);
       const Result<Json> entry = json::parseJson(*line, where);
       if (!entry) return entry.error();
+      isEnded = entry->is_object() && entry->contains("end");
+      if (isEnded) break;
       json::Faults wrong{where, {}};
       run.log.push_back(readEntry(View(*entry, wrong), nodes));
       if (wrong.first) return *wrong.first;
     }
+    if (!isEnded) run.cut = origin + ": has no end; the run was killed, or lines are missing";
     return run;
   } catch (...) {
     return json::thrownWhileReading(origin);

@@ -18,7 +18,7 @@ namespace esm {
 class MotionLogWriter {
 public:
   /// @param project  as the run begins with it. @param settings  of its Simulation
-  /// Errors: FileUnwritable, also for devices and pipes.
+  /// Errors: FileUnwritable, also for devices, pipes, and a file that another run is being written to.
   static Result<MotionLogWriter> create(const std::filesystem::path& path, const Project& project,
                                         const SolverSettings& settings);
   MotionLogWriter(MotionLogWriter&& other) noexcept;
@@ -26,6 +26,7 @@ public:
   ~MotionLogWriter();
 
   Status add(const MotionLog& entries); ///< that have come since the last call. Errors: FileUnwritable
+  Status finish();                      ///< the run has come to its end. Errors: as above
 
 private:
   MotionLogWriter(std::filesystem::path path, int file) : m_path(std::move(path)), m_file(file) {}
@@ -41,8 +42,8 @@ struct RecordedRun {
   std::string cut; ///< why what follows the last entry was left out; empty: nothing does
 };
 
-/// Errors: FileUnreadable; BadFormat, InvalidValue (detail: file, line, what); NewerVersion. A last line that is not whole
-/// is left out, and said: the run was killed there.
+/// Errors: FileUnreadable; BadFormat, InvalidValue (detail: file, entry, what); NewerVersion. A last line that is not
+/// whole is left out. A log without an end is said: the run was killed.
 Result<RecordedRun> readMotionLog(const std::filesystem::path& path);
 
 } // namespace esm

@@ -45,9 +45,10 @@ class ReplayLog(ProgramTest):
     def test_a_log_that_was_cut_off_is_replayed_up_to_there(self):
         self.run_program("simulate", "osc.json", "--duration", "0.1", "--log", "r.esmlog")
         whole = (self.folder / "r.esmlog").read_bytes()
-        self.write("cut.esmlog", whole[:-30])
-        done = self.run_program("replay-log", "cut.esmlog")
-        self.assertIn("killed", done.stderr)
+        for lines in (1, 3):  # the end alone, and two calls
+            self.write("cut.esmlog", b"".join(whole.splitlines(keepends=True)[:-lines]))
+            self.assertIn("killed", self.run_program("replay-log", "cut.esmlog").stderr)
+            self.assertIs(self.json_of("replay-log", "cut.esmlog")["whole"], False)
 
 
 if __name__ == "__main__":

@@ -59,6 +59,8 @@ protected:
     simulation->reset();
     simulation->advance(1.0 / 60.0);
     ASSERT_TRUE(writer->add(log));
+    EXPECT_FALSE(MotionLogWriter::create(path, project, settings)) << "while it is being written";
+    ASSERT_TRUE(writer->finish());
   }
 
   test::Scratch scratch;
@@ -93,11 +95,15 @@ TEST_F(MotionLogFile, ARunThatWasKilledCanBeReplayedUpToThere)
 {
   writeRun();
   const std::string bytes = *readFile(path);
-  ASSERT_TRUE(writeFileAtomically(path, bytes.substr(0, bytes.size() - 20)));
-  const auto run = readMotionLog(path);
-  ASSERT_TRUE(run) << run.error().detail;
-  EXPECT_EQ(run->log.size() + 1, log.size());
-  EXPECT_NE(run->cut.find("killed"), std::string::npos);
+  const std::size_t end = bytes.rfind("{\"end\"");
+  for (const auto& [cut, missing] :
+       {std::pair(bytes.size() - end, 0), std::pair(bytes.size() - end + 20, 1)}) {
+    ASSERT_TRUE(writeFileAtomically(path, bytes.substr(0, bytes.size() - cut)));
+    const auto run = readMotionLog(path);
+    ASSERT_TRUE(run) << run.error().detail;
+    EXPECT_EQ(run->log.size() + static_cast<std::size_t>(missing), log.size());
+    EXPECT_NE(run->cut.find("killed"), std::string::npos);
+  }
 }
 
 TEST_F(MotionLogFile, WhatIsNoLogIsRefusedWithItsPlace)
@@ -112,8 +118,9 @@ TEST_F(MotionLogFile, WhatIsNoLogIsRefusedWithItsPlace)
   writeRun();
   const std::string bytes = *readFile(path);
   EXPECT_NE(detailOf(bytes.substr(0, 2000)).find("cut off"), std::string::npos);
-  EXPECT_NE(detailOf(bytes + "{\"tools\":[{\"node\":-1}]}\n").find("entry "), std::string::npos);
-  EXPECT_NE(detailOf(bytes + "{\"leap\":1}\n").find("no entry that this version knows"), std::string::npos);
+  const std::string open = bytes.substr(0, bytes.rfind("{\"end\""));
+  EXPECT_NE(detailOf(open + "{\"tools\":[{\"node\":-1}]}\n").find("entry "), std::string::npos);
+  EXPECT_NE(detailOf(open + "{\"leap\":1}\n").find("no entry that this version knows"), std::string::npos);
   std::string newer = bytes;
   newer.replace(newer.find("\"version\":"), 11, "\"version\":2");
   EXPECT_NE(detailOf(newer).find("newer version"), std::string::npos) << detailOf(newer);
