@@ -7,6 +7,7 @@
 #include "core/base/text_number.h"
 #include "core/dynamics/simulation.h"
 #include "core/project/motion_log_file.h"
+#include "core/project/project_io.h"
 
 #include <algorithm>
 #include <map>

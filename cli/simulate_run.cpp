@@ -209,7 +209,7 @@ private:
   Status writeLog()
   {
     if (!m_log) return {};
-    const Status written = m_log->add(m_entries);
+    Status written = m_log->add(m_entries);
     m_entries.clear();
     return written;
   }

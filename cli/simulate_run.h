@@ -3,6 +3,7 @@
 #pragma once
 
 #include "core/dynamics/energy_report.h"
+#include "core/dynamics/step_report.h"
 #include "core/project/project.h"
 
 #include <optional>
