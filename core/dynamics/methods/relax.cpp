@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/methods/integrator.h"
+#include "core/dynamics/system/diagonal.h"
 #include "core/dynamics/system/implicit_matrix.h"
 
 #include <algorithm>
@@ -251,13 +252,7 @@ private:
 
   static double extentOf(const NodeArray& x) noexcept
   {
-    Lanes low = x[0], high = x[0];
-    for (const Lanes& position : x)
-      for (int axis = 0; axis < 3; ++axis) {
-        low[axis] = std::min(low[axis], position[axis]);
-        high[axis] = std::max(high[axis], position[axis]);
-      }
-    const double extent = std::sqrt(dot(high - low, high - low));
+    const double extent = std::sqrt(squareOfDiagonal(x));
     return extent > 0.0 ? extent : 1.0;
   }
 

@@ -3,6 +3,7 @@
 
 // The part of StepDriver that chooses the method.
 #include "core/dynamics/planner/step_driver.h"
+#include "core/dynamics/system/diagonal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,14 +31,7 @@ constexpr double kMostInOnset = 8.0, kMostAfterOnset = 1.5;
 /// A length that positions are small or large against [m]: the net's diagonal, or how far its anchors pull.
 double extentOf(const System& system, const NodeArray& x)
 {
-  if (x.empty()) return 1.0;
-  Lanes low = x[0], high = x[0];
-  for (const Lanes& position : x)
-    for (int lane = 0; lane < 3; ++lane) {
-      low[lane] = std::min(low[lane], position[lane]);
-      high[lane] = std::max(high[lane], position[lane]);
-    }
-  double square = dot(high - low, high - low);
+  double square = squareOfDiagonal(x);
   for (const ForceModel::Anchor& anchor : system.forces().anchors()) {
     const Lanes reach = anchor.point - x[static_cast<std::size_t>(anchor.node)];
     square = std::max(square, dot(reach, reach));

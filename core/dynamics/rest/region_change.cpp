@@ -3,6 +3,7 @@
 
 // The part of RegionDriver that decides who wakes and who sleeps, and makes it so.
 #include "core/dynamics/rest/region_driver.h"
+#include "core/dynamics/system/diagonal.h"
 
 #include <algorithm>
 #include <cmath>
@@ -19,14 +20,7 @@ constexpr double kBalanced = 1e-3;
 
 double diagonalOf(const NodeArray& x) noexcept
 {
-  if (x.empty()) return 1.0;
-  Lanes low = x[0], high = x[0];
-  for (const Lanes& position : x)
-    for (int lane = 0; lane < 3; ++lane) {
-      low[lane] = std::min(low[lane], position[lane]);
-      high[lane] = std::max(high[lane], position[lane]);
-    }
-  const double square = dot(high - low, high - low);
+  const double square = squareOfDiagonal(x);
   return square > 0.0 && std::isfinite(square) ? std::sqrt(square) : 1.0;
 }
 
