@@ -125,13 +125,17 @@ bool sayVerification(const SimulateOptions& options, const RunSummary& summary, 
   return check.kept;
 }
 
+double largestBesideLoss(EnergyReport energy)
+{
+  energy.loss = 0.0;
+  return energy.largestTerm();
+}
+
 /// Whether the balance bears out what the method says it has added: what nobody accounts for is less than any
 /// other energy of the run.
 bool isBorneOut(const EnergyReport& energy)
 {
-  EnergyReport others = energy;
-  others.loss = 0.0;
-  return std::abs(energy.residual()) <= others.largestTerm();
+  return std::abs(energy.residual()) <= largestBesideLoss(energy);
 }
 
 /// @return whether the energy is accounted for
@@ -157,13 +161,10 @@ bool sayLoss(const SimulateOptions& options, const RunSummary& summary)
 {
   const EnergyReport* energy = lostEnergy(summary);
   if (energy == nullptr) return true;
-  EnergyReport others = *energy;
-  others.loss = 0.0;
   say(options.file + ": the method itself has taken " + formatDouble(energy->loss, 3) +
-      " J from the motion, of " + formatDouble(others.largestTerm(), 3) +
+      " J from the motion, of " + formatDouble(largestBesideLoss(*energy), 3) +
       " J: vibrations have died that nothing damps, and the tolerance may well be missed; use a smaller "
-      "--tolerance, or "
-      "--solver verlet with a --step of a tenth of their time");
+      "--tolerance, or --solver verlet with a --step of a tenth of their time");
   return false;
 }
 

@@ -10,19 +10,13 @@ namespace esm {
 
 namespace {
 
-std::from_chars_result plainFromChars(const char* from, const char* end, double& value) noexcept
-{
+constexpr auto kPlain = [](const char* from, const char* end, auto& value) noexcept {
   return std::from_chars(from, end, value);
-}
+};
 
-std::from_chars_result plainFromChars(const char* from, const char* end, long long& value) noexcept
-{
-  return std::from_chars(from, end, value);
-}
-
-template <class T>
-std::optional<T> parseWhole(std::string_view text,
-                            std::from_chars_result (*read)(const char*, const char*, T&) noexcept) noexcept
+/// @param read  as std::from_chars()
+template <class T, class Read>
+std::optional<T> parseWhole(std::string_view text, const Read& read) noexcept
 {
   if (!text.empty() && text.front() == '+') {
     text.remove_prefix(1);
@@ -38,7 +32,7 @@ std::optional<T> parseWhole(std::string_view text,
 
 std::optional<double> parseDouble(std::string_view text) noexcept
 {
-  return parseWhole<double>(text, plainFromChars);
+  return parseWhole<double>(text, kPlain);
 }
 
 std::optional<double> parseForeignDouble(std::string_view text) noexcept
@@ -65,7 +59,7 @@ std::from_chars_result foreignDoubleFromChars(const char* from, const char* end,
 
 std::optional<long long> parseInteger(std::string_view text) noexcept
 {
-  return parseWhole<long long>(text, plainFromChars);
+  return parseWhole<long long>(text, kPlain);
 }
 
 void appendDouble(std::string& text, double value)

@@ -69,16 +69,6 @@ SolverSettings readSolverSettings(const View& object)
 }
 
 // === Entries
-Json anchorsOf(const AnchorSet& set)
-{
-  Json object = {{"node", json::listOf(set.node)},
-                 {"point", json::listOf(set.point)},
-                 {"stiffness", json::listOf(set.stiffness)},
-                 {"viscosity", json::listOf(set.viscosity)}};
-  if (set.bandLength.size() > 0) object["band_length"] = json::listOf(set.bandLength);
-  return object;
-}
-
 Json patchOf(const ParameterPatch& patch)
 {
   Json springs = Json::array(), nodes = Json::array(), anchors = Json::array();
@@ -91,7 +81,7 @@ Json patchOf(const ParameterPatch& patch)
     anchors.push_back({each.anchor, each.stiffness, each.viscosity});
   Json object = {
     {"springs", springs}, {"nodes", nodes}, {"anchors", anchors}, {"bulk_moduli", patch.bulkModuli}};
-  if (patch.anchorSet) object["anchor_set"] = anchorsOf(*patch.anchorSet);
+  if (patch.anchorSet) object["anchor_set"] = json::anchorsOf(*patch.anchorSet);
   return object;
 }
 
@@ -263,7 +253,6 @@ public:
     if (m_rest.size() <= size || m_rest[size] != '\n') return std::nullopt;
     return take(size);
   }
-  bool isAtEnd() const noexcept { return m_rest.empty(); }
   int number() const noexcept { return m_number; } ///< of the line that came last, blocks not counted
 
 private:
@@ -358,16 +347,16 @@ Result<RecordedRun> readMotionLog(const std::filesystem::path& path)
     run.project = std::move(*project);
     const Index nodes = run.project.net.nodeCount();
     bool isEnded = false;
-    while (!lines.isAtEnd() && !isEnded) {
+    while (!isEnded) {
       const std::optional<std::string_view> line = lines.next();
       if (!line) break;
       const std::string where = origin + ", entry " + std::to_string(lines.number() - 1);
       const Result<Json> entry = json::parseJson(*line, where);
       if (!entry) return entry.error();
-      isEnded = entry->is_object() && entry->contains("end");
-      if (isEnded) break;
       json::Faults wrong{where, {}};
-      run.log.push_back(readEntry(View(*entry, wrong), nodes));
+      const View object(*entry, wrong);
+      isEnded = object.has("end");
+      if (!isEnded) run.log.push_back(readEntry(object, nodes));
       if (wrong.first) return *wrong.first;
     }
     if (!isEnded) run.cut = origin + ": has no end; the run was killed, or lines are missing";

@@ -238,6 +238,16 @@ std::vector<PrescribedMotion> readMotions(const View& list, Index nodes)
   return motions;
 }
 
+Json anchorsOf(const AnchorSet& set)
+{
+  Json anchors = {{"node", listOf(set.node)},
+                  {"point", listOf(set.point)},
+                  {"stiffness", uniformOrList(set.stiffness)},
+                  {"viscosity", uniformOrList(set.viscosity)}};
+  if (set.bandLength.size() > 0) anchors["band_length"] = uniformOrList(set.bandLength);
+  return anchors;
+}
+
 void readAnchors(const View& object, SpringNet& net)
 {
   object.expectKeys({"node", "point", "stiffness", "viscosity"}, {"band_length"});
@@ -287,14 +297,9 @@ Json netOf(const SpringNet& net)
   Json tables = Json::array();
   for (const ForceTable& table : net.tables)
     tables.push_back({{"strain", table.strain}, {"force", table.force}});
-  Json anchors = {{"node", listOf(net.anchors.node)},
-                  {"point", listOf(net.anchors.point)},
-                  {"stiffness", uniformOrList(net.anchors.stiffness)},
-                  {"viscosity", uniformOrList(net.anchors.viscosity)}};
-  if (net.anchors.bandLength.size() > 0) anchors["band_length"] = uniformOrList(net.anchors.bandLength);
   Json object = {{"nodes", std::move(nodes)},
                  {"springs", std::move(springs)},
-                 {"anchors", std::move(anchors)},
+                 {"anchors", anchorsOf(net.anchors)},
                  {"tables", std::move(tables)}};
   if (net.material != NetMaterial{})
     object["material"] = {{"edges", kEdgeFormulas[static_cast<std::size_t>(net.material.edges)]},

@@ -28,6 +28,7 @@ Json forcesOf(const Loads& loads);
 Json motionsOf(const Loads& loads);
 std::vector<NodalForce> readForces(const View& list, Index nodes);
 std::vector<PrescribedMotion> readMotions(const View& list, Index nodes);
+Json anchorsOf(const AnchorSet& set);
 void readAnchors(const View& object, SpringNet& net);
 
 // === The blocks "geometry" and "net" of a project
