@@ -113,7 +113,7 @@ struct IntegratorEntry {
   /// first steps, and a power of ten is enough.
   double typicalError = 0.0;
   /// Of an error across the motion, the share that does not add up where dampers are stronger than springs,
-  /// measured; see StepDriver::addingUp().
+  /// measured; see addingUp() of the planner.
   double offset = 0.0;
   /// The typical error where springs are stronger than dampers, 0 if it is the same.
   double typicalErrorOfWaves = 0.0;

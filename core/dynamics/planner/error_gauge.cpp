@@ -12,38 +12,6 @@
 namespace esm {
 namespace {
 
-constexpr double kErrorHorizon = 2.0; ///< motion that is reckoned with at least, if nobody knows its end [s]
-constexpr double kShortestLife = 0.1; ///< of an error; to count on less would be bold [s]
-constexpr double kMemory = 0.2, kShortMemory = 0.03; ///< over which the net's damping is averaged [s]
-constexpr double kSafety = 0.8;                      ///< share of the tolerance that is spent on purpose
-/// In which a displacement becomes what the motion makes of it [s]. With 0.03 a struck organ ended 5 % above
-/// a tolerance of 1e-2, and with 0.017 more: a blow does not last.
-constexpr double kUnfolding = 0.01;
-/// What a net errs while it is held bent grows when it is let go: errors in its stiff patterns, which are
-/// small in length but not in energy, become such of soft ones. In tubes they grew up to twentyfold, and 12
-/// of 200 runs of 40 tubes ended up to three times above the tolerance; with this share of it, none of 44
-/// runs of 11.
-constexpr double kShareBeforeRelease = 0.15;
-/// Of that mean, where what was struck swings out: what the first waves err lives longer than they do. With all of
-/// it organs of 890 to 2,000 nodes ended at 0.97 to 1.13 times a tolerance of 1e-2, with this at 0.82 to 1.0; with
-/// half of it they took up to twice the passes.
-constexpr double kShareAfterBlow = 0.75;
-/// What follows the first motion, which dampers brake the most, lives longer than that tells.
-constexpr double kSlowerThanFirst = 2.0;
-/// Of what may be spent: an error for some time, where the end is known and the mean up to it counts. One
-/// that fades in time T leaves a mean of sqrt(T/2t) of it over the time t, so it may be the larger the sooner
-/// it is over; of that this share is believed, and the less the more of the mean square is spent, up to this
-/// part of it. With 2.5 for all, 6 of 64 runs of 16 tubes, which swing on, missed tolerances that they had
-/// kept.
-constexpr double kLeastPeak = 1.4, kMostPeak = 2.5, kPeakOfMean = 0.35, kSpentEarly = 0.5;
-/// Of an even share, that goes on when all of the mean is spent: what was too much is paid back by and by.
-constexpr double kShareBeyond = 0.9;
-/// What is over has faded faster than is counted on for what comes.
-constexpr double kFaster = 1.5;
-
-constexpr double kFresh = 0.015;  ///< after an event, see growing() [s]
-constexpr double kSlowest = 0.08; ///< motion that a difference of velocities is taken for [s]
-
 /// An error that is there, and how it fades: S = (spent + rate t) exp(-t/life).
 struct LivingError {
   double spent = 0.0; ///< [m]
@@ -78,10 +46,9 @@ struct LivingError {
 };
 
 /// How far a net is beyond those in which the errors of a few waves count most: 0 up to there.
-double doublingsOfMany(std::size_t nodes) noexcept
+double doublingsOfMany(std::size_t nodes, const Policy::Errors& policy) noexcept
 {
-  constexpr double kManyNodes = 2500.0;
-  return std::log2(std::max(static_cast<double>(nodes) / kManyNodes, 1.0));
+  return std::log2(std::max(static_cast<double>(nodes) / policy.manyNodes, 1.0));
 }
 
 /// Over `count` nodes, of which those that were not summed have the value 0.
@@ -99,15 +66,15 @@ double fadingTime(const ErrorScale& scale) noexcept
   return std::max(time(scale.recentKinetic, scale.recentHeat), time(scale.latestKinetic, scale.latestHeat));
 }
 
-double dampersPower(const ErrorScale& scale) noexcept
+double dampersPower(const ErrorScale& scale, const Policy::Errors& policy) noexcept
 {
-  return std::min(scale.recentHeat / kMemory, scale.latestHeat / kShortMemory);
+  return std::min(scale.recentHeat / policy.memory, scale.latestHeat / policy.shortMemory);
 }
 
-double creepingTime(const ErrorScale& scale) noexcept
+double creepingTime(const ErrorScale& scale, const Policy::Errors& policy) noexcept
 {
   if (!(scale.recentPath > 0.0)) return std::numeric_limits<double>::infinity();
-  return 2.0 * scale.displacement * std::sqrt(kMemory / scale.recentPath);
+  return 2.0 * scale.displacement * std::sqrt(policy.memory / scale.recentPath);
 }
 
 void ErrorGauge::begin(const NodeArray& x, double extent, double duration, bool isDriven)
@@ -143,7 +110,7 @@ double ErrorGauge::speedOf(const NodeArray& v) const noexcept
 /// net. By the guess for small nets an organ of 100,000 nodes began with dearer methods.
 double ErrorGauge::typicalShare() const noexcept
 {
-  return std::exp2(-doublingsOfMany(m_rest.size()) / 3.0);
+  return std::exp2(-doublingsOfMany(m_rest.size(), m_policy) / m_policy.halving);
 }
 
 double ErrorGauge::shareOfWhole(std::size_t nodes) const noexcept
@@ -161,13 +128,14 @@ ErrorScale ErrorGauge::scaleAfter(const System& system, const MotionState& start
 {
   const double length = end.time - start.time, heat = std::max(end.heat - start.heat, 0.0);
   const double kinetic = system.kineticEnergy(end.v) * length;
-  const double fade = std::exp(-length / kMemory), quickFade = std::exp(-length / kShortMemory);
+  const double fade = std::exp(-length / m_policy.memory),
+               quickFade = std::exp(-length / m_policy.shortMemory);
   ErrorScale next = m_scale;
   next.calm += length;
   next.displacement = displacementOf(end.x);
   const double most = std::max(next.displacement, floor()); // no error is larger than that for long
-  next.spent = std::min(m_scale.spent * std::exp(-kFaster * length / lifetime()) + error, most);
-  next.beyond = std::min(m_scale.beyond * std::exp(-length / kShortestLife) + beyond, most);
+  next.spent = std::min(m_scale.spent * std::exp(-m_policy.faster * length / lifetime()) + error, most);
+  next.beyond = std::min(m_scale.beyond * std::exp(-length / m_policy.shortestLife) + beyond, most);
   next.spentSquare += next.spent * next.spent * length;
   next.squareOverTime += next.displacement * next.displacement * length;
   next.speed = speedOf(end.v);
@@ -184,7 +152,7 @@ void ErrorGauge::guessLifetime(const System& system, const MotionState& start,
                                const MotionState& end) noexcept
 {
   if (m_scale.recentPath > 0.0) return;
-  m_guessedLifetime = kSlowerThanFirst * fadingTime(scaleAfter(system, start, end, 0.0));
+  m_guessedLifetime = m_policy.slowerThanFirst * fadingTime(scaleAfter(system, start, end, 0.0));
 }
 
 /// Error that the motion before `state` or after it may have [m].
@@ -192,16 +160,15 @@ double ErrorGauge::allowance(double tolerance, const MotionState& state) const n
 {
   double scale = presentScale(state);
   if (state.time > 0.0) scale = std::max(scale, std::sqrt(m_scale.squareOverTime / state.time));
-  const double share = awaitsRelease(state.time) ? kShareBeforeRelease : 1.0;
-  return share * kSafety * tolerance * std::max(scale, floor());
+  return m_ledger.steps(awaitsRelease(state.time)) * tolerance * std::max(scale, floor());
 }
 
 /// Displacement about `state` [m]. In the first moments it is not yet what the motion will make of it.
 double ErrorGauge::presentScale(const MotionState& state) const noexcept
 {
   const double scale = std::max(m_scale.displacement, displacementOf(state.x));
-  if (state.time >= kUnfolding) return scale;
-  return std::max(scale, std::max(m_scale.speed, speedOf(state.v)) * kUnfolding);
+  if (state.time >= m_policy.unfolding) return scale;
+  return std::max(scale, std::max(m_scale.speed, speedOf(state.v)) * m_policy.unfolding);
 }
 
 /// What will have been the mean square of displacement at the end, over the square that allowance() reckons
@@ -218,7 +185,7 @@ double ErrorGauge::meanShare(const MotionState& state, double left) const noexce
   const double coming = now * now * (driven + fading);
   const double mean = (m_scale.squareOverTime + coming) / (time + left);
   const double reckoned = std::max(now, time > 0.0 ? std::sqrt(m_scale.squareOverTime / time) : 0.0);
-  return std::min(kShareAfterBlow * kShareAfterBlow * mean / (reckoned * reckoned), 1.0);
+  return std::min(m_policy.afterBlow * m_policy.afterBlow * mean / (reckoned * reckoned), 1.0);
 }
 
 double ErrorGauge::unspent(double tolerance, const MotionState& state) const noexcept
@@ -231,10 +198,9 @@ double ErrorGauge::unspent(double tolerance, const MotionState& state) const noe
 /// of the budget none of ten above 0.85. At coarser tolerances steps end at their limit before errors do.
 double ErrorGauge::lastingShare(double tolerance, double time) const noexcept
 {
-  constexpr double kTight = 1e-3, kPower = 0.15;
   if (awaitsRelease(time)) return 1.0; // allowance() sees to that
-  const double few = std::max(1.0 - doublingsOfMany(m_rest.size()), 0.0);
-  return std::min(1.0, std::pow(tolerance / kTight, kPower * few));
+  const double few = std::max(1.0 - doublingsOfMany(m_rest.size(), m_policy), 0.0);
+  return std::min(1.0, std::pow(tolerance / m_policy.tight, m_policy.tightPower * few));
 }
 
 double ErrorGauge::budget(double tolerance, const MotionState& state, double length) const noexcept
@@ -251,8 +217,9 @@ double ErrorGauge::budget(double tolerance, const MotionState& state, double len
   // An even share goes on when all is spent: smaller steps would cost without end and gain little. Two of
   // them where errors spread over many waves, which do not add up in line; if they did, and stayed, their
   // mean would still be below the tolerance.
-  const double shares = m_isDriven ? std::min(1.0 + doublingsOfMany(m_rest.size()), 2.0) : 1.0;
-  const double least = (ofMean > 0.0 ? 1.0 : kShareBeyond) * std::sqrt(share) * all /
+  const double shares =
+    m_isDriven ? std::min(1.0 + doublingsOfMany(m_rest.size(), m_policy), m_policy.mostShares) : 1.0;
+  const double least = (ofMean > 0.0 ? 1.0 : m_policy.beyond) * std::sqrt(share) * all /
                        std::min(error.life, (state.time + left) / shares);
   return std::min(all, std::max(rate, least) * length);
 }
@@ -266,12 +233,11 @@ double ErrorGauge::budget(double tolerance, const MotionState& state, double len
 /// of 5,000 and 10,000 nodes ended at 1.3 and 2.2 times a tolerance of 1e-3.
 double ErrorGauge::growing(double time, double length, double early, double late, double share) const noexcept
 {
-  constexpr double kLeastPower = 0.85, kLessPerDoubling = 0.18, kLeastOfAll = 0.3;
   if (!(early > 0.0) || !(late > 0.0)) return 1.0;
   // Nothing fades yet where all begins to move at once; sheets that began with a speed ended 1.1 times above.
   if (!m_isDriven && !(time > 0.0)) return 1.0;
-  const double many = m_scale.calm <= kFresh ? 0.0 : doublingsOfMany(m_rest.size());
-  const double least = std::max(kLeastPower - kLessPerDoubling * many, kLeastOfAll);
+  const double many = m_scale.calm <= m_policy.fresh ? 0.0 : doublingsOfMany(m_rest.size(), m_policy);
+  const double least = std::max(m_policy.leastPower - m_policy.lessPerDoubling * many, m_policy.leastOfAll);
   const double power = std::clamp(std::log(late / early) / -std::log(share), least, 1.0);
   return std::pow(std::max(std::min(lifetime(), timeLeft(time)) / length, 1.0), power - 1.0);
 }
@@ -283,7 +249,7 @@ double ErrorGauge::distance(const NodeArray& otherX, const MotionState& state) c
 
 void ErrorGauge::prepareSwing(const System& system, const MotionState& state)
 {
-  m_stiffness.prepare(system, state.x, 1.0 / (kSlowest * kSlowest));
+  m_stiffness.prepare(system, state.x, 1.0 / (m_policy.slowest * m_policy.slowest));
   m_momentum.resize(state.x.size());
   m_displacement.resize(state.x.size());
   for (std::size_t i = 0; i < state.x.size(); ++i) m_displacement[i] = state.x[i] - m_rest[i];
@@ -312,12 +278,13 @@ double ErrorGauge::swing(const System& system, double distance, const NodeArray&
                                          kIterations, &m_displacement);
   const double speed = rms(sumOfSquares(otherV, state.v), m_count);
   const double squaredTime = bound / energy; // not a number where tangents are infinite
-  const double time = squaredTime < kSlowest * kSlowest ? std::sqrt(squaredTime) : kSlowest;
+  const double time =
+    squaredTime < m_policy.slowest * m_policy.slowest ? std::sqrt(squaredTime) : m_policy.slowest;
   const double amplitude = std::hypot(distance, time * speed);
   if (!(m_scale.recentPath > 0.0 && all > 0.0)) return amplitude;
   const bool isSmall = otherV.size() < kFewNodes; // all its motion is slow
   const double slow = isSmall ? speed : std::abs(along) / all * rms(sumOfSquares(m_displacement), m_count);
-  const double ofMotion = std::min(0.5 * creepingTime(m_scale), kSlowest);
+  const double ofMotion = std::min(0.5 * creepingTime(m_scale, m_policy), m_policy.slowest);
   return std::max(amplitude, slow * ofMotion / std::numbers::sqrt2);
 }
 
@@ -348,28 +315,30 @@ double ErrorGauge::alongMotion(const System& system, const NodeArray& otherX, co
 double ErrorGauge::fading() const noexcept
 {
   if (!(m_scale.recentPath > 0.0)) return m_guessedLifetime;
-  return std::max(fadingTime(m_scale), creepingTime(m_scale));
+  return std::max(fadingTime(m_scale), creepingTime(m_scale, m_policy));
 }
 
 /// How long an error lives [s]: it fades as the motion itself does.
 double ErrorGauge::lifetime() const noexcept
 {
-  return std::max(fading(), kShortestLife);
+  return std::max(fading(), m_policy.shortestLife);
 }
 
 /// Of what may be spent, for some of the time that is left [s].
 /// @param meanSpent  of the mean square up to the end
 double ErrorGauge::peak(double left, double meanSpent) const noexcept
 {
-  const double most = std::clamp(kPeakOfMean * std::sqrt(2.0 * left / fading()), kLeastPeak, kMostPeak);
-  return kLeastPeak + (most - kLeastPeak) * std::max(1.0 - meanSpent / kSpentEarly, 0.0);
+  const double most =
+    std::clamp(m_policy.peakOfMean * std::sqrt(2.0 * left / fading()), m_policy.leastPeak, m_policy.mostPeak);
+  return m_policy.leastPeak +
+         (most - m_policy.leastPeak) * std::max(1.0 - meanSpent / m_policy.spentEarly, 0.0);
 }
 
 /// Time over which errors may still add up, seen at `time` [s].
 double ErrorGauge::timeLeft(double time) const noexcept
 {
   const double end = expectedEnd(time);
-  return std::isfinite(end) ? end - time : std::max(kErrorHorizon, time);
+  return std::isfinite(end) ? end - time : std::max(m_policy.horizon, time);
 }
 
 /// What budgets reckon with. At the very start of a motion whose end nobody knows it is the start itself: the

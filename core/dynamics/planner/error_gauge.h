@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/planner/error_ledger.h"
 #include "core/dynamics/system/stiffness_cg.h"
 #include "core/dynamics/system/system.h"
 
@@ -32,10 +33,10 @@ struct ErrorScale {
 double fadingTime(const ErrorScale& scale) noexcept;
 /// @return power of the dampers [W], by the last fifth of a second and by the last two frames, whichever is
 /// less.
-double dampersPower(const ErrorScale& scale) noexcept;
+double dampersPower(const ErrorScale& scale, const Policy::Errors& policy = {}) noexcept;
 /// @return twice the time that a motion which creeps takes over the way from its start, at its speed of the
 /// last fifth of a second [s]. Infinity at rest.
-double creepingTime(const ErrorScale& scale) noexcept;
+double creepingTime(const ErrorScale& scale, const Policy::Errors& policy = {}) noexcept;
 
 /// Measures errors of stretches of motion, and knows how much of it a stretch may add, so that the error of
 /// docs/FILE_FORMAT.md stays below the tolerance.
@@ -49,6 +50,8 @@ double creepingTime(const ErrorScale& scale) noexcept;
 /// of the whole net, of which a System may be a part.
 class ErrorGauge {
 public:
+  explicit ErrorGauge(const Policy& policy = {}) : m_policy(policy.errors), m_ledger(policy.shares) {}
+
   static constexpr std::size_t kFewNodes = 100; ///< a net below has few modes, and no waves among them
 
   /// @param duration  of the whole motion [s]; 0 = unknown
@@ -79,8 +82,11 @@ public:
   void expectQuiet(double time) noexcept { m_quiet = time; }
   bool awaitsRelease(double time) const noexcept { return m_release < expectedEnd(time); }
 
-  double extent() const noexcept { return m_extent; }       ///< a length that positions are small against [m]
-  double floor() const noexcept { return 1e-6 * m_extent; } ///< displacements below it do not matter [m]
+  double extent() const noexcept { return m_extent; } ///< a length that positions are small against [m]
+  double floor() const noexcept
+  {
+    return m_policy.floor * m_extent;
+  }                                                         ///< displacements below it do not matter [m]
   double displacementOf(const NodeArray& x) const noexcept; ///< [m]
   double speedOf(const NodeArray& v) const noexcept;        ///< [m/s]
   /// Error that a stretch of this length may add before `state` or after it [m]: as much as could be added
@@ -128,6 +134,8 @@ private:
   double lifetime() const noexcept;
   double peak(double left, double meanSpent) const noexcept;
 
+  Policy::Errors m_policy;
+  ErrorLedger m_ledger;
   NodeArray m_rest; ///< positions at t = 0 [m]
   StiffnessCg m_stiffness;
   NodeArray m_displacement, m_momentum; ///< at prepareSwing() [m]; difference of two ends [kg m/s]

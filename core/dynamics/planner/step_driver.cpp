@@ -2,87 +2,196 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/planner/step_driver.h"
 
-#include "core/dynamics/methods/stiff_nodes.h"
+#include "core/dynamics/system/diagonal.h"
+#include "core/dynamics/system/frame.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace esm {
 namespace {
 
-constexpr double kSolveShare = 0.1; ///< of the budget, for what implicit solvers leave
-/// Of an implicit step that found no solution: larger ones are not tried soon.
-constexpr double kSmallerThanFailed = 0.6;
-constexpr int kMostAttempts = 24;              ///< of one stretch
-constexpr double kMostEffort = 3.0;            ///< for one frame, before descent takes over
-constexpr double kLeastShare = 1.0 / 8.0;      ///< of it for a stretch, however short
-constexpr double kLeastOnsetShare = 1.0 / 8.0; ///< of that, when the others of an onset have used up theirs
-constexpr double kGrowth = 0.02; ///< of energy, like kCoarseGrowth, in steps whose error nobody measures
-
-/// The largest of what limits steps.
-double relativeChange(const FastestMode& before, const FastestMode& after)
+/// A length that positions are small or large against [m]: the net's diagonal, or how far its anchors pull.
+double extentOf(const System& system, const NodeArray& x)
 {
-  const auto change = [](double from, double to, double whole) {
-    return whole > 0.0 ? std::abs(to - from) / whole : 0.0;
-  };
-  const double stiffness = std::max(before.stiffness, after.stiffness),
-               damping = std::max(before.damping, after.damping);
-  return std::max(
-    {change(before.stiffness, after.stiffness, stiffness), change(before.undamped, after.undamped, stiffness),
-     change(before.damping, after.damping, damping), change(before.decay, after.decay, damping),
-     change(before.leastDamping, after.leastDamping, std::max(before.leastDamping, after.leastDamping))});
+  double square = squareOfDiagonal(x);
+  for (const ForceModel::Anchor& anchor : system.forces().anchors()) {
+    const Lanes reach = anchor.point - x[static_cast<std::size_t>(anchor.node)];
+    square = std::max(square, dot(reach, reach));
+  }
+  return square > 0.0 && std::isfinite(square) ? std::sqrt(square) : 1.0;
 }
 
 } // namespace
 
+StepDriver::StepDriver(SolverSettings settings, std::vector<Index> names)
+  : m_control(std::move(settings), std::move(names)), m_controlled(m_control), m_rough(m_control)
+{
+  m_controlled.prepare();
+}
+
+void StepDriver::begin(System& system, const MotionState& state)
+{
+  StepControl& control = m_control;
+  control.attach(system);
+  control.names.places.clear();
+  control.beginStretch(state);
+  if (system.nodeCount() <= System::kLarge) m_controlled.begin(state);
+  const bool isDriven = !system.schedule().isEmpty() || !system.tools().empty();
+  control.gauge.begin(state.x, extentOf(system, state.x), control.request.settings.duration, isDriven);
+  const Lanes weight = system.nodeCount() > 0 ? system.forces().weight(0) : Lanes{0, 0, 0, 0};
+  const bool staysPushed = !system.tools().empty() || dot(weight, weight) > 0.0;
+  control.gauge.expectQuiet(staysPushed ? kInfinity : system.schedule().endOfBlows());
+  if (control.request.isAuto)
+    control.choice.method = control.methods.plain(); // a run after reset() is like the first
+  parametersChanged(system, state);
+  // What a look at the bound needs of a large net is a quarter of all its memory, and it may never move.
+  if (system.nodeCount() > System::kLarge) control.bound.freeRoom();
+}
+
+void StepDriver::parametersChanged(System& system, const MotionState& state)
+{
+  StepControl& control = m_control;
+  control.attach(system);
+  control.methods.dropLayouts();
+  control.rhythm.reset(state.time);
+  control.time.refuge = control.time.refugeTerm = 0;
+  control.energy.forget();
+  control.onset = 0.0;
+  control.choice = {control.choice.method};
+  control.findBodies(state);
+  control.bound.prepare(system, asksForDecay());
+  control.loss.prepare(system);
+  control.look(state);
+  control.known.guessAll(control.methods,
+                         control.weigh([](Weighing weighing) { return weighing.expectation(); }));
+  control.choose();
+}
+
+void StepDriver::restart(System& system, const MotionState& state)
+{
+  m_control.attach(system);
+  m_control.methods.restart();
+  m_control.findBodies(state);
+}
+
+void StepDriver::toolsChanged(System& system, const MotionState& state, bool sameNodes)
+{
+  StepControl& control = m_control;
+  control.attach(system);
+  control.loss.drop(); // under other forces
+  if (!system.tools().empty()) {
+    control.gauge.markDriven();
+    control.gauge.expectQuiet(kInfinity);
+  }
+  m_rough.followHand();
+  if (sameNodes) return control.methods.toolsMoved(); // a moving hand: the checks go on in their rhythm
+  control.methods.restart();
+  control.findBodies(state);
+  control.look(state);
+  control.rhythm.anew();
+}
+
+void StepDriver::partChanged(System& system, const MotionState& state, NetPart part)
+{
+  StepControl& control = m_control;
+  control.attach(system);
+  control.gauge.setPart(part.rest, part.wholeCount, part.squareElsewhere);
+  control.names.places = std::move(part.nodes);
+  control.onset = 0.0;
+  control.energy.forget(); // what a larger part had gained could be more than all that this one has
+  control.methods.dropLayouts();
+  control.findBodies(state);
+  control.bound.prepare(system, asksForDecay());
+  control.loss.prepare(system);
+  // Who keeps time goes on by blocks, until the usual look at the bound tells more.
+  if (control.time.isByBlocks) {
+    control.bound.setOld();
+    control.weighSteps();
+  } else {
+    control.look(state);
+  }
+  control.weigh([&](Weighing weighing) {
+    weighing.giveUpTolerance(control.choice,
+                             control.choice.isToleranceGivenUp && weighing.isToleranceTooDear());
+  });
+  if (!control.time.isByBlocks)
+    control.methods.layOut(control.choice.method); // nothing is, after another cut
+  control.explain();
+}
+
+void StepDriver::setAccuracy(System& system, double tolerance, double effort)
+{
+  StepControl& control = m_control;
+  control.attach(system);
+  const double change = tolerance / control.request.settings.tolerance;
+  control.request.settings.tolerance = tolerance;
+  control.request.settings.effort = effort;
+  if (control.request.settings.keepsTime) control.weighLeastCost();
+  control.onset = 0.0;
+  control.weighEffort();
+  control.known.rescale(control.methods, change);
+  control.rhythm.anew();
+  control.rhythm.setRough(false);
+  control.choice.settled = 0;
+  const Method present = control.choice.method;
+  const bool competes = control.request.isAuto && control.methods.traits(present).competes();
+  if (competes && !control.weigh([&](Weighing weighing) { return weighing.isPayable(present); })) {
+    control.use(control.weigh([&](Weighing weighing) { return weighing.cheapestExplicit(present, 1.0); }));
+    control.explain();
+  }
+  if (!control.choice.isToleranceGivenUp) return;
+  control.weigh([&](Weighing weighing) {
+    control.choice.isToleranceGivenUp = false; // the floor is of the former effort
+    weighing.giveUpTolerance(control.choice, weighing.isToleranceTooDear());
+  });
+  control.explain();
+}
+
+bool StepDriver::asksForDecay() const noexcept
+{
+  const MethodSet& methods = m_control.methods;
+  if (!m_control.request.isAuto) return methods.at(m_control.choice.method).asksForDecay();
+  for (Method method = 0; method < methods.count(); ++method)
+    if (methods.traits(method).competes() && methods.at(method).asksForDecay()) return true;
+  return false;
+}
+
 StepReport StepDriver::advance(System& system, MotionState& state, double interval, std::int64_t maxSteps,
                                double mostWork)
 {
+  StepControl& control = m_control;
+  control.attach(system);
   StepReport report;
-  m_limitText.clear();
+  control.reasons.beginCall();
   system.springsEvaluated = 0;
   system.solverWork = 0.0;
   system.workLimit = mostWork;
-  m_maxSteps = maxSteps;
-  m_mostWork = mostWork;
+  control.stepper.beginCall(maxSteps, mostWork);
   const double begin = state.time;
   double end = begin + interval;
   while (state.time < end) {
-    m_gauge.expectRelease(system.schedule().nextRelease());
+    control.gauge.expectRelease(system.schedule().nextRelease());
     const double event = system.nextEvent(state.time);
     // An event a rounding error away from the end of the interval is the end.
     if (std::abs(event - end) <= 1e-9 * interval) end = event;
     const double target = std::min(event, end);
-    const bool isFixed = m_settings.fixedStep > 0.0;
-    if (!(workDone(system, report) < m_mostWork) || system.isInterrupted()) {
-      giveUp(system, Run::Limit, report);
+    if (control.stepper.isSpent(system, report)) {
+      control.giveUp(Run::Limit, report);
       break;
     }
-    continueOnset();
-    const bool byBlocks = takesBlocks() && mayTakeBlocks(system); // these have checks of their own
-    const double longest = m_onset.longest > 0.0            ? m_onset.longest
-                           : m_untilCheck <= 0 && !byBlocks ? longestCheck()
-                                                            : kFrame;
+    m_controlled.continueOnset();
+    const bool isFixed = control.request.settings.fixedStep > 0.0;
+    const bool isByBlocks = takesBlocks() && control.mayTakeBlocks(); // these have checks of their own
+    const double longest = isFixed ? kInfinity : m_controlled.longest(isByBlocks);
     const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / longest * (1.0 - 1e-9));
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
     const double workBefore = system.workDone();
-    const bool done = isFixed ? stretchFixed(system, state, stretchEnd, report)
-                              : stretchControlled(system, state, stretchEnd, report);
-    m_onset.affordable -= system.workDone() - workBefore;
+    const bool done = isFixed ? stretchFixed(state, stretchEnd, report) : stretch(state, stretchEnd, report);
+    m_controlled.spendOnset(system.workDone() - workBefore);
     if (!done) break;
-    if (state.time != event) continue;
-    if (system.enter(state, false)) {
-      for (Candidate& candidate : m_candidates)
-        if (candidate.prepared) candidate.integrator->constraintsChanged(system);
-      findBodies(system, state);
-      m_checkGap = 1;
-      m_sinceBound = kInfinity;
-    } else {
-      if (m_candidates[m_method].prepared) current().restart();
-      m_bodies.enter(system, state.time);
-    }
-    m_untilCheck = 0;
-    m_gauge.markEvent();
+    if (state.time == event) enterEvent(state);
   }
   report.simulatedTime = state.time - begin;
   report.springsEvaluated = system.springsEvaluated;
@@ -90,326 +199,83 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
   return report;
 }
 
-bool StepDriver::stretchFixed(System& system, MotionState& state, double end, StepReport& report)
+void StepDriver::enterEvent(MotionState& state)
 {
-  layOut(m_method, system);    // before it is told anything
-  refreshBound(system, state); // stages and predictions keep to what is stable now
-  current().setSolveTolerance(1e-12 * m_gauge.extent(), false);
-  const double steps = std::max(1.0, std::ceil((end - state.time) / m_settings.fixedStep * (1.0 - 1e-9)));
-  m_start = state; // same size: no allocation
-  m_startEnergies.reset();
+  StepControl& control = m_control;
+  if (control.system->enter(state, false)) {
+    control.methods.constraintsChanged();
+    control.findBodies(state);
+    control.rhythm.oftenFromNow();
+    control.bound.hurry();
+  } else {
+    control.methods.restart(control.choice.method);
+    control.stepper.bodies().enter(*control.system, state.time);
+  }
+  control.rhythm.atOnce();
+  control.gauge.markEvent();
+}
+
+bool StepDriver::stretchFixed(MotionState& state, double end, StepReport& report)
+{
+  StepControl& control = m_control;
+  const Method method = control.choice.method;
+  control.methods.layOut(method); // before it is told anything
+  control.lookIfDue(state);       // stages and predictions keep to what is stable now
+  control.current().setSolveTolerance(control.policy.steps.solveFixed * control.gauge.extent(), false);
   const double length = end - state.time;
-  const Run result = run(system, state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
-  if (result != Run::Done)
-    giveUp(system, result, report);
-  else
-    bookLoss(system, state, m_method, length / steps);
-  return result == Run::Done;
-}
-
-/// The step that is stable, accurate, and not larger than is cheap.
-double StepDriver::controlledStep(double length) noexcept
-{
-  const Candidate& candidate = m_candidates[m_method];
-  const double wanted = std::min(candidate.accurateStep, candidate.cheapStep);
-  return std::min({stableStep(candidate), std::max(wanted, floorStep()), length});
-}
-
-/// Of a stretch that is checked [s].
-double StepDriver::longestCheck() noexcept
-{
-  return controlledStep(kFrame) < checkLength() / 8.0 ? checkLength() : kFrame;
-}
-
-/// Whether a check may compare this step with a larger one instead of a smaller one, for less than half the
-/// work beyond that of the stretch. Not the first check of a method, which may need the smaller one; not
-/// below fourth order, where errors at half of the limit are not yet of their order (with such checks half of
-/// the tubes took 2 % more at 1e-2); nor where dampers are weak (sheets took 4 % more at 1e-6).
-bool StepDriver::hasRoomAbove(double step) const noexcept
-{
-  constexpr double kEnoughOrder = 4.0;
-  const Candidate& candidate = m_candidates[m_method];
-  return isExplicit(candidate) && candidate.isMeasured && candidate.integrator->order() >= kEnoughOrder &&
-         isDamped() && m_onset.longest <= 0.0 && step == candidate.accurateStep &&
-         kFiner * step <= stableStep(candidate);
-}
-
-bool StepDriver::stretchControlled(System& system, MotionState& state, double end, StepReport& report)
-{
-  double length = end - state.time;
-  refreshBound(system, state);
-  rememberBeforeOnset();
-  m_start = state;
-  m_startEnergies.reset();
-  m_growth = m_grown;
-  m_localError = 0.0;
-  if (!m_auto && current().isUncontrolled()) {
-    layOut(m_method, system);
-    current().setSolveTolerance(1e-9 * m_gauge.extent(), false);
-    const Run result = run(system, state, end, 1, report);
-    if (result != Run::Done) return giveUp(system, result, report), false;
-    report.rough = report.rough || current().brakesBodies(); // nobody has measured its error
-    keep(system, state, expectedError(state));
-    return true;
-  }
-  if (m_auto) {
-    if (takesBlocks()) return stretchRoughly(system, state, end, report);
-    const double usual =
-      kMostEffort * std::max(effort(system), 2.0 * m_leastCost) * std::max(length / kFrame, kLeastShare);
-    if (m_onset.longest <= 0.0) m_onset.affordable = usual; // it may begin here
-    system.workLimit = std::min(
-      m_mostWork, system.workDone() + std::clamp(m_onset.affordable, kLeastOnsetShare * usual, usual));
-  }
-  Run failure = Run::NotConverged;
-  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
-    layOut(m_method, system); // who is chosen has no room before he runs
-    const double step = controlledStep(length);
-    const double count = std::ceil(length / step * (1.0 - 1e-9));
-    if (isTooDear(system, count * current().stepCost(system, step))) {
-      if (!fallBackToLeapfrog(system, length)) break;
-      continue;
-    }
-    if (!(count < 1e12)) break;
-    // What nobody checks needs no digits beyond what the eye can see.
-    const bool unchecked = m_toleranceGivenUp && m_method == m_implicit;
-    const bool isPlanned = !unchecked && m_untilCheck <= 0;
-    m_checksFromAbove = isPlanned && attempt == 0 && hasRoomAbove(step);
-    const auto steps = static_cast<std::int64_t>(m_checksFromAbove ? std::ceil(count / kFiner) : count);
-    const auto finer = static_cast<std::int64_t>(m_checksFromAbove ? count : std::ceil(kFiner * count));
-    // An implicit solver measures over the nodes that it has.
-    const double budget =
-      m_gauge.budget(m_settings.tolerance, m_start, length) * m_gauge.shareOfWhole(state.x.size());
-    current().setSolveTolerance(
-      std::max(kSolveShare * budget / count, (unchecked ? 1e-4 : 1e-13) * m_gauge.extent()), unchecked);
-    // A check that comes unforeseen has no look.
-    m_look.steps = 0;
-    const double workBefore = system.workDone();
-    if (isPlanned) current().mark(state.time);
-    current().takeLocalError(); // of probes, and runs that failed
-    Run result =
-      isPlanned ? runWithLook(system, state, end, steps, report) : run(system, state, end, steps, report);
-    m_localError = current().takeLocalError();
-    if (unchecked && result == Run::Done &&
-        energyAppeared(system, energyBalance(system, state), kGrowth)) { // once more, exactly
-      report.rejectedSteps += steps;
-      state = m_start;
-      current().restart();
-      current().setSolveTolerance(std::max(kSolveShare * budget / count, 1e-6 * m_gauge.extent()), false);
-      result = run(system, state, end, steps, report);
-      if (result == Run::Done && energyAppeared(system, energyBalance(system, state), kGrowth)) break;
-    }
-    if (result == Run::Limit) return stopAtLimit(system, state, report), false;
-    if (m_auto && result != Run::Done && (unchecked || system.isExhausted())) break;
-    const bool isCheap =
-      m_method == m_implicit || count >= 32.0 || m_untilCheck <= 0; // to look at the energy
-    if (m_auto && result == Run::Done && !unchecked && (isCheap || hasQuickened(system, state)) &&
-        energyAppeared(system, energyBalance(system, state), kCoarseGrowth))
-      result = Run::NotConverged; // on its way to infinity
-    if (result == Run::Done) {
-      const bool isDue = !unchecked && checkDue(state);
-      // A step that nobody could afford to check is better than none.
-      if (!isDue || isTooDear(system, static_cast<double>(2 * steps) * current().stepCost(system, step))) {
-        // The next one is larger, until a check can be paid for: else a wrong guess would hold for good.
-        if (isDue) m_candidates[m_method].accurateStep = 2.0 * step;
-        --m_untilCheck;
-        report.rough = report.rough || unchecked || m_roughAtCheck || isDue;
-        bookLoss(system, state, m_method, length / count);
-        keep(system, state, expectedError(state));
-        if (unchecked) reconsider(system);
-        return true;
-      }
-      m_coarse = state.x;
-      m_coarseV = state.v;
-      state = m_start;
-      current().rewind(state.time);
-      m_coarseWork = system.workDone() - workBefore;
-      result = runAgain(system, state, end, finer, report);
-      m_finerWork = system.workDone() - workBefore - m_coarseWork;
-      if (result == Run::Limit) return stopAtLimit(system, state, report), false;
-    }
-    if (result != Run::Done) {
-      failure = result;
-      if (isTooDear(system, 0.0)) break;
-      retreat(system, state, attempt, length, report);
-      continue;
-    }
-    const Method method = m_method;
-    if (accept(system, state, steps, finer, report)) {
-      bookLoss(system, state, method, length / static_cast<double>(finer));
-      return true;
-    }
-    report.rejectedSteps += steps + finer;
-    length = beginOnset(length, count);
-    state = m_start;
-    m_settled = 0;
-    reconsider(system);
-    length = std::min(length, longestCheck()); // another method may take far more steps
-    if (length < (1.0 - 1e-9) * (end - m_start.time)) end = m_start.time + length; // no rest of rounding
-    current().restart();
-  }
-  if (!m_auto) {
-    state = m_start;
-    return giveUp(system, failure, report), false;
-  }
-  report.rejectedSteps += 1;
-  state = m_start;
-  m_descentTerm = std::clamp(2 * m_descentTerm, 1, kLongestDescent);
-  m_descents = m_descentTerm;
-  m_growth = m_grown;
-  return stretchRoughly(system, state, end, report);
-}
-
-/// Whether this much work more is beyond what `auto` may spend on the stretch.
-bool StepDriver::isTooDear(const System& system, double work) const noexcept
-{
-  return m_auto && !(system.workDone() + work <= system.workLimit);
-}
-
-/// Where a dearer method was on its way: plain steps at their limit, if these can be paid for.
-bool StepDriver::fallBackToLeapfrog(System& system, double length)
-{
-  if (!m_auto || m_method == m_leapfrog || m_method == m_implicit) return false;
-  if (isTooDear(system, m_leastCost * length / kFrame)) return false;
-  use(m_leapfrog);
-  m_candidates[m_leapfrog].accurateStep = explicitLimit();
-  m_settled = 4;
-  explain();
+  const double steps = std::max(1.0, std::ceil(length / control.request.settings.fixedStep * (1.0 - 1e-9)));
+  control.beginStretch(state);
+  const Run result = control.run(state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
+  if (result != Run::Done) return control.giveUp(result, report), false;
+  control.bookLoss(state, method, length / steps);
   return true;
 }
 
-StepDriver::EnergyBalance StepDriver::energyBalance(const System& system, const MotionState& state)
+/// By a method that takes one step whatever the tolerance, and that nobody controls.
+bool StepDriver::stretchAlone(MotionState& state, double end, StepReport& report)
 {
-  if (!m_startEnergies)
-    m_startEnergies = Energies{system.kineticEnergy(m_start.v), system.elasticEnergy(m_start.x),
-                               system.forces().gravityEnergy(m_start.x.data())};
-  const auto& [kinetic, elastic, high] = *m_startEnergies;
-  const double fallen = high - system.forces().gravityEnergy(state.x.data());
-  const double work = state.work - m_start.work;
-  const double gained =
-    system.kineticEnergy(state.v) - kinetic + system.elasticEnergy(state.x) - elastic - fallen - work;
-  return {gained, state.heat - m_start.heat, kinetic + std::abs(elastic) + std::abs(work) + std::abs(fallen),
-          std::abs(high)};
+  StepControl& control = m_control;
+  control.methods.layOut(control.choice.method);
+  control.current().setSolveTolerance(control.policy.steps.solveAlone * control.gauge.extent(), false);
+  const Run result = control.run(state, end, 1, report);
+  if (result != Run::Done) return control.giveUp(result, report), false;
+  report.rough = report.rough || control.current().brakesBodies(); // nobody has measured its error
+  control.keep(state, control.expectedError(state));
+  return true;
 }
 
-/// Whether the net has more energy than at the start of the stretch without work that explains it, by more
-/// than this share of what was there, has been worked and has fallen.
-bool StepDriver::energyAppeared(const System& system, const EnergyBalance& balance, double share) noexcept
+bool StepDriver::stretch(MotionState& state, double end, StepReport& report)
 {
-  // Of sums with rounding errors; and what nobody can see.
-  const double least = 1e-12 * (balance.high + system.totalMass() * m_gauge.extent() * m_gauge.extent());
-  const double sum = std::max(m_grown, 0.0) + balance.gained; // what came slowly is no better
-  if (!(sum <= share * balance.turnedOver + least)) return true;
-  m_growth = sum;
-  return false;
+  StepControl& control = m_control;
+  control.lookIfDue(state);
+  m_controlled.rememberBeforeOnset();
+  control.beginStretch(state);
+  control.rhythm.setLocalError(0.0);
+  if (!control.request.isAuto && control.current().isUncontrolled()) return stretchAlone(state, end, report);
+  if (control.request.isAuto && takesBlocks()) return m_rough.stretch(state, end, report);
+  const ControlledSteps::Outcome outcome = m_controlled.stretch(state, end, report);
+  if (outcome != ControlledSteps::Outcome::NoneIsGood) return outcome == ControlledSteps::Outcome::Done;
+  control.time.flee(control.policy.rough.longestDescent);
+  control.energy.takeBack();
+  return m_rough.stretch(state, end, report);
 }
 
-/// Whether the net is so much faster than at the start of the stretch that its energy is worth two passes: a
-/// few large steps may have missed how stiff it has become.
-bool StepDriver::hasQuickened(const System& system, const MotionState& state) const noexcept
+double StepDriver::closeLoss(System& system, const MotionState& state)
 {
-  return system.kineticEnergy(state.v) > 2.0 * system.kineticEnergy(m_start.v);
+  m_control.attach(system);
+  return m_control.closeLoss(state);
 }
 
-/// The work limit came in the middle of a stretch that nobody has checked. What has been done is kept, so
-/// that limited calls get on too, unless energy came from nowhere: then the start of the stretch is the last
-/// good state.
-void StepDriver::stopAtLimit(const System& system, MotionState& state, StepReport& report)
+FastestMode StepDriver::fastestMode(const System& system, const MotionState& state) const
 {
-  if (energyAppeared(system, energyBalance(system, state), kGrowth)) {
-    state = m_start;
-    current().restart();
-    m_candidates[m_method].accurateStep = 0.25 * controlledStep(kFrame);
-    m_untilCheck = 0;
-  }
-  giveUp(system, Run::Limit, report);
-}
-
-/// After a failed run: back to the start of the stretch with a smaller step.
-void StepDriver::retreat(System& system, MotionState& state, int attempt, double length, StepReport& report)
-{
-  ++report.rejectedSteps;
-  const double tried = controlledStep(kFrame);
-  state = m_start;
-  Candidate& candidate = m_candidates[m_method];
-  candidate.accurateStep = tried / 4.0;
-  if (!isExplicit(candidate)) candidate.cheapStep = kSmallerThanFailed * tried;
-  if (m_auto && candidate.affordableStep > candidate.accurateStep) { // there the effort would hold it
-    if (fallBackToLeapfrog(system, length)) {
-      candidate.accurateStep = kMostShrinking * tried;
-      return;
-    }
-    candidate.affordableStep = candidate.accurateStep;
-  }
-  m_floorStep = std::min(m_floorStep, tried / 4.0);
-  m_untilCheck = 0;
-  m_checkGap = 1;
-  if (m_auto && m_method != m_implicit && attempt >= 4) {
-    use(m_implicit);
-    m_settled = 64;
-    explain();
-  }
-  current().restart();
-}
-
-/// The stretch is done.
-/// @param error  that it has added [m]
-/// @param beyond  see ErrorGauge
-void StepDriver::keep(const System& system, const MotionState& state, double error, double beyond) noexcept
-{
-  m_gauge.setScale(m_gauge.scaleAfter(system, m_start, state, error, beyond));
-  m_grown = m_growth;
-}
-
-void StepDriver::setBound(const System& system, const MotionState& state)
-{
-  m_mode = m_bound.compute(system, state.x, state.v);
-  m_boundIsOld = false;
-  m_stiffest = {};
-  if (m_mode.node != kNoIndex)
-    m_stiffest = {nameOf(m_mode.node), system.mass()[static_cast<std::size_t>(m_mode.node)]};
-  m_sinceBound = 0.0;
-  m_boundPatience = 1.0;
-  m_fewHoldAll = m_auto && !StiffNodes::find(system).empty();
-  weighSteps(system);
-}
-
-/// By the bound at hand.
-void StepDriver::weighSteps(const System& system)
-{
-  for (Candidate& candidate : m_candidates) {
-    candidate.integrator->tune(system, m_mode);
-    weighEffort(system, candidate);
-  }
-  weighLeastCost(system);
-}
-
-/// A look at the bound costs up to thirty passes. It follows what stiffens within some frames, and what
-/// turns and bends; where it finds nothing new it comes less often.
-void StepDriver::refreshBound(const System& system, const MotionState& state)
-{
-  constexpr double kNew = 0.01;    // a larger change of the limits
-  constexpr double kLongest = 4.0; // of the usual patience
-  const double patience = m_method == m_implicit ? 32.0 : system.forces().isNonlinear() ? 384.0 : 768.0;
-  if (m_boundIsOld && !takesBlocks()) return setBound(system, state);
-  if (m_sinceBound < m_boundPatience * patience) return;
-  const FastestMode before = m_mode;
-  const double longer = std::min(2.0 * m_boundPatience, kLongest);
-  setBound(system, state);
-  if (relativeChange(before, m_mode) <= kNew) m_boundPatience = longer;
-}
-
-FastestMode StepDriver::fastestMode(const System& system, const MotionState& state)
-{
-  StepBound bound =
-    m_bound; // each look changes how the next one looks: a question must not change the motion
-  return bound.compute(system, state.x, state.v);
+  return m_control.bound.ask(system, state);
 }
 
 double StepDriver::explicitStep(const FastestMode& mode) const noexcept
 {
-  const auto& integrator = m_candidates[m_method].integrator;
-  const double own = integrator->stableStep(mode);
-  return std::isfinite(own) ? own : m_candidates[m_leapfrog].integrator->stableStep(mode);
+  const MethodSet& methods = m_control.methods;
+  const double own = methods.at(m_control.choice.method).stableStep(mode);
+  return std::isfinite(own) ? own : methods.at(methods.plain()).stableStep(mode);
 }
 
 } // namespace esm

@@ -14,7 +14,6 @@ namespace {
 constexpr Index kSmallestDivisible = 2000;            ///< nodes
 constexpr double kLargestPart = 0.6;                  ///< of the nodes; above it the whole net is as cheap
 constexpr double kLeastDecay = 0.5, kMostDecay = 8.0; ///< bounds of ratio - 8 in missedMotion()
-constexpr double kShare = 0.5;                        ///< of the tolerance that goes to sleepers
 /// Of what pulls at a node, that may be left over while it rests at the start.
 constexpr double kBalanced = 1e-3;
 
@@ -290,7 +289,7 @@ double RegionDriver::meanSquare() const noexcept
 /// Sum of squares that the sleepers may miss [m^2]; see the class.
 double RegionDriver::budget() const noexcept
 {
-  const double floor = 1e-6 * m_extent, share = kShare * m_settings.tolerance;
+  const double floor = 1e-6 * m_extent, share = m_ledger.sleepers() * m_settings.tolerance;
   return share * share * std::max(meanSquare(), floor * floor) * static_cast<double>(m_body.motion.x.size());
 }
 
@@ -298,11 +297,11 @@ double RegionDriver::budget() const noexcept
 /// the mean square, up to four fifths of the tolerance.
 double RegionDriver::settlingBudget() const noexcept
 {
-  constexpr double kAll = 0.8, kMost = 0.64; // of the square
   const ErrorScale scale = m_driver.errorScale();
   const double all = m_settings.tolerance * m_settings.tolerance * scale.squareOverTime;
-  const double spent = all > 0.0 ? scale.spentSquare / all : 1.0, own = kShare * kShare;
-  return budget() / own * std::clamp(kAll - spent, own, kMost);
+  const double spent = all > 0.0 ? scale.spentSquare / all : 1.0,
+               own = m_ledger.sleepers() * m_ledger.sleepers();
+  return budget() / own * m_ledger.settling(spent);
 }
 
 /// Layers next to sleepers that are watched.

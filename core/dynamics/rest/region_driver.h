@@ -127,6 +127,7 @@ private:
   SolverSettings m_settings;
   Body& m_body;
   StepDriver m_driver;
+  ErrorLedger m_ledger;
   bool m_on = false;
   Mode m_mode = Mode::Whole;
   ActiveRegion m_region;

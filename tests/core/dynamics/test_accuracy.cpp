@@ -156,7 +156,7 @@ TEST(Accuracy, ATubeThatIsLetGoKeepsTheToleranceToo)
   EXPECT_LT(errorOf(scene, "auto", 1e-4, 480), 1e-4);
 }
 
-// What StepDriver::addingUp() builds on: once a damped tube is let go, `chebyshev` is as far off within some
+// What addingUp() of the planner builds on: once a damped tube is let go, `chebyshev` is as far off within some
 // frames as it will ever be, and that fades (measured: to 0.4 of the first frame's after a third of a second,
 // with 25 steps a frame as with 36). `leapfrog`, which errs as much, goes on to err (to 2.0 of it): there the
 // amplitudes are wrong, and errors add up. Fixed steps, as far below their limit as accuracy takes them.

@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#include "core/dynamics/planner/bound_watch.h"
+
+#include "core/dynamics/methods/stiff_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace esm {
+namespace {
+
+/// The largest of what limits steps.
+double relativeChange(const FastestMode& before, const FastestMode& after)
+{
+  const auto change = [](double from, double to, double whole) {
+    return whole > 0.0 ? std::abs(to - from) / whole : 0.0;
+  };
+  const double stiffness = std::max(before.stiffness, after.stiffness),
+               damping = std::max(before.damping, after.damping);
+  return std::max(
+    {change(before.stiffness, after.stiffness, stiffness), change(before.undamped, after.undamped, stiffness),
+     change(before.damping, after.damping, damping), change(before.decay, after.decay, damping),
+     change(before.leastDamping, after.leastDamping, std::max(before.leastDamping, after.leastDamping))});
+}
+
+} // namespace
+
+void BoundWatch::look(const System& system, const MotionState& state, const NodeNames& names, bool asksForFew)
+{
+  m_mode = m_bound.compute(system, state.x, state.v);
+  m_isOld = false;
+  m_stiffest = {};
+  if (m_mode.node != kNoIndex)
+    m_stiffest = {names.of(m_mode.node), system.mass()[static_cast<std::size_t>(m_mode.node)]};
+  m_since = 0.0;
+  m_patience = 1.0;
+  m_fewHoldAll = asksForFew && !StiffNodes::find(system).empty();
+}
+
+bool BoundWatch::lookIfDue(const System& system, const MotionState& state, const NodeNames& names,
+                           bool asksForFew, bool implicit)
+{
+  const Policy::Bound& policy = m_policy->bound;
+  const double usual = implicit                        ? policy.patienceImplicit
+                       : system.forces().isNonlinear() ? policy.patienceNonlinear
+                                                       : policy.patienceLinear;
+  if (m_since < m_patience * usual) return false;
+  const FastestMode before = m_mode;
+  const double longer = std::min(2.0 * m_patience, policy.longest);
+  look(system, state, names, asksForFew);
+  if (relativeChange(before, m_mode) <= policy.unchanged) m_patience = longer;
+  return true;
+}
+
+void BoundWatch::hurry() noexcept
+{
+  m_since = std::numeric_limits<double>::infinity();
+}
+
+FastestMode BoundWatch::ask(const System& system, const MotionState& state) const
+{
+  StepBound bound = m_bound;
+  return bound.compute(system, state.x, state.v);
+}
+
+} // namespace esm

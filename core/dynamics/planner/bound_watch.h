@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The ESM authors
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include "core/dynamics/bounds/step_bound.h"
+#include "core/dynamics/planner/node_names.h"
+#include "core/dynamics/planner/policy.h"
+
+namespace esm {
+
+/// Knows the fastest motion that the net can make, and looks again when enough has happened since. A look costs up
+/// to thirty passes. It follows what stiffens within some frames, and what turns and bends; where it finds nothing
+/// new it comes less often.
+class BoundWatch {
+public:
+  explicit BoundWatch(const Policy& policy) noexcept : m_policy(&policy) {}
+
+  /// After any change of springs; allocates.
+  void prepare(const System& system, bool findsDecay) { m_bound.prepare(system, findsDecay); }
+  void freeRoom() { m_bound.freeRoom(); }
+  /// @param asksForFew  whether a few nodes that hold all are looked for, too
+  void look(const System& system, const MotionState& state, const NodeNames& names, bool asksForFew);
+  /// The same if it is time.
+  /// @param implicit  steps run now that do not depend on it
+  /// @return whether it was
+  bool lookIfDue(const System& system, const MotionState& state, const NodeNames& names, bool asksForFew,
+                 bool implicit);
+  void spend(double passes) noexcept { m_since += passes; } ///< work since the last look [force passes]
+  void hurry() noexcept;                                    ///< the next stretch looks
+  void setOld() noexcept { m_isOld = true; }                ///< it was of another part of the net
+  bool isOld() const noexcept { return m_isOld; }
+
+  const FastestMode& mode() const noexcept { return m_mode; }
+  /// Of another motion than the one that is followed: a question must not change what the next look sees.
+  FastestMode ask(const System& system, const MotionState& state) const;
+  bool fewHoldAll() const noexcept { return m_fewHoldAll; } ///< they ask for the small steps, see StiffNodes
+  /// Whether dampers brake the fastest waves more than springs throw them.
+  bool isDamped() const noexcept { return m_mode.damping * m_mode.damping > m_mode.stiffness; }
+
+  struct Stiffest {
+    Index node = kNoIndex; ///< by its name in the whole net
+    double mass = 0.0;     ///< [kg]
+  };
+  const Stiffest& stiffest() const noexcept { return m_stiffest; }
+
+private:
+  const Policy* m_policy;
+  StepBound m_bound;
+  FastestMode m_mode;
+  Stiffest m_stiffest;
+  double m_since = 0.0;    ///< work since the last look [force passes]
+  double m_patience = 1.0; ///< how much longer than usual that may be
+  bool m_isOld = false;
+  bool m_fewHoldAll = false;
+};
+
+} // namespace esm
