@@ -27,20 +27,19 @@ double relativeChange(const FastestMode& before, const FastestMode& after)
 
 } // namespace
 
-void BoundWatch::look(const System& system, const MotionState& state, const NodeNames& names, bool asksForFew)
+void BoundWatch::look(const System& system, const MotionState& state, bool asksForFew)
 {
   m_mode = m_bound.compute(system, state.x, state.v);
   m_isOld = false;
   m_stiffest = {};
   if (m_mode.node != kNoIndex)
-    m_stiffest = {names.of(m_mode.node), system.mass()[static_cast<std::size_t>(m_mode.node)]};
+    m_stiffest = {m_names.of(m_mode.node), system.mass()[static_cast<std::size_t>(m_mode.node)]};
   m_since = 0.0;
   m_patience = 1.0;
   m_fewHoldAll = asksForFew && !StiffNodes::find(system).empty();
 }
 
-bool BoundWatch::lookIfDue(const System& system, const MotionState& state, const NodeNames& names,
-                           bool asksForFew, bool implicit)
+bool BoundWatch::lookIfDue(const System& system, const MotionState& state, bool asksForFew, bool implicit)
 {
   const Policy::Bound& policy = m_policy->bound;
   const double usual = implicit                        ? policy.patienceImplicit
@@ -49,7 +48,7 @@ bool BoundWatch::lookIfDue(const System& system, const MotionState& state, const
   if (m_since < m_patience * usual) return false;
   const FastestMode before = m_mode;
   const double longer = std::min(2.0 * m_patience, policy.longest);
-  look(system, state, names, asksForFew);
+  look(system, state, asksForFew);
   if (relativeChange(before, m_mode) <= policy.unchanged) m_patience = longer;
   return true;
 }

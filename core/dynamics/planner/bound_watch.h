@@ -6,6 +6,8 @@
 #include "core/dynamics/planner/node_names.h"
 #include "core/dynamics/planner/policy.h"
 
+#include <utility>
+
 namespace esm {
 
 /// Knows the fastest motion that the net can make, and looks again when enough has happened since. A look costs up
@@ -13,18 +15,22 @@ namespace esm {
 /// new it comes less often.
 class BoundWatch {
 public:
-  explicit BoundWatch(const Policy& policy) noexcept : m_policy(&policy) {}
+  /// @param names  of the body's nodes; empty: their places
+  BoundWatch(const Policy& policy, std::vector<Index> names) noexcept
+    : m_policy(&policy), m_names{std::move(names), {}}
+  {}
+  /// Of the system's nodes in the body from the next look on; empty: it is the whole body.
+  void setPlaces(std::vector<Index> places) noexcept { m_names.places = std::move(places); }
 
   /// After any change of springs; allocates.
   void prepare(const System& system, bool findsDecay) { m_bound.prepare(system, findsDecay); }
   void freeRoom() { m_bound.freeRoom(); }
   /// @param asksForFew  whether a few nodes that hold all are looked for, too
-  void look(const System& system, const MotionState& state, const NodeNames& names, bool asksForFew);
+  void look(const System& system, const MotionState& state, bool asksForFew);
   /// The same if it is time.
   /// @param implicit  steps run now that do not depend on it
   /// @return whether it was
-  bool lookIfDue(const System& system, const MotionState& state, const NodeNames& names, bool asksForFew,
-                 bool implicit);
+  bool lookIfDue(const System& system, const MotionState& state, bool asksForFew, bool implicit);
   void spend(double passes) noexcept { m_since += passes; } ///< work since the last look [force passes]
   void hurry() noexcept;                                    ///< the next stretch looks
   void setOld() noexcept { m_isOld = true; }                ///< it was of another part of the net
@@ -45,6 +51,7 @@ public:
 
 private:
   const Policy* m_policy;
+  NodeNames m_names;
   StepBound m_bound;
   FastestMode m_mode;
   Stiffest m_stiffest;

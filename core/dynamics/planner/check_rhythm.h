@@ -19,6 +19,10 @@ public:
   void pass() noexcept { --m_until; } ///< a stretch without a check
   bool isDue() const noexcept { return m_until <= 0; }
 
+  /// Longest stretch in the first moments after an event [s]; 0: there is no onset.
+  double onset() const noexcept { return m_onset; }
+  void setOnset(double longest) noexcept { m_onset = longest; }
+
   /// What the present stretch's steps err by themselves, see Integrator::takeLocalError() [m].
   void setLocalError(double error) noexcept { m_localError = error; }
   /// Error that a stretch of this length [s] has added if what its steps err by themselves tells what has changed
@@ -57,6 +61,7 @@ private:
   int m_until = 0; ///< stretches until the next one
   int m_gap = 1;
   bool m_isRough = false;
+  double m_onset = 0.0;
   double m_localError = 0.0;
   double m_errorOverLocal = 0.0; ///< error of a stretch over that [1]; 0: not known
   double m_error = 0.0;          ///< that the present steps add, by the last check [m/s]

@@ -29,14 +29,15 @@ double ControlledSteps::longestCheck()
 
 double ControlledSteps::longest(bool isByBlocks)
 {
-  if (m_control.onset > 0.0) return m_control.onset;
+  if (m_control.rhythm.onset() > 0.0) return m_control.rhythm.onset();
   return m_control.rhythm.isDue() && !isByBlocks ? longestCheck() : kFrame;
 }
 
 /// What is known before the first stretches after an event.
 void ControlledSteps::rememberBeforeOnset()
 {
-  if (m_control.onset > 0.0 || m_control.gauge.scale().calm > m_control.policy.choice.latestOnset) return;
+  if (m_control.rhythm.onset() > 0.0 || m_control.gauge.scale().calm > m_control.policy.choice.latestOnset)
+    return;
   m_onset.method = m_control.choice.method;
   for (Method method = 0; method < m_onset.known.size(); ++method)
     m_onset.known[method] = m_control.known.of(method);
@@ -48,11 +49,11 @@ void ControlledSteps::rememberBeforeOnset()
 void ControlledSteps::continueOnset()
 {
   StepControl& control = m_control;
-  if (control.onset <= 0.0) return;
-  control.onset *= control.policy.onset.growth;
+  if (control.rhythm.onset() <= 0.0) return;
+  control.rhythm.setOnset(control.policy.onset.growth * control.rhythm.onset());
   control.rhythm.atOnce();
-  if (control.onset < kFrame) return;
-  control.onset = 0.0;
+  if (control.rhythm.onset() < kFrame) return;
+  control.rhythm.setOnset(0.0);
   if (control.isImplicit()) return;
   control.choice.settled = 0;
   const Method present = control.choice.method;
@@ -76,9 +77,9 @@ void ControlledSteps::continueOnset()
 void ControlledSteps::limitWork(double length)
 {
   const Policy::Steps& policy = m_control.policy.steps;
-  const double usual = policy.mostEffort * std::max(m_control.effort(), 2.0 * m_control.leastCost) *
+  const double usual = policy.mostEffort * std::max(m_control.effort(), 2.0 * m_control.known.leastCost()) *
                        std::max(length / kFrame, policy.leastShare);
-  if (m_control.onset <= 0.0) m_onset.affordable = usual; // it may begin here
+  if (m_control.rhythm.onset() <= 0.0) m_onset.affordable = usual; // it may begin here
   System& system = *m_control.system;
   system.workLimit =
     std::min(m_control.stepper.mostWork(),
@@ -314,9 +315,9 @@ void ControlledSteps::learn(const Plan& plan, const MotionState& state, Trial& t
   const double step = plan.isFromAbove ? length / finer : trial.step;
   trial.share = error / trial.allowed;
   const bool isFirst =
-    control.gauge.scale().calm <= control.policy.choice.latestOnset && control.onset <= 0.0;
+    control.gauge.scale().calm <= control.policy.choice.latestOnset && control.rhythm.onset() <= 0.0;
   const bool affordsMore =
-    2.0 * control.leastCost <= control.request.settings.effort; // else it is for plain steps
+    2.0 * control.known.leastCost() <= control.request.settings.effort; // else it is for plain steps
   trial.mayBeginOnset = trial.isAuto && isFirst && affordsMore;
 
   MethodKnowledge& known = control.known.of(method);
@@ -350,7 +351,7 @@ void ControlledSteps::keepChecked(const Plan& plan, Verdict verdict, const Trial
   }
   control.known.passCheck(control.rhythm.passCheck(control.start.time));
   std::optional<Method> proven;
-  if (trial.isAuto && control.onset <= 0.0 &&
+  if (trial.isAuto && control.rhythm.onset() <= 0.0 &&
       trial.error <= control.policy.probes.shareToCompare * trial.allowed)
     proven = m_probing.probe(state, trial.allowed, report);
   control.keep(state, trial.error);
@@ -377,7 +378,10 @@ double ControlledSteps::retry(Verdict verdict, const Plan& plan, double length, 
 {
   StepControl& control = m_control;
   report.rejectedSteps += plan.steps + plan.finer;
-  if (verdict == Verdict::Shorter) length = control.onset = length / control.policy.onset.parts;
+  if (verdict == Verdict::Shorter) {
+    length = length / control.policy.onset.parts;
+    control.rhythm.setOnset(length);
+  }
   control.choice.settled = 0;
   control.reconsider();
   return std::min(length, longestCheck()); // another method may take far more steps
@@ -389,7 +393,7 @@ bool ControlledSteps::fallBackToPlain(double length)
   StepControl& control = m_control;
   const Method plain = control.methods.plain();
   if (!control.request.isAuto || control.choice.method == plain || control.isImplicit()) return false;
-  if (control.isTooDear(control.leastCost * length / kFrame)) return false;
+  if (control.isTooDear(control.known.leastCost() * length / kFrame)) return false;
   control.use(plain);
   control.known.of(plain).accurateStep = control.methods.limit(plain);
   control.choice.settled = control.policy.choice.settlingAfterFallBack;

@@ -78,12 +78,17 @@ public:
   void passCheck(double waited) noexcept;
   void endProbe(Method method, bool isProven) noexcept; ///< unless it is, the next one comes later
 
+  /// Of a frame, whatever the tolerance [spring evaluations].
+  double leastCost() const noexcept { return m_leastCost; }
+  void setLeastCost(double cost) noexcept { m_leastCost = cost; }
+
 private:
   void tellTwins(Method measured, const MethodFacts& facts) noexcept;
   double mostGrowth(double order) const noexcept;
 
   std::vector<MethodKnowledge> m_methods;
   const Policy* m_policy;
+  double m_leastCost = 0.0;
 };
 
 } // namespace esm

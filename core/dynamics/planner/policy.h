@@ -56,7 +56,7 @@ struct Policy {
     double tight = 1e-3, tightPower = 0.15; ///< see ErrorGauge::lastingShare() [1; 0..1; fit]
     double mostShares = 2.0;                ///< of an even share, in nets of many nodes [1; 1..4; rule]
     double leastPower = 0.85, lessPerDoubling = 0.18,
-           leastOfAll = 0.3; ///< see ErrorGauge::growing() [1; 0..1; fit]
+           leastOfAll = 0.3; ///< see growing() [1; 0..1; fit]
     double floor = 1e-6;     ///< of the net's extent: a displacement that nobody sees [1; 1e-12..1e-2; rule]
   };
   Errors errors = {};
@@ -239,6 +239,115 @@ struct Policy {
     double back = 0.7;          ///< of the effort, below which plain steps return [1; 0..1; rule]
   };
   Rough rough = {};
+
+  /// The watch over growing errors, see GrowthWatch.
+  struct Growth {
+    double firstLookCost = 12.0; ///< a guess [force passes; 1..100; rule]
+    double preparation = 2.0;    ///< of a look [force passes; 0..100; bound]
+    double share = 0.015;        ///< of the motion's work, for looks [1; 0..1; rule]
+    double shareUndamped = 0.05; ///< the same where no damper lets errors fade [1; 0..1; rule]
+    double debtShare = 0.03;     ///< of the motion's work, that pays for following [1; 0..1; rule]
+    int often = 2; ///< what gives way once, as a poked organ, seldom does for long [looks; 1..10; fit]
+    int burst = 6; ///< [frames; 1..60; rule]
+    /// Logarithm of what a difference must grow by in each frame, but for so much: what only wobbles does not pay.
+    double leastRate = 0.1, slack = 0.2; ///< [1; 0..10; fit]
+    double grows = 1.4;  ///< logarithm of what it must grow by to be followed further [1; 0..10; fit]
+    double small = 1e-7; ///< of the extent: the difference that is followed [1; 1e-12..1e-3; rule]
+    double grownEnough =
+      8.0; ///< logarithm of a growth beyond which nobody needs to know more [1; 1..30; rule]
+    double shareOfStable = 0.9; ///< of the stable step, as stiffness may rise in the frame [1; 0.5..1; rule]
+    /// Of that, where no damper is: steps at their limit turn the waves by other angles than the motion has done, and
+    /// a frame after the other of that multiplies what the motion does not. With 0.9 a free pair seemed to.
+    double fineness = 0.25; ///< [1; 0..1; fit]
+    /// Of what the motion's own frame took, that following it may: explicit steps take a few times that. Where the
+    /// motion goes by implicit steps they may take a million.
+    double mostOfFrame = 12.0; ///< [1; 1..100; rule]
+    double anyFrame = 2e5;     ///< besides, of any motion [spring evaluations; 0..1e8; rule]
+    double driftPower = 2.0;   ///< of time, by which what only drifts grows [1; 1..4; bound]
+  };
+  Growth growth = {};
+
+  /// Who rests, see RegionDriver and RestWatch.
+  struct Rest {
+    int smallestDivisible = 2000; ///< nets below sleep as a whole or not at all [nodes; 1..1e6; fit]
+    double largestPart = 0.6;     ///< of the nodes; above it the whole net is as cheap [1; 0..1; fit]
+    double leastDecay = 0.5,
+           mostDecay = 8.0; ///< of what goes on behind the edge, see missedMotion() [1; 0..8; bound]
+    double balanced =
+      1e-3; ///< of what pulls at a node, that may be left while it rests at the start [1; 0..1; rule]
+    /// Share of a frame after which to glance at nodes that seem to rest: no simple fraction.
+    double glance = 0.381966011250105; ///< [1; 0..1; rule]
+    double lookGap = 0.9 * kFrame;     ///< between two looks [s; 0..1; rule]
+    double growsAt = 0.25;   ///< of what sleepers may miss, from which on a part grows [1; 0..1; rule]
+    double slowShare = 0.25; ///< of the same, what slow nodes may miss [1; 0..1; rule]
+    double restlessShare =
+      4.0; ///< of the edge's mean, over which a node of it wakes others, its inverse [1; 1..100; rule]
+    double someFrames = 4.0;       ///< a slow node does not get far in them [1; 1..60; rule]
+    double horizon = 8.0 * kFrame; ///< over which an acceleration is followed [s; 0..1; rule]
+    double longestSeries =
+      600.0; ///< what does not die out goes on for so many looks, ten seconds [1; 1..1e5; rule]
+    std::uint8_t looks = 4; ///< in a row [1; 1..100; rule]
+    /// Of the motion so far, what a free body may miss by its momentum; of that and the tolerance, by its turning.
+    double missedMomentum = 1e-9, missedTurn = 0.1; ///< [1; 0..1; rule]
+    double longWhile = 600.0; ///< that a motion may go on whose end nobody knows [s; 1..1e5; rule]
+  };
+  Rest rest = {};
+
+  /// The end of a motion in one go, see Settling.
+  struct Settling {
+    double forGood =
+      0.1; ///< of what may be missed for good: what the goal is off does not fade [1; 0..1; rule]
+    /// Of the mean square over the nodes, that a single one may miss: nobody shall see one spot stop at a blow.
+    double mostLocal = 25.0; ///< [1; 1..1000; rule]
+    double near =
+      12.0; ///< frames' ways within which nets of usual frequencies are near enough [1; 1..100; fit]
+    int fewIterations = 48;  ///< of gradients where a factor might cost less [1; 1..1000; rule]
+    double longestTry = 4.0; ///< [frames; 1..60; rule]
+    double patience = 3.0;   ///< work since the last attempt over that of the next [1; 1..100; rule]
+    /// Of the work since the last attempt, that a search may cost beyond its first step. With all of it organs of
+    /// 2,000 nodes, whose factors are dear, took a fifth longer at 1e-1.
+    double search = 0.25; ///< [1; 0..1; fit]
+    int longestWait = 32; ///< [looks; 1..1000; rule]
+    int waitUnknown =
+      3; ///< after an attempt that told no distance: the net bends too much [looks; 1..1000; rule]
+    /// Of the time in which amplitudes fade to what may be missed: no attempt before. They are not known to fade
+    /// faster than that, and a swing that is slow where it turns is no nearer to its end.
+    double leastWait = 0.4; ///< [1; 0..1; rule]
+    double slower = 0.9;    ///< of the speed that the last attempt asks for [1; 0..1; rule]
+    /// Of the amplitude that may be missed: from there on each attempt only waits for what has to fade, and may cost
+    /// more, as it may save the next frame. Where waves meet on their way about an organ its speed rises once more.
+    double nearlyThere = 1.5; ///< [1; 1..10; rule]
+    /// Of the time in which a mode with all the energy would fade: slow ones take longer, as in fadingTime().
+    double slowestFade = 2.0;  ///< [1; 1..10; rule]
+    int glances = 16;          ///< iterations of each bound [1; 1..100; rule]
+    double glanceCost = 40.0;  ///< with all of them [force passes; 1..1000; bound]
+    double farEnough = 16.0;   ///< of what may be missed, that a bound need not go beyond [1; 1..100; rule]
+    double mostSquares = 16.0; ///< see SettlingBudget [1; 1..100; rule]
+  };
+  Settling settling = {};
+
+  /// The search for a balance, see Equilibrium.
+  struct Balance {
+    double inertia = 1e-2; ///< share of the mass in K, 1/(10 s)^2 [1/s^2; 0..1; rule]
+    int iterations = 400;  ///< of gradients, for each solution [1; 1..1e4; rule]
+    /// Of the first forces, that may be left where they tell that the place is reached: the net is nearly linear on its
+    /// way there, or it is not near.
+    double left = 0.5;     ///< [1; 0..1; rule]
+    double shorter = 0.75; ///< of a step, that the next by the same stiffness must be [1; 0..1; rule]
+    /// Of a step, that the next by the stiffness after it may be. More of hanging chains are found the larger it
+    /// is (39 of 45 with this, all with any length), but not more of tubes: one of the benches' took 40 % more time.
+    double longer = 2.0;           ///< [1; 1..10; fit]
+    double leastPart = 0.1;        ///< of a step [1; 0..1; rule]
+    int mostSteps = 24;            ///< [1; 1..1000; rule]
+    std::size_t mostNodes = 10000; ///< a factor of 150 MB in a solid [nodes; 1..1e6; rule]
+    double layoutCost = 1500.0;    ///< [spring evaluations per node; 1..1e5; fit]
+    double gradientsCost = 40.0;   ///< of a solution [force passes; 1..1000; fit]
+    double gradientsLayout = 10.0; ///< the same before the first one at a place [force passes; 1..1000; fit]
+  };
+  Balance balance = {};
 };
+
+/// What a run uses.
+inline constexpr Policy kPolicy{};
 
 } // namespace esm

@@ -18,9 +18,8 @@ void TimeKeeping::flee(int longest) noexcept
 
 StepControl::StepControl(SolverSettings settings, std::vector<Index> nodeNames)
   : request{std::move(settings)},
-    names{std::move(nodeNames), {}},
     known(policy),
-    bound(policy),
+    bound(policy, std::move(nodeNames)),
     gauge(policy),
     energy(policy),
     loss(policy),
@@ -53,11 +52,11 @@ Observation StepControl::observe() const
   now.fewHoldAll = bound.fewHoldAll();
   now.isByBlocks = time.isByBlocks;
   now.calm = gauge.scale().calm;
-  now.isOnset = onset > 0.0;
+  now.isOnset = rhythm.onset() > 0.0;
   now.timeLeft = gauge.knownEnd(start.time) - start.time;
   now.lastingShare = gauge.lastingShare(settings.tolerance, start.time);
   now.typicalShare = gauge.typicalShare();
-  now.leastCost = leastCost;
+  now.leastCost = known.leastCost();
   return now;
 }
 
@@ -82,14 +81,14 @@ double StepControl::effort() const noexcept
 
 void StepControl::look(const MotionState& state)
 {
-  bound.look(*system, state, names, request.isAuto);
+  bound.look(*system, state, request.isAuto);
   weighSteps();
 }
 
 void StepControl::lookIfDue(const MotionState& state)
 {
   if (bound.isOld() && !takesBlocks()) return look(state);
-  if (bound.lookIfDue(*system, state, names, request.isAuto, isImplicit())) weighSteps();
+  if (bound.lookIfDue(*system, state, request.isAuto, isImplicit())) weighSteps();
 }
 
 void StepControl::weighSteps()
@@ -115,7 +114,7 @@ void StepControl::weighLeastCost()
   const double plain = weigh([](Weighing weighing) { return weighing.plainCost(); });
   const double most = (time.isByBlocks ? policy.rough.back : 1.0) * effort();
   time.isByBlocks = mayTakeBlocks() && (time.isLedByBlocks() || plain > most);
-  leastCost = weigh([](Weighing weighing) { return weighing.leastCost(); });
+  known.setLeastCost(weigh([](Weighing weighing) { return weighing.leastCost(); }));
 }
 
 void StepControl::use(Method method)
@@ -177,7 +176,7 @@ Run StepControl::run(MotionState& state, double end, std::int64_t steps, StepRep
 
 double StepControl::budget(const MotionState& state, double length)
 {
-  const double counted = onset > 0.0 ? std::max(length, policy.onset.share * kFrame) : length;
+  const double counted = rhythm.onset() > 0.0 ? std::max(length, policy.onset.share * kFrame) : length;
   const double share = weigh([&](Weighing weighing) { return weighing.spendable(choice.method); });
   return share * gauge.budget(request.settings.tolerance, state, counted);
 }

@@ -44,7 +44,6 @@ struct StepControl {
 
   const Policy policy;
   Request request;
-  NodeNames names;
   System* system = nullptr; ///< not owned
   MethodSet methods;
   Knowledge known;
@@ -58,8 +57,6 @@ struct StepControl {
   TimeKeeping time;
   StepReasons reasons;
   MotionState start;
-  double onset = 0.0;     ///< longest stretch in the first moments after an event [s]; 0: there is no onset
-  double leastCost = 0.0; ///< of a frame, whatever the tolerance [spring evaluations]
 
   void attach(System& to) noexcept;
   Integrator& current() noexcept { return methods.at(choice.method); }

@@ -35,7 +35,7 @@ void StepDriver::begin(System& system, const MotionState& state)
 {
   StepControl& control = m_control;
   control.attach(system);
-  control.names.places.clear();
+  control.bound.setPlaces({});
   control.beginStretch(state);
   if (system.nodeCount() <= System::kLarge) m_controlled.begin(state);
   const bool isDriven = !system.schedule().isEmpty() || !system.tools().empty();
@@ -58,7 +58,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   control.rhythm.reset(state.time);
   control.time.refuge = control.time.refugeTerm = 0;
   control.energy.forget();
-  control.onset = 0.0;
+  control.rhythm.setOnset(0.0);
   control.choice = {control.choice.method};
   control.findBodies(state);
   control.bound.prepare(system, asksForDecay());
@@ -98,8 +98,8 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   StepControl& control = m_control;
   control.attach(system);
   control.gauge.setPart(part.rest, part.wholeCount, part.squareElsewhere);
-  control.names.places = std::move(part.nodes);
-  control.onset = 0.0;
+  control.bound.setPlaces(std::move(part.nodes));
+  control.rhythm.setOnset(0.0);
   control.energy.forget(); // what a larger part had gained could be more than all that this one has
   control.methods.dropLayouts();
   control.findBodies(state);
@@ -129,7 +129,7 @@ void StepDriver::setAccuracy(System& system, double tolerance, double effort)
   control.request.settings.tolerance = tolerance;
   control.request.settings.effort = effort;
   if (control.request.settings.keepsTime) control.weighLeastCost();
-  control.onset = 0.0;
+  control.rhythm.setOnset(0.0);
   control.weighEffort();
   control.known.rescale(control.methods, change);
   control.rhythm.anew();

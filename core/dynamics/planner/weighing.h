@@ -11,8 +11,9 @@ namespace esm {
 struct Observation {
   bool isAuto = true;
   double tolerance = 1e-3;
-  double effort = 1e8;      ///< asked for [spring evaluations a frame]
-  double affordable = 1e8;  ///< of that, what the work limit bears [spring evaluations a frame]
+  double effort = std::numeric_limits<double>::infinity(); ///< asked for [spring evaluations a frame]
+  double affordable = std::numeric_limits<
+    double>::infinity();    ///< of that, what the work limit bears [spring evaluations a frame]
   bool asksForLess = false; ///< than at first, because the clock could not be kept
   double springs = 0.0;     ///< that are active: a force pass [spring evaluations]
   bool isDamped = false;    ///< dampers brake the fastest waves more than springs throw them

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/rest/equilibrium.h"
 
+#include "core/dynamics/planner/policy.h"
+
 #include <cmath>
 #include <limits>
 
@@ -9,20 +11,6 @@ namespace esm {
 namespace {
 
 constexpr double kNowhere = std::numeric_limits<double>::infinity();
-/// Of one step, that the next by the same stiffness may be; and of the first forces, that may be left where
-/// these tell that the place is reached: the net is nearly linear on its way there, or it is not near.
-constexpr double kLeft = 0.5;
-constexpr double kShorter = 0.75; ///< of a step, that the next by the same stiffness must be
-/// Of a step, that the next by the stiffness after it may be. More of hanging chains are found the larger it
-/// is (39 of 45 with this, all with any length), but not more of tubes: one of the benches' took 40 % more
-/// time with any.
-constexpr double kLonger = 2.0;
-constexpr double kLeastPart = 0.1; ///< of a step
-constexpr int kMostSteps = 24;
-constexpr std::size_t kMostNodes = 10000; ///< a factor of 150 MB in a solid
-constexpr double kLayoutCost = 1500.0;    ///< spring evaluations per node, measured
-constexpr double kGradientsCost = 40.0;   ///< of a solution, force passes
-constexpr double kGradientsLayout = 10.0; ///< the same before the first one at a place
 
 } // namespace
 
@@ -39,20 +27,23 @@ bool Equilibrium::takesFactor(const System& system) const noexcept
 
 double Equilibrium::layoutCost(const System& system) const noexcept
 {
-  return system.nodeCount() <= kMostNodes ? kLayoutCost * static_cast<double>(system.nodeCount()) : kNowhere;
+  return system.nodeCount() <= kPolicy.balance.mostNodes
+           ? kPolicy.balance.layoutCost * static_cast<double>(system.nodeCount())
+           : kNowhere;
 }
 
 double Equilibrium::solveCost(const System& system) const noexcept
 {
-  return takesFactor(system) ? m_matrix.solveCost()
-                             : kGradientsCost * static_cast<double>(system.forces().activeSprings());
+  return takesFactor(system)
+           ? m_matrix.solveCost()
+           : kPolicy.balance.gradientsCost * static_cast<double>(system.forces().activeSprings());
 }
 
 double Equilibrium::stepCost(const System& system) const noexcept
 {
-  const double before = takesFactor(system)
-                          ? m_matrix.factorCost()
-                          : kGradientsLayout * static_cast<double>(system.forces().activeSprings());
+  const double before = takesFactor(system) ? m_matrix.factorCost()
+                                            : kPolicy.balance.gradientsLayout *
+                                                static_cast<double>(system.forces().activeSprings());
   return before + solveCost(system);
 }
 
@@ -102,15 +93,15 @@ bool Equilibrium::takeStiffness(System& system, bool convex, StepReport& report)
   m_isConvex = convex;
   m_spent += stepCost(system) - solveCost(system);
   if (!takesFactor(system)) {
-    m_gradients.prepare(system, m_place, kInertia);
+    m_gradients.prepare(system, m_place, kPolicy.balance.inertia);
     if (!m_gradients.givesWay(system)) return true;
-    m_gradientsFail = system.nodeCount() <= kMostNodes;
+    m_gradientsFail = system.nodeCount() <= kPolicy.balance.mostNodes;
     return false;
   }
   layOut(system);
   m_matrix.constraintsChanged(system);
   ++report.factorizations;
-  m_hasFactor = m_matrix.factor(system, m_place, m_still, {kInertia, 0.0, 1.0}, convex);
+  m_hasFactor = m_matrix.factor(system, m_place, m_still, {kPolicy.balance.inertia, 0.0, 1.0}, convex);
   return m_hasFactor && m_matrix.negativePivots() == 0;
 }
 
@@ -146,18 +137,19 @@ Equilibrium::Outcome Equilibrium::takeStep(System& system, const MotionState& mo
   for (std::size_t i = 0; i < m_place.size(); ++i) m_place[i] += m_step[i];
   m_force = forcesAt(system, motion.time, m_place, m_next, report);
   const double left = m_firstForce > 0.0 ? m_force / m_firstForce : 0.0; // of the way, about
-  if (left <= kLeft && left * left * squareOfWay(motion.x) <= aim.close) return Outcome::IsThere;
+  if (left <= kPolicy.balance.left && left * left * squareOfWay(motion.x) <= aim.close)
+    return Outcome::IsThere;
   if (!solve(system, m_next)) return Outcome::Fails;
   const double next = std::sqrt(sumOfSquares(m_next));
-  if (next <= kShorter * length) {
+  if (next <= kPolicy.balance.shorter * length) {
     m_step.swap(m_next);
     m_length = next;
-    if (next > kLeft * length) return Outcome::Turns;
+    if (next > kPolicy.balance.left * length) return Outcome::Turns;
     return length * length <= aim.close && left <= 1.0 ? Outcome::IsThere : Outcome::GoesOn;
   }
   // Springs have turned: they pull in other directions than the stiffness knows.
   if (m_spent > m_affordable) return Outcome::Fails;
-  if (prepareStep(system, motion.time, report) && !m_isConvex && m_length <= kLonger * length)
+  if (prepareStep(system, motion.time, report) && !m_isConvex && m_length <= kPolicy.balance.longer * length)
     return Outcome::GoesOn;
   m_place = m_base;
   return prepareStep(system, motion.time, report) ? takePart(system, motion.time, report) : Outcome::Fails;
@@ -166,11 +158,12 @@ Equilibrium::Outcome Equilibrium::takeStep(System& system, const MotionState& mo
 /// The same with a half of the step or less. @pre the place is m_base.
 Equilibrium::Outcome Equilibrium::takePart(System& system, double time, StepReport& report)
 {
-  for (double part = 0.5; part >= kLeastPart; part *= 0.5) {
+  for (double part = 0.5; part >= kPolicy.balance.leastPart; part *= 0.5) {
     advanceNodes(m_place.size(), part, m_base.data(), m_step.data(), m_place.data());
     m_force = forcesAt(system, time, m_place, m_next, report);
     if (!solve(system, m_next)) return Outcome::Fails;
-    if (std::sqrt(sumOfSquares(m_next)) <= (1.0 - (1.0 - kShorter) * part) * m_length) return Outcome::Turns;
+    if (std::sqrt(sumOfSquares(m_next)) <= (1.0 - (1.0 - kPolicy.balance.shorter) * part) * m_length)
+      return Outcome::Turns;
   }
   return Outcome::Fails;
 }
@@ -187,7 +180,7 @@ double Equilibrium::find(System& system, const MotionState& motion, const Aim& a
   m_firstForce = m_force;
   double square = m_length * m_length;
   for (int steps = 0; square <= aim.far; ++steps) {
-    if (steps == kMostSteps || (steps > 0 && m_spent > m_affordable)) return kNowhere;
+    if (steps == kPolicy.balance.mostSteps || (steps > 0 && m_spent > m_affordable)) return kNowhere;
     const Outcome outcome = takeStep(system, motion, aim, report);
     if (outcome == Outcome::Fails) return kNowhere;
     square = squareOfWay(motion.x);

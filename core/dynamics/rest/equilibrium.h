@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/step_report.h"
 #include "core/dynamics/system/implicit_matrix.h"
 #include "core/dynamics/system/stiffness_cg.h"
@@ -24,17 +25,14 @@ namespace esm {
 /// @note One thread. Allocates when a net is laid out.
 class Equilibrium {
 public:
-  static constexpr double kInertia = 1e-2; ///< share of the mass in K, 1/(10 s)^2 [1/s^2]
-
   void forget() noexcept; ///< other parameters, or another net
 
   struct Aim {
-    double close = 0.0;           ///< sum of squares that the place may be off by [m^2]
-    double far = 0.0;             ///< the search ends where it is further away, sum of squares [m^2]
-    double affordable = 0.0;      ///< after the first step [spring evaluations]
-    int iterations = kIterations; ///< of gradients, for each solution
+    double close = 0.0;      ///< sum of squares that the place may be off by [m^2]
+    double far = 0.0;        ///< the search ends where it is further away, sum of squares [m^2]
+    double affordable = 0.0; ///< after the first step [spring evaluations]
+    int iterations = kPolicy.balance.iterations; ///< of gradients, for each solution
   };
-  static constexpr int kIterations = 400;
   /// From where the net is. @pre no load moves.
   /// @return sum of squares of the way there, as far as it is known [m^2]; infinity where nothing is: the net
   /// gives way, or bends too much. isKnown() says whether the place was found.
@@ -78,7 +76,7 @@ private:
   bool m_byFactor = false;      ///< the present search
   bool m_isConvex = false;      ///< the stiffness at hand
   bool m_isKnown = false;
-  int m_iterations = kIterations;
+  int m_iterations = kPolicy.balance.iterations;
   double m_spent = 0.0;      ///< by the present search [spring evaluations]
   double m_affordable = 0.0; ///< of it, see Aim
   double m_firstForce = 0.0; ///< where that began [N]

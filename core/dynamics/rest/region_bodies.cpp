@@ -4,21 +4,14 @@
 // The part of RegionDriver that knows what nothing holds: such a part of the net may go on for good, however
 // slow its nodes are.
 #include "core/dynamics/rest/region_driver.h"
+
+#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/frame.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace esm {
-namespace {
-
-/// Of the motion so far, what a free body may miss by its momentum; of that and the tolerance, by its
-/// turning.
-constexpr double kMissedMomentum = 1e-9, kMissedTurn = 0.1;
-constexpr double kLongWhile = 600.0; ///< that a motion may go on whose end nobody knows [s]
-
-} // namespace
-
 /// Of the whole net, as they are now.
 FreeBodies& RegionDriver::bodies()
 {
@@ -36,10 +29,10 @@ bool RegionDriver::movesAsOne(std::size_t body)
   const FreeBodies::RigidMotion rigid = bodies().rigidMotion(m_body.system, m_body.motion, body);
   const double time = m_body.motion.time, end = m_driver.knownEnd(time);
   // At the end there is no way left, but velocities are looked at, too.
-  const double left = std::isfinite(end) ? std::max(end - time, kFrame) : kLongWhile,
+  const double left = std::isfinite(end) ? std::max(end - time, kFrame) : kPolicy.rest.longWhile,
                motion = std::sqrt(meanSquare());
-  return rigid.isDriven || rigid.speed * left > kMissedMomentum * motion ||
-         rigid.turning * left > kMissedTurn * m_settings.tolerance * motion;
+  return rigid.isDriven || rigid.speed * left > kPolicy.rest.missedMomentum * motion ||
+         rigid.turning * left > kPolicy.rest.missedTurn * m_settings.tolerance * motion;
 }
 
 /// Who is awake in a free body sleeps with all others who are, or not at all.

@@ -3,6 +3,8 @@
 
 // The part of RegionDriver that decides who wakes and who sleeps, and makes it so.
 #include "core/dynamics/rest/region_driver.h"
+
+#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/diagonal.h"
 
 #include <algorithm>
@@ -10,12 +12,6 @@
 
 namespace esm {
 namespace {
-
-constexpr Index kSmallestDivisible = 2000;            ///< nodes
-constexpr double kLargestPart = 0.6;                  ///< of the nodes; above it the whole net is as cheap
-constexpr double kLeastDecay = 0.5, kMostDecay = 8.0; ///< bounds of ratio - 8 in missedMotion()
-/// Of what pulls at a node, that may be left over while it rests at the start.
-constexpr double kBalanced = 1e-3;
 
 double diagonalOf(const NodeArray& x) noexcept
 {
@@ -32,7 +28,7 @@ double squareOf(const Lanes& a) noexcept
 
 bool RegionDriver::isDivisible() const noexcept
 {
-  return m_region.freeCount() >= kSmallestDivisible && m_body.net.pressure.empty();
+  return m_region.freeCount() >= kPolicy.rest.smallestDivisible && m_body.net.pressure.empty();
 }
 
 void RegionDriver::begin()
@@ -94,7 +90,8 @@ std::vector<Index> RegionDriver::unbalancedNodes()
     if (!m_body.system.isFree(i)) continue;
     const double pull = std::sqrt(squareOf(load[i] + m_body.system.forces().weight(i)));
     // Springs too stiff for their stretch to be seen need not be in the way of what pulls.
-    const double bound = rounding[i] + (pull > 0.0 ? std::min(yielding[i], kBalanced * pull) : yielding[i]);
+    const double bound =
+      rounding[i] + (pull > 0.0 ? std::min(yielding[i], kPolicy.rest.balanced * pull) : yielding[i]);
     if (squareOf(motion.v[i]) > 0.0 || !(squareOf(force[i]) <= bound * bound))
       nodes.push_back(static_cast<Index>(i));
   }
@@ -152,7 +149,7 @@ void RegionDriver::applyChange()
   if (awake == 0.0) {
     m_mode = Mode::Rest;
     m_region.update(m_fresh);
-  } else if (!isDivisible() || awake > kLargestPart * m_region.freeCount()) {
+  } else if (!isDivisible() || awake > kPolicy.rest.largestPart * m_region.freeCount()) {
     enterWhole();
   } else {
     enterPart();
@@ -289,7 +286,7 @@ double RegionDriver::meanSquare() const noexcept
 /// Sum of squares that the sleepers may miss [m^2]; see the class.
 double RegionDriver::budget() const noexcept
 {
-  const double floor = 1e-6 * m_extent, share = m_ledger.sleepers() * m_settings.tolerance;
+  const double floor = kPolicy.errors.floor * m_extent, share = m_ledger.sleepers() * m_settings.tolerance;
   return share * share * std::max(meanSquare(), floor * floor) * static_cast<double>(m_body.motion.x.size());
 }
 
@@ -334,11 +331,12 @@ double RegionDriver::missedMotion(std::vector<Index>* restless) const
   }
   if (restless)
     for (auto layer = layers.begin(); layer != last; ++layer)
-      if (4.0 * square(*layer) * static_cast<double>(last - layers.begin()) >= all)
+      if (kPolicy.rest.restlessShare * square(*layer) * static_cast<double>(last - layers.begin()) >= all)
         restless->push_back(layer->node);
   const double excess = all - 8.0 * outer; // (ratio - 8) outer
-  if (!(excess > kLeastDecay * outer)) return all / (kLeastDecay * std::sqrt(kLeastDecay));
-  const double decay = std::min(excess / outer, kMostDecay);
+  if (!(excess > kPolicy.rest.leastDecay * outer))
+    return all / (kPolicy.rest.leastDecay * std::sqrt(kPolicy.rest.leastDecay));
+  const double decay = std::min(excess / outer, kPolicy.rest.mostDecay);
   return all / (decay * std::sqrt(decay));
 }
 

@@ -2,19 +2,13 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/rest/region_driver.h"
 
+#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/frame.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace esm {
-namespace {
-
-/// Share of a frame after which to glance at nodes that seem to rest: no simple fraction.
-constexpr double kGlance = 0.381966011250105;
-
-} // namespace
-
 RegionDriver::RegionDriver(SolverSettings settings, Body& body, std::vector<Index> names)
   : m_settings(std::move(settings)),
     m_body(body),
@@ -87,7 +81,8 @@ double RegionDriver::stretchEnd(double end, double interval) const noexcept
   if (parts > 1.0) target = begin + (target - begin) / parts;
   if (m_driver.takesBlocks()) return target; // a step of its own for the glance would cost as much again
   const bool someRest = 4 * m_watch.firstSlowCount() > m_region.awake().size();
-  if (someRest && target - begin > 0.9 * kFrame) target = begin + kGlance * (target - begin);
+  if (someRest && target - begin > kPolicy.rest.lookGap)
+    target = begin + kPolicy.rest.glance * (target - begin);
   return target;
 }
 
@@ -177,7 +172,7 @@ bool RegionDriver::stretchPart(double target, std::int64_t maxSteps, StepReport&
   m_moved.insert(m_moved.end(), m_region.awake().begin(), m_region.awake().end());
   m_allMoved = m_allMoved || m_moved.size() > 2 * motion.x.size();
   takeOver(m_partMotion.time);
-  if (part.good() && missed > 0.25 * allowed) grow(false);
+  if (part.good() && missed > kPolicy.rest.growsAt * allowed) grow(false);
   applyChange();
   return part.good();
 }
@@ -189,7 +184,8 @@ void RegionDriver::look(StepReport& report)
   const std::vector<Index>& awake = m_region.awake();
   const ErrorScale& scale = m_driver.errorScale();
   const SettlingBudget missable{budget(), undisturbed(), std::max(fadingTime(scale), creepingTime(scale))};
-  const double limit = std::sqrt(0.25 * missable.squareAt(missable.fading) / std::max(m_playedCount, 1.0));
+  const double limit =
+    std::sqrt(kPolicy.rest.slowShare * missable.squareAt(missable.fading) / std::max(m_playedCount, 1.0));
   if (!m_watch.lookIsDue(motion.time)) {
     m_watch.glance(awake, motion, limit);
     return;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/rest/rest_watch.h"
 
+#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/frame.h"
 
 #include <algorithm>
@@ -9,11 +10,6 @@
 
 namespace esm {
 namespace {
-
-constexpr double kSomeFrames = 4.0;       ///< a slow node does not get far in them
-constexpr double kHorizon = 8.0 * kFrame; ///< over which an acceleration is followed [s]
-constexpr double kLongestSeries = 600.0;  ///< what does not die out goes on for so many looks, ten seconds
-constexpr std::uint8_t kLooks = 4;        ///< in a row
 
 double length(const Lanes& a) noexcept
 {
@@ -46,7 +42,7 @@ void RestWatch::watch(std::span<const Index> nodes, const MotionState& motion)
 
 bool RestWatch::lookIsDue(double time) const noexcept
 {
-  return time - m_lookTime >= 0.9 * kFrame;
+  return time - m_lookTime >= kPolicy.rest.lookGap;
 }
 
 void RestWatch::look(const std::vector<Index>& nodes, const MotionState& motion, double limit)
@@ -65,9 +61,10 @@ void RestWatch::look(const std::vector<Index>& nodes, const MotionState& motion,
       const double change = length(motion.v[i] - m_v[i]) / window;
       const double speed = length(motion.x[i] - m_x[i]) / window, before = watched.speed;
       const double lost = before - speed; // next to go: the rest of the series speed (1 + q + q^2 + ...)
-      const double looks = lost > 0.0 ? std::min(before / lost, kLongestSeries) : kLongestSeries;
-      slow = speed * kFrame * kSomeFrames <= limit;
-      calm = slow && before >= 0.0 && 0.5 * change * kHorizon * kHorizon <= limit &&
+      const double looks =
+        lost > 0.0 ? std::min(before / lost, kPolicy.rest.longestSeries) : kPolicy.rest.longestSeries;
+      slow = speed * kFrame * kPolicy.rest.someFrames <= limit;
+      calm = slow && before >= 0.0 && 0.5 * change * kPolicy.rest.horizon * kPolicy.rest.horizon <= limit &&
              speed * window * looks <= limit;
       watched.speed = speed;
     } else {
@@ -75,8 +72,8 @@ void RestWatch::look(const std::vector<Index>& nodes, const MotionState& motion,
     }
     watched.slowLooks = count(watched.slowLooks, slow);
     watched.calmLooks = count(watched.calmLooks, calm);
-    m_slow[i] = watched.slowLooks >= kLooks ? 1 : 0;
-    m_calm[i] = watched.calmLooks >= kLooks ? 1 : 0;
+    m_slow[i] = watched.slowLooks >= kPolicy.rest.looks ? 1 : 0;
+    m_calm[i] = watched.calmLooks >= kPolicy.rest.looks ? 1 : 0;
     m_slowCount += m_slow[i];
     m_calmCount += m_calm[i];
     m_firstSlowCount += slow ? 1 : 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/rest/settling.h"
 
+#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/frame.h"
 
 #include <algorithm>
@@ -12,34 +13,6 @@ namespace esm {
 namespace {
 
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
-/// Of the sum of squares that may be missed for good: what the goal is off does not fade.
-constexpr double kForGood = 0.1;
-
-/// Of the mean square over the nodes, that a single one may miss: nobody shall see one spot stop at a blow.
-constexpr double kMostLocal = 25.0;
-constexpr double kNear = 12.0; ///< speeds with which nets of usual frequencies are as near as they must be
-/// Iterations of conjugate gradients where a factor might cost less; else as many as some frames may cost.
-constexpr int kFewIterations = 48;
-constexpr double kLongestTry = 4.0; ///< frames
-constexpr double kPatience = 3.0;
-/// Of the work since the last attempt, that a search may cost beyond its first step. With all of it organs of
-/// 2,000 nodes, whose factors are dear, took a fifth longer at 1e-1.
-constexpr double kSearch = 0.25;
-constexpr int kLongestWait = 32; ///< looks
-constexpr int kWaitUnknown = 3;  ///< the same after an attempt that told no distance: the net bends too much
-/// Of the time in which amplitudes fade to what may be missed: no attempt before. They are not known to fade
-/// faster than that, and a swing that is slow where it turns is no nearer to its end.
-constexpr double kLeastWait = 0.4;
-/// Of the amplitude that may be missed: from there on each attempt only waits for what has to fade, and may
-/// cost more, as it may save the next frame. Where waves meet on their way about an organ its speed rises
-/// once more.
-constexpr double kNearlyThere = 1.5;
-/// Of the time in which a mode with all the energy would fade: slow ones take longer, as in fadingTime().
-constexpr double kSlowestFade = 2.0;
-constexpr int kGlances = 16;          ///< iterations of each bound
-constexpr double kGlanceCost = 40.0;  ///< force passes, with all of them
-constexpr double kFarEnough = 16.0;   ///< share of what may be missed, that a bound need not go beyond
-constexpr double kMostSquares = 16.0; ///< see SettlingBudget
 
 /// Mean square over what is left of the motion, if that ended now.
 /// @param way, swing  sums of squares: how far the goal is, and how far the velocities carry a net beyond it
@@ -62,7 +35,7 @@ double shareOf(double missed, double speed, const SettlingBudget& budget) noexce
 double SettlingBudget::squareAt(double fadingTime) const noexcept
 {
   const double gain = since > 0.0 ? 1.0 + 2.0 * since / fadingTime : 1.0;
-  return square * std::min(gain, kMostSquares);
+  return square * std::min(gain, kPolicy.settling.mostSquares);
 }
 
 void Settling::begin() noexcept
@@ -80,12 +53,12 @@ void Settling::forget() noexcept
 
 double Settling::patience() const noexcept
 {
-  return m_isNear ? 1.0 : kPatience;
+  return m_isNear ? 1.0 : kPolicy.settling.patience;
 }
 
 bool Settling::mayGlance(const System& system) const noexcept
 {
-  const double cost = kGlanceCost * static_cast<double>(system.forces().activeSprings());
+  const double cost = kPolicy.settling.glanceCost * static_cast<double>(system.forces().activeSprings());
   return patience() * cost <= m_work - m_workAtGlance;
 }
 
@@ -94,7 +67,7 @@ bool Settling::mayAttempt(const System& system, double effort) const noexcept
 {
   if (!m_equilibrium.takesFactor(system) || m_equilibrium.isLaidOut())
     return attemptCost(system) <= std::min(m_work / patience(), effort);
-  return m_equilibrium.layoutCost(system) <= std::min(m_work, kLongestTry * effort);
+  return m_equilibrium.layoutCost(system) <= std::min(m_work, kPolicy.settling.longestTry * effort);
 }
 
 double Settling::attemptCost(const System& system) const noexcept
@@ -110,7 +83,7 @@ bool Settling::isDue(const System& system, const MotionState& motion, double spe
     return false;
   }
   if (!mayGlance(system) || !mayAttempt(system, effort)) return false;
-  m_looksLeft = kLongestWait;
+  m_looksLeft = kPolicy.settling.longestWait;
   m_workAtGlance = m_work;
   return true;
 }
@@ -121,7 +94,7 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
   const double speed = std::sqrt(sumOfSquares(motion.v) / static_cast<double>(motion.x.size())); // RMS
   const double most = budget.squareAt(budget.fading);
   const double within = std::sqrt(most / static_cast<double>(motion.x.size()));
-  if (speed * kFrame > kNear * within) {
+  if (speed * kFrame > kPolicy.settling.near * within) {
     m_dueSpeed = std::numeric_limits<double>::infinity();
     return false;
   }
@@ -135,14 +108,14 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
   }
   if (missed <= 1.0) missed = attempt(system, motion, budget, effort, report);
   const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
-  m_isNear = times < kNearlyThere;
+  m_isNear = times < kPolicy.settling.nearlyThere;
   if (!std::isfinite(missed)) { // nothing to go by
-    m_looksLeft = kWaitUnknown;
+    m_looksLeft = kPolicy.settling.waitUnknown;
     m_dueSpeed = 0.0;
     return false;
   }
-  m_dueSpeed = m_isNear ? std::numeric_limits<double>::infinity() : 0.9 * speed / times;
-  m_dueTime = motion.time + kLeastWait * budget.fading * std::log(times);
+  m_dueSpeed = m_isNear ? std::numeric_limits<double>::infinity() : kPolicy.settling.slower * speed / times;
+  m_dueTime = motion.time + kPolicy.settling.leastWait * budget.fading * std::log(times);
   return missed <= 1.0;
 }
 
@@ -151,13 +124,14 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
                          StepReport& report)
 {
   double missed = kUnknown;
-  m_affordable = kSearch * std::min(m_work, effort);
+  m_affordable = kPolicy.settling.search * std::min(m_work, effort);
   if (!m_equilibrium.takesFactor(system)) {
     const double springs = std::max(static_cast<double>(system.forces().activeSprings()), 1.0);
     const bool mayTakeFactor = std::isfinite(m_equilibrium.layoutCost(system));
-    const double most = mayTakeFactor ? kFewIterations : Equilibrium::kIterations;
+    const double most = mayTakeFactor ? kPolicy.settling.fewIterations : kPolicy.balance.iterations;
     m_iterations = // of each of two solutions
-      static_cast<int>(std::clamp(0.5 * kLongestTry * effort / springs, double{kFewIterations}, most));
+      static_cast<int>(std::clamp(0.5 * kPolicy.settling.longestTry * effort / springs,
+                                  double{kPolicy.settling.fewIterations}, most));
     missed = settle(system, motion, budget, report);
     if (m_equilibrium.takesFactor(system)) return attempt(system, motion, budget, effort, report);
   } else {
@@ -172,20 +146,22 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
 double Settling::glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
   if (!system.forces().pressure().isEmpty()) return 0.0;
-  m_glances.prepare(system, motion.x, Equilibrium::kInertia);
-  const double speed = sumOfSquares(motion.v), enough = kFarEnough * budget.squareAt(budget.fading);
+  m_glances.prepare(system, motion.x, kPolicy.balance.inertia);
+  const double speed = sumOfSquares(motion.v),
+               enough = kPolicy.settling.farEnough * budget.squareAt(budget.fading);
   m_way.resize(motion.x.size());
   scaleNodes(m_way.size(), system.mass().data(), motion.v.data(), m_way.data());
   const double momentum = std::sqrt(sumOfSquares(m_way));
   double way = 0.0, swing = 0.0;
   if (momentum > 0.0) {
     const double perEnergy = std::sqrt(speed) / momentum; // |v| |y| >= |v|/|M v| (M v).y
-    swing = perEnergy * m_glances.below(system, m_way, 2.0 * enough / perEnergy, kGlances);
+    swing = perEnergy * m_glances.below(system, m_way, 2.0 * enough / perEnergy, kPolicy.settling.glances);
   }
   if (missedOf(way, swing) <= enough && !m_glances.metNegative()) {
     const double force = m_equilibrium.forcesAt(system, motion.time, motion.x, m_force, report);
     if (force > 0.0)
-      way = std::pow(m_glances.below(system, m_force, force * std::sqrt(enough), kGlances) / force, 2);
+      way = std::pow(
+        m_glances.below(system, m_force, force * std::sqrt(enough), kPolicy.settling.glances) / force, 2);
   }
   return m_glances.metNegative() ? kUnknown : shareOf(missedOf(way, swing), speed, budget);
 }
@@ -208,13 +184,15 @@ double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& bud
   const double speed = sumOfSquares(motion.v);
   const double missed = missedOf(way, swing ? std::sqrt(speed * sumOfSquares(*swing)) : 0.0);
   const double share =
-    shareOf(std::max(missed, local / kMostLocal * static_cast<double>(nodes)) + budget.erring, speed, budget);
+    shareOf(std::max(missed, local / kPolicy.settling.mostLocal * static_cast<double>(nodes)) + budget.erring,
+            speed, budget);
   return std::isfinite(share) ? share : kUnknown;
 }
 
 Equilibrium::Aim Settling::aimOf(const SettlingBudget& budget) const noexcept
 {
-  return {kForGood * budget.square, kFarEnough * budget.squareAt(budget.fading), m_affordable, m_iterations};
+  return {kPolicy.settling.forGood * budget.square,
+          kPolicy.settling.farEnough * budget.squareAt(budget.fading), m_affordable, m_iterations};
 }
 
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
@@ -240,7 +218,7 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
   }
   if (budget.power > 0.0) {
     SettlingBudget whole = budget;
-    whole.fading = std::max(budget.fading, kSlowestFade * 2.0 * energy / budget.power);
+    whole.fading = std::max(budget.fading, kPolicy.settling.slowestFade * 2.0 * energy / budget.power);
     share = shareOfWay(motion, whole, &m_swing);
     if (!(share <= 1.0)) return share;
   }

@@ -82,7 +82,7 @@ private:
 
   Equilibrium m_equilibrium;
   StiffnessCg m_glances;
-  int m_iterations = Equilibrium::kIterations;                   ///< of gradients, for each solution
+  int m_iterations = kPolicy.balance.iterations;                 ///< of gradients, for each solution
   double m_affordable = std::numeric_limits<double>::infinity(); ///< of a search [spring evaluations]
   bool m_isNear = false;                                         ///< at the last attempt
   double m_dueSpeed = 0.0;                                       ///< below which the next attempt comes [m/s]
