@@ -24,6 +24,9 @@ int usage()
     "       esm_bench hand_beside PROJECT...   the same pull beside what keeps time elsewhere\n"
     "       esm_bench watch [SCENE...]   whether the watch over growing errors is right; with scenes: its "
     "cost\n"
+    "       esm_bench fit|holdout [CONSTANT...]   what a constant of the planner is worth, on tuned scenes "
+    "and "
+    "on others\n"
     "       esm_bench fem [tube|block|NET] [--cases] [--data=FOLDER]   errors of imported nets against "
     "finite elements\n"
     "       esm_bench stability [--quick] [METHOD...]   what stays bounded at one step a frame\n"
@@ -52,6 +55,8 @@ int run(const std::vector<std::string>& words)
   if (words[0] == "hand_beside") return runHandBeside(rest);
   if (words[0] == "verify") return runVerify(rest);
   if (words[0] == "watch") return runWatch(rest);
+  if (words[0] == "fit") return runFit(rest);
+  if (words[0] == "holdout") return runHoldout(rest);
   if (words[0] == "fuzzy") return runFuzzy(rest);
   if (words[0] == "remesh") return runRemesh(rest);
   if (words[0] == "tissue_edit") return runTissueEdit(rest);

@@ -24,6 +24,10 @@ int runHand(const std::vector<std::string>& words);
 int runHandBeside(const std::vector<std::string>& words);
 /// Tolerances that are missed: how many of them finer runs see and mend. Words: scenes and tolerances.
 int runVerify(const std::vector<std::string>& words);
+/// What each constant of the planner's policy is worth on the scenes by which it was tuned, and on others. Words: names
+/// of constants; none: all.
+int runFit(const std::vector<std::string>& words);
+int runHoldout(const std::vector<std::string>& words);
 /// Whether a motion multiplies errors: what the watch says of scenes that it was not made with, against two
 /// exact runs. With names of scenes: what it costs there.
 int runWatch(const std::vector<std::string>& words);

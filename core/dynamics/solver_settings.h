@@ -2,10 +2,13 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace esm {
+
+struct Policy;
 
 /// How a net is to be moved; see Simulation.
 struct SolverSettings {
@@ -36,6 +39,9 @@ struct SolverSettings {
   /// Nodes at rest sleep until something moves them, and cost nothing; what they miss stays within the
   /// tolerance. Without effect on fixed steps.
   bool skipResting = true;
+  /// How the engine judges (core/dynamics/planner/policy.h, which is not public); null: as it is delivered. For
+  /// programs that ask what one of its constants is worth. Not written to files.
+  std::shared_ptr<const Policy> policy = nullptr;
 };
 
 /// The names that SolverSettings::solver takes, "auto" excluded; with one line on each.

@@ -17,7 +17,8 @@ void TimeKeeping::flee(int longest) noexcept
 }
 
 StepControl::StepControl(SolverSettings settings, std::vector<Index> nodeNames)
-  : request{std::move(settings)},
+  : policy(settings.policy ? *settings.policy : kPolicy),
+    request{std::move(settings)},
     known(policy),
     bound(policy, std::move(nodeNames)),
     gauge(policy),

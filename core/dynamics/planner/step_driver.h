@@ -53,6 +53,7 @@ public:
   void partChanged(System& system, const MotionState& state, NetPart part);
   /// Another accuracy from the next stretch on. The motion, what was learned and what was prepared stay.
   void setAccuracy(System& system, double tolerance, double effort);
+  const Policy& policy() const noexcept { return m_control.policy; }
   /// For a caller that takes an advance() back.
   const ErrorScale& errorScale() const noexcept { return m_control.gauge.scale(); }
   void setErrorScale(const ErrorScale& scale) noexcept { m_control.gauge.setScale(scale); }

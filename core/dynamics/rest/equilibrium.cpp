@@ -27,23 +27,22 @@ bool Equilibrium::takesFactor(const System& system) const noexcept
 
 double Equilibrium::layoutCost(const System& system) const noexcept
 {
-  return system.nodeCount() <= kPolicy.balance.mostNodes
-           ? kPolicy.balance.layoutCost * static_cast<double>(system.nodeCount())
+  return system.nodeCount() <= m_policy->mostNodes
+           ? m_policy->layoutCost * static_cast<double>(system.nodeCount())
            : kNowhere;
 }
 
 double Equilibrium::solveCost(const System& system) const noexcept
 {
-  return takesFactor(system)
-           ? m_matrix.solveCost()
-           : kPolicy.balance.gradientsCost * static_cast<double>(system.forces().activeSprings());
+  return takesFactor(system) ? m_matrix.solveCost()
+                             : m_policy->gradientsCost * static_cast<double>(system.forces().activeSprings());
 }
 
 double Equilibrium::stepCost(const System& system) const noexcept
 {
-  const double before = takesFactor(system) ? m_matrix.factorCost()
-                                            : kPolicy.balance.gradientsLayout *
-                                                static_cast<double>(system.forces().activeSprings());
+  const double before = takesFactor(system)
+                          ? m_matrix.factorCost()
+                          : m_policy->gradientsLayout * static_cast<double>(system.forces().activeSprings());
   return before + solveCost(system);
 }
 
@@ -93,15 +92,15 @@ bool Equilibrium::takeStiffness(System& system, bool convex, StepReport& report)
   m_isConvex = convex;
   m_spent += stepCost(system) - solveCost(system);
   if (!takesFactor(system)) {
-    m_gradients.prepare(system, m_place, kPolicy.balance.inertia);
+    m_gradients.prepare(system, m_place, m_policy->inertia);
     if (!m_gradients.givesWay(system)) return true;
-    m_gradientsFail = system.nodeCount() <= kPolicy.balance.mostNodes;
+    m_gradientsFail = system.nodeCount() <= m_policy->mostNodes;
     return false;
   }
   layOut(system);
   m_matrix.constraintsChanged(system);
   ++report.factorizations;
-  m_hasFactor = m_matrix.factor(system, m_place, m_still, {kPolicy.balance.inertia, 0.0, 1.0}, convex);
+  m_hasFactor = m_matrix.factor(system, m_place, m_still, {m_policy->inertia, 0.0, 1.0}, convex);
   return m_hasFactor && m_matrix.negativePivots() == 0;
 }
 
@@ -137,19 +136,18 @@ Equilibrium::Outcome Equilibrium::takeStep(System& system, const MotionState& mo
   for (std::size_t i = 0; i < m_place.size(); ++i) m_place[i] += m_step[i];
   m_force = forcesAt(system, motion.time, m_place, m_next, report);
   const double left = m_firstForce > 0.0 ? m_force / m_firstForce : 0.0; // of the way, about
-  if (left <= kPolicy.balance.left && left * left * squareOfWay(motion.x) <= aim.close)
-    return Outcome::IsThere;
+  if (left <= m_policy->left && left * left * squareOfWay(motion.x) <= aim.close) return Outcome::IsThere;
   if (!solve(system, m_next)) return Outcome::Fails;
   const double next = std::sqrt(sumOfSquares(m_next));
-  if (next <= kPolicy.balance.shorter * length) {
+  if (next <= m_policy->shorter * length) {
     m_step.swap(m_next);
     m_length = next;
-    if (next > kPolicy.balance.left * length) return Outcome::Turns;
+    if (next > m_policy->left * length) return Outcome::Turns;
     return length * length <= aim.close && left <= 1.0 ? Outcome::IsThere : Outcome::GoesOn;
   }
   // Springs have turned: they pull in other directions than the stiffness knows.
   if (m_spent > m_affordable) return Outcome::Fails;
-  if (prepareStep(system, motion.time, report) && !m_isConvex && m_length <= kPolicy.balance.longer * length)
+  if (prepareStep(system, motion.time, report) && !m_isConvex && m_length <= m_policy->longer * length)
     return Outcome::GoesOn;
   m_place = m_base;
   return prepareStep(system, motion.time, report) ? takePart(system, motion.time, report) : Outcome::Fails;
@@ -158,11 +156,11 @@ Equilibrium::Outcome Equilibrium::takeStep(System& system, const MotionState& mo
 /// The same with a half of the step or less. @pre the place is m_base.
 Equilibrium::Outcome Equilibrium::takePart(System& system, double time, StepReport& report)
 {
-  for (double part = 0.5; part >= kPolicy.balance.leastPart; part *= 0.5) {
+  for (double part = 0.5; part >= m_policy->leastPart; part *= 0.5) {
     advanceNodes(m_place.size(), part, m_base.data(), m_step.data(), m_place.data());
     m_force = forcesAt(system, time, m_place, m_next, report);
     if (!solve(system, m_next)) return Outcome::Fails;
-    if (std::sqrt(sumOfSquares(m_next)) <= (1.0 - (1.0 - kPolicy.balance.shorter) * part) * m_length)
+    if (std::sqrt(sumOfSquares(m_next)) <= (1.0 - (1.0 - m_policy->shorter) * part) * m_length)
       return Outcome::Turns;
   }
   return Outcome::Fails;
@@ -180,7 +178,7 @@ double Equilibrium::find(System& system, const MotionState& motion, const Aim& a
   m_firstForce = m_force;
   double square = m_length * m_length;
   for (int steps = 0; square <= aim.far; ++steps) {
-    if (steps == kPolicy.balance.mostSteps || (steps > 0 && m_spent > m_affordable)) return kNowhere;
+    if (steps == m_policy->mostSteps || (steps > 0 && m_spent > m_affordable)) return kNowhere;
     const Outcome outcome = takeStep(system, motion, aim, report);
     if (outcome == Outcome::Fails) return kNowhere;
     square = squareOfWay(motion.x);

@@ -25,6 +25,10 @@ namespace esm {
 /// @note One thread. Allocates when a net is laid out.
 class Equilibrium {
 public:
+  explicit Equilibrium(const Policy& policy = kPolicy) noexcept
+    : m_policy(&policy.balance), m_iterations(policy.balance.iterations)
+  {}
+
   void forget() noexcept; ///< other parameters, or another net
 
   struct Aim {
@@ -76,7 +80,8 @@ private:
   bool m_byFactor = false;      ///< the present search
   bool m_isConvex = false;      ///< the stiffness at hand
   bool m_isKnown = false;
-  int m_iterations = kPolicy.balance.iterations;
+  const Policy::Balance* m_policy;
+  int m_iterations;
   double m_spent = 0.0;      ///< by the present search [spring evaluations]
   double m_affordable = 0.0; ///< of it, see Aim
   double m_firstForce = 0.0; ///< where that began [N]

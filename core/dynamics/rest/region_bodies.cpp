@@ -5,7 +5,6 @@
 // slow its nodes are.
 #include "core/dynamics/rest/region_driver.h"
 
-#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/frame.h"
 
 #include <algorithm>
@@ -29,10 +28,10 @@ bool RegionDriver::movesAsOne(std::size_t body)
   const FreeBodies::RigidMotion rigid = bodies().rigidMotion(m_body.system, m_body.motion, body);
   const double time = m_body.motion.time, end = m_driver.knownEnd(time);
   // At the end there is no way left, but velocities are looked at, too.
-  const double left = std::isfinite(end) ? std::max(end - time, kFrame) : kPolicy.rest.longWhile,
+  const double left = std::isfinite(end) ? std::max(end - time, kFrame) : m_policy.rest.longWhile,
                motion = std::sqrt(meanSquare());
-  return rigid.isDriven || rigid.speed * left > kPolicy.rest.missedMomentum * motion ||
-         rigid.turning * left > kPolicy.rest.missedTurn * m_settings.tolerance * motion;
+  return rigid.isDriven || rigid.speed * left > m_policy.rest.missedMomentum * motion ||
+         rigid.turning * left > m_policy.rest.missedTurn * m_settings.tolerance * motion;
 }
 
 /// Who is awake in a free body sleeps with all others who are, or not at all.

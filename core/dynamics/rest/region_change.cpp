@@ -4,7 +4,6 @@
 // The part of RegionDriver that decides who wakes and who sleeps, and makes it so.
 #include "core/dynamics/rest/region_driver.h"
 
-#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/diagonal.h"
 
 #include <algorithm>
@@ -28,7 +27,7 @@ double squareOf(const Lanes& a) noexcept
 
 bool RegionDriver::isDivisible() const noexcept
 {
-  return m_region.freeCount() >= kPolicy.rest.smallestDivisible && m_body.net.pressure.empty();
+  return m_region.freeCount() >= m_policy.rest.smallestDivisible && m_body.net.pressure.empty();
 }
 
 void RegionDriver::begin()
@@ -91,7 +90,7 @@ std::vector<Index> RegionDriver::unbalancedNodes()
     const double pull = std::sqrt(squareOf(load[i] + m_body.system.forces().weight(i)));
     // Springs too stiff for their stretch to be seen need not be in the way of what pulls.
     const double bound =
-      rounding[i] + (pull > 0.0 ? std::min(yielding[i], kPolicy.rest.balanced * pull) : yielding[i]);
+      rounding[i] + (pull > 0.0 ? std::min(yielding[i], m_policy.rest.balanced * pull) : yielding[i]);
     if (squareOf(motion.v[i]) > 0.0 || !(squareOf(force[i]) <= bound * bound))
       nodes.push_back(static_cast<Index>(i));
   }
@@ -149,7 +148,7 @@ void RegionDriver::applyChange()
   if (awake == 0.0) {
     m_mode = Mode::Rest;
     m_region.update(m_fresh);
-  } else if (!isDivisible() || awake > kPolicy.rest.largestPart * m_region.freeCount()) {
+  } else if (!isDivisible() || awake > m_policy.rest.largestPart * m_region.freeCount()) {
     enterWhole();
   } else {
     enterPart();
@@ -286,7 +285,7 @@ double RegionDriver::meanSquare() const noexcept
 /// Sum of squares that the sleepers may miss [m^2]; see the class.
 double RegionDriver::budget() const noexcept
 {
-  const double floor = kPolicy.errors.floor * m_extent, share = m_ledger.sleepers() * m_settings.tolerance;
+  const double floor = m_policy.errors.floor * m_extent, share = m_ledger.sleepers() * m_settings.tolerance;
   return share * share * std::max(meanSquare(), floor * floor) * static_cast<double>(m_body.motion.x.size());
 }
 
@@ -331,12 +330,12 @@ double RegionDriver::missedMotion(std::vector<Index>* restless) const
   }
   if (restless)
     for (auto layer = layers.begin(); layer != last; ++layer)
-      if (kPolicy.rest.restlessShare * square(*layer) * static_cast<double>(last - layers.begin()) >= all)
+      if (m_policy.rest.restlessShare * square(*layer) * static_cast<double>(last - layers.begin()) >= all)
         restless->push_back(layer->node);
   const double excess = all - 8.0 * outer; // (ratio - 8) outer
-  if (!(excess > kPolicy.rest.leastDecay * outer))
-    return all / (kPolicy.rest.leastDecay * std::sqrt(kPolicy.rest.leastDecay));
-  const double decay = std::min(excess / outer, kPolicy.rest.mostDecay);
+  if (!(excess > m_policy.rest.leastDecay * outer))
+    return all / (m_policy.rest.leastDecay * std::sqrt(m_policy.rest.leastDecay));
+  const double decay = std::min(excess / outer, m_policy.rest.mostDecay);
   return all / (decay * std::sqrt(decay));
 }
 

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: MIT
 #include "core/dynamics/rest/region_driver.h"
 
-#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/frame.h"
 
 #include <algorithm>
@@ -13,6 +12,7 @@ RegionDriver::RegionDriver(SolverSettings settings, Body& body, std::vector<Inde
   : m_settings(std::move(settings)),
     m_body(body),
     m_driver(m_settings, std::move(names)),
+    m_policy(m_driver.policy()),
     m_on(m_settings.skipResting && !(m_settings.fixedStep > 0.0))
 {}
 
@@ -81,8 +81,8 @@ double RegionDriver::stretchEnd(double end, double interval) const noexcept
   if (parts > 1.0) target = begin + (target - begin) / parts;
   if (m_driver.takesBlocks()) return target; // a step of its own for the glance would cost as much again
   const bool someRest = 4 * m_watch.firstSlowCount() > m_region.awake().size();
-  if (someRest && target - begin > kPolicy.rest.lookGap)
-    target = begin + kPolicy.rest.glance * (target - begin);
+  if (someRest && target - begin > m_policy.rest.lookGap)
+    target = begin + m_policy.rest.glance * (target - begin);
   return target;
 }
 
@@ -172,7 +172,7 @@ bool RegionDriver::stretchPart(double target, std::int64_t maxSteps, StepReport&
   m_moved.insert(m_moved.end(), m_region.awake().begin(), m_region.awake().end());
   m_allMoved = m_allMoved || m_moved.size() > 2 * motion.x.size();
   takeOver(m_partMotion.time);
-  if (part.good() && missed > kPolicy.rest.growsAt * allowed) grow(false);
+  if (part.good() && missed > m_policy.rest.growsAt * allowed) grow(false);
   applyChange();
   return part.good();
 }
@@ -185,7 +185,7 @@ void RegionDriver::look(StepReport& report)
   const ErrorScale& scale = m_driver.errorScale();
   const SettlingBudget missable{budget(), undisturbed(), std::max(fadingTime(scale), creepingTime(scale))};
   const double limit =
-    std::sqrt(kPolicy.rest.slowShare * missable.squareAt(missable.fading) / std::max(m_playedCount, 1.0));
+    std::sqrt(m_policy.rest.slowShare * missable.squareAt(missable.fading) / std::max(m_playedCount, 1.0));
   if (!m_watch.lookIsDue(motion.time)) {
     m_watch.glance(awake, motion, limit);
     return;

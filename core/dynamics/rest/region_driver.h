@@ -127,14 +127,15 @@ private:
   SolverSettings m_settings;
   Body& m_body;
   StepDriver m_driver;
-  ErrorLedger m_ledger;
+  const Policy& m_policy; ///< of the driver
+  ErrorLedger m_ledger{m_policy.shares};
   bool m_on = false;
   Mode m_mode = Mode::Whole;
   ActiveRegion m_region;
-  RestWatch m_watch;
+  RestWatch m_watch{m_policy};
   LoadWatch m_loads;
   SleepingTensions m_tensions;
-  Settling m_settling;
+  Settling m_settling{m_policy};
   SubNetCutter m_cutter;
   FreeBodies m_bodies; ///< of the whole net, see bodies()
   bool m_bodiesAreKnown = false;

@@ -42,7 +42,7 @@ void RestWatch::watch(std::span<const Index> nodes, const MotionState& motion)
 
 bool RestWatch::lookIsDue(double time) const noexcept
 {
-  return time - m_lookTime >= kPolicy.rest.lookGap;
+  return time - m_lookTime >= m_policy->lookGap;
 }
 
 void RestWatch::look(const std::vector<Index>& nodes, const MotionState& motion, double limit)
@@ -62,9 +62,9 @@ void RestWatch::look(const std::vector<Index>& nodes, const MotionState& motion,
       const double speed = length(motion.x[i] - m_x[i]) / window, before = watched.speed;
       const double lost = before - speed; // next to go: the rest of the series speed (1 + q + q^2 + ...)
       const double looks =
-        lost > 0.0 ? std::min(before / lost, kPolicy.rest.longestSeries) : kPolicy.rest.longestSeries;
-      slow = speed * kFrame * kPolicy.rest.someFrames <= limit;
-      calm = slow && before >= 0.0 && 0.5 * change * kPolicy.rest.horizon * kPolicy.rest.horizon <= limit &&
+        lost > 0.0 ? std::min(before / lost, m_policy->longestSeries) : m_policy->longestSeries;
+      slow = speed * kFrame * m_policy->someFrames <= limit;
+      calm = slow && before >= 0.0 && 0.5 * change * m_policy->horizon * m_policy->horizon <= limit &&
              speed * window * looks <= limit;
       watched.speed = speed;
     } else {
@@ -72,8 +72,8 @@ void RestWatch::look(const std::vector<Index>& nodes, const MotionState& motion,
     }
     watched.slowLooks = count(watched.slowLooks, slow);
     watched.calmLooks = count(watched.calmLooks, calm);
-    m_slow[i] = watched.slowLooks >= kPolicy.rest.looks ? 1 : 0;
-    m_calm[i] = watched.calmLooks >= kPolicy.rest.looks ? 1 : 0;
+    m_slow[i] = watched.slowLooks >= m_policy->looks ? 1 : 0;
+    m_calm[i] = watched.calmLooks >= m_policy->looks ? 1 : 0;
     m_slowCount += m_slow[i];
     m_calmCount += m_calm[i];
     m_firstSlowCount += slow ? 1 : 0;

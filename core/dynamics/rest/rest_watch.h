@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/planner/policy.h"
 #include "core/dynamics/system/system.h"
 
 #include <cstdint>
@@ -22,6 +23,8 @@ namespace esm {
 /// again; the last ones to sleep have nobody to wake them, and must be calm.
 class RestWatch {
 public:
+  explicit RestWatch(const Policy& policy = kPolicy) noexcept : m_policy(&policy.rest) {}
+
   void prepare(std::size_t nodes);
   /// Begins to watch nodes that have woken.
   void watch(std::span<const Index> nodes, const MotionState& motion);
@@ -42,6 +45,7 @@ public:
   std::size_t firstSlowCount() const noexcept { return m_firstSlowCount; } ///< slow in this look
 
 private:
+  const Policy::Rest* m_policy;
   double m_lookTime = 0.0;
   NodeArray m_x, m_v; ///< at the last look
   struct Watched {

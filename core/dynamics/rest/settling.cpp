@@ -53,12 +53,12 @@ void Settling::forget() noexcept
 
 double Settling::patience() const noexcept
 {
-  return m_isNear ? 1.0 : kPolicy.settling.patience;
+  return m_isNear ? 1.0 : m_policy->settling.patience;
 }
 
 bool Settling::mayGlance(const System& system) const noexcept
 {
-  const double cost = kPolicy.settling.glanceCost * static_cast<double>(system.forces().activeSprings());
+  const double cost = m_policy->settling.glanceCost * static_cast<double>(system.forces().activeSprings());
   return patience() * cost <= m_work - m_workAtGlance;
 }
 
@@ -67,7 +67,7 @@ bool Settling::mayAttempt(const System& system, double effort) const noexcept
 {
   if (!m_equilibrium.takesFactor(system) || m_equilibrium.isLaidOut())
     return attemptCost(system) <= std::min(m_work / patience(), effort);
-  return m_equilibrium.layoutCost(system) <= std::min(m_work, kPolicy.settling.longestTry * effort);
+  return m_equilibrium.layoutCost(system) <= std::min(m_work, m_policy->settling.longestTry * effort);
 }
 
 double Settling::attemptCost(const System& system) const noexcept
@@ -83,7 +83,7 @@ bool Settling::isDue(const System& system, const MotionState& motion, double spe
     return false;
   }
   if (!mayGlance(system) || !mayAttempt(system, effort)) return false;
-  m_looksLeft = kPolicy.settling.longestWait;
+  m_looksLeft = m_policy->settling.longestWait;
   m_workAtGlance = m_work;
   return true;
 }
@@ -94,7 +94,7 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
   const double speed = std::sqrt(sumOfSquares(motion.v) / static_cast<double>(motion.x.size())); // RMS
   const double most = budget.squareAt(budget.fading);
   const double within = std::sqrt(most / static_cast<double>(motion.x.size()));
-  if (speed * kFrame > kPolicy.settling.near * within) {
+  if (speed * kFrame > m_policy->settling.near * within) {
     m_dueSpeed = std::numeric_limits<double>::infinity();
     return false;
   }
@@ -108,14 +108,14 @@ bool Settling::settleIfDue(System& system, MotionState& motion, const SettlingBu
   }
   if (missed <= 1.0) missed = attempt(system, motion, budget, effort, report);
   const double times = std::sqrt(std::max(missed, 1.0)); // of the amplitude that may be missed
-  m_isNear = times < kPolicy.settling.nearlyThere;
+  m_isNear = times < m_policy->settling.nearlyThere;
   if (!std::isfinite(missed)) { // nothing to go by
-    m_looksLeft = kPolicy.settling.waitUnknown;
+    m_looksLeft = m_policy->settling.waitUnknown;
     m_dueSpeed = 0.0;
     return false;
   }
-  m_dueSpeed = m_isNear ? std::numeric_limits<double>::infinity() : kPolicy.settling.slower * speed / times;
-  m_dueTime = motion.time + kPolicy.settling.leastWait * budget.fading * std::log(times);
+  m_dueSpeed = m_isNear ? std::numeric_limits<double>::infinity() : m_policy->settling.slower * speed / times;
+  m_dueTime = motion.time + m_policy->settling.leastWait * budget.fading * std::log(times);
   return missed <= 1.0;
 }
 
@@ -124,14 +124,14 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
                          StepReport& report)
 {
   double missed = kUnknown;
-  m_affordable = kPolicy.settling.search * std::min(m_work, effort);
+  m_affordable = m_policy->settling.search * std::min(m_work, effort);
   if (!m_equilibrium.takesFactor(system)) {
     const double springs = std::max(static_cast<double>(system.forces().activeSprings()), 1.0);
     const bool mayTakeFactor = std::isfinite(m_equilibrium.layoutCost(system));
-    const double most = mayTakeFactor ? kPolicy.settling.fewIterations : kPolicy.balance.iterations;
+    const double most = mayTakeFactor ? m_policy->settling.fewIterations : m_policy->balance.iterations;
     m_iterations = // of each of two solutions
-      static_cast<int>(std::clamp(0.5 * kPolicy.settling.longestTry * effort / springs,
-                                  double{kPolicy.settling.fewIterations}, most));
+      static_cast<int>(std::clamp(0.5 * m_policy->settling.longestTry * effort / springs,
+                                  static_cast<double>(m_policy->settling.fewIterations), most));
     missed = settle(system, motion, budget, report);
     if (m_equilibrium.takesFactor(system)) return attempt(system, motion, budget, effort, report);
   } else {
@@ -146,22 +146,22 @@ double Settling::attempt(System& system, MotionState& motion, const SettlingBudg
 double Settling::glance(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
 {
   if (!system.forces().pressure().isEmpty()) return 0.0;
-  m_glances.prepare(system, motion.x, kPolicy.balance.inertia);
+  m_glances.prepare(system, motion.x, m_policy->balance.inertia);
   const double speed = sumOfSquares(motion.v),
-               enough = kPolicy.settling.farEnough * budget.squareAt(budget.fading);
+               enough = m_policy->settling.farEnough * budget.squareAt(budget.fading);
   m_way.resize(motion.x.size());
   scaleNodes(m_way.size(), system.mass().data(), motion.v.data(), m_way.data());
   const double momentum = std::sqrt(sumOfSquares(m_way));
   double way = 0.0, swing = 0.0;
   if (momentum > 0.0) {
     const double perEnergy = std::sqrt(speed) / momentum; // |v| |y| >= |v|/|M v| (M v).y
-    swing = perEnergy * m_glances.below(system, m_way, 2.0 * enough / perEnergy, kPolicy.settling.glances);
+    swing = perEnergy * m_glances.below(system, m_way, 2.0 * enough / perEnergy, m_policy->settling.glances);
   }
   if (missedOf(way, swing) <= enough && !m_glances.metNegative()) {
     const double force = m_equilibrium.forcesAt(system, motion.time, motion.x, m_force, report);
     if (force > 0.0)
       way = std::pow(
-        m_glances.below(system, m_force, force * std::sqrt(enough), kPolicy.settling.glances) / force, 2);
+        m_glances.below(system, m_force, force * std::sqrt(enough), m_policy->settling.glances) / force, 2);
   }
   return m_glances.metNegative() ? kUnknown : shareOf(missedOf(way, swing), speed, budget);
 }
@@ -183,16 +183,16 @@ double Settling::shareOfWay(const MotionState& motion, const SettlingBudget& bud
   }
   const double speed = sumOfSquares(motion.v);
   const double missed = missedOf(way, swing ? std::sqrt(speed * sumOfSquares(*swing)) : 0.0);
-  const double share =
-    shareOf(std::max(missed, local / kPolicy.settling.mostLocal * static_cast<double>(nodes)) + budget.erring,
-            speed, budget);
+  const double share = shareOf(
+    std::max(missed, local / m_policy->settling.mostLocal * static_cast<double>(nodes)) + budget.erring,
+    speed, budget);
   return std::isfinite(share) ? share : kUnknown;
 }
 
 Equilibrium::Aim Settling::aimOf(const SettlingBudget& budget) const noexcept
 {
-  return {kPolicy.settling.forGood * budget.square,
-          kPolicy.settling.farEnough * budget.squareAt(budget.fading), m_affordable, m_iterations};
+  return {m_policy->settling.forGood * budget.square,
+          m_policy->settling.farEnough * budget.squareAt(budget.fading), m_affordable, m_iterations};
 }
 
 double Settling::settle(System& system, MotionState& motion, const SettlingBudget& budget, StepReport& report)
@@ -218,7 +218,7 @@ double Settling::settle(System& system, MotionState& motion, const SettlingBudge
   }
   if (budget.power > 0.0) {
     SettlingBudget whole = budget;
-    whole.fading = std::max(budget.fading, kPolicy.settling.slowestFade * 2.0 * energy / budget.power);
+    whole.fading = std::max(budget.fading, m_policy->settling.slowestFade * 2.0 * energy / budget.power);
     share = shareOfWay(motion, whole, &m_swing);
     if (!(share <= 1.0)) return share;
   }

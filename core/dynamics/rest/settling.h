@@ -42,6 +42,10 @@ struct SettlingBudget {
 /// @note One thread. Allocates when a net is laid out.
 class Settling {
 public:
+  explicit Settling(const Policy& policy = kPolicy) noexcept
+    : m_policy(&policy), m_equilibrium(policy), m_iterations(policy.balance.iterations)
+  {}
+
   void begin() noexcept;  ///< after creation and reset of the net
   void forget() noexcept; ///< other parameters, or another net
   /// The net has moved at this cost [spring evaluations].
@@ -80,9 +84,10 @@ private:
   double attemptCost(const System& system) const noexcept; ///< of one settle() [spring evaluations]
   Equilibrium::Aim aimOf(const SettlingBudget& budget) const noexcept;
 
+  const Policy* m_policy;
   Equilibrium m_equilibrium;
   StiffnessCg m_glances;
-  int m_iterations = kPolicy.balance.iterations;                 ///< of gradients, for each solution
+  int m_iterations;                                              ///< of gradients, for each solution
   double m_affordable = std::numeric_limits<double>::infinity(); ///< of a search [spring evaluations]
   bool m_isNear = false;                                         ///< at the last attempt
   double m_dueSpeed = 0.0;                                       ///< below which the next attempt comes [m/s]
