@@ -12,9 +12,9 @@ namespace esm {
 /// may try another; what a run uses is a default. After each constant stand its unit, the range in which it makes
 /// sense, and where it comes from: `rule` is a choice that no measurement asked for, `fit` was measured on scenes
 /// (what moved with it is said), `bound` follows from the mathematics. scripts/check_policy.py holds the form, and
-/// that no other file of the planner has constants of its own.
+/// that no other file of the planner has constants of its own. The measurements are in docs/decisions.
 struct Policy {
-  /// Of the tolerance, who may spend what; see ErrorLedger.
+  /// Of the tolerance, who may spend what; see ErrorLedger, decisions 016 and 020.
   struct Shares {
     double steps = 0.8; ///< that they spend on purpose [1; 0..1; rule]
     /// What a net errs while it is held bent grows when it is let go: errors in its stiff patterns, which are small in
@@ -27,7 +27,7 @@ struct Policy {
   };
   Shares shares = {};
 
-  /// How errors live, and how much of the motion is still to come; see ErrorGauge.
+  /// How errors live, and how much of the motion is still to come; see ErrorGauge, decisions 016 to 020.
   struct Errors {
     double horizon =
       2.0; ///< motion that is reckoned with at least, if nobody knows its end [s; 0..100; rule]
@@ -61,7 +61,7 @@ struct Policy {
   };
   Errors errors = {};
 
-  /// Steps, and stretches of them.
+  /// Steps, and stretches of them; see decisions 014 and 037.
   struct Steps {
     /// Of the bound, which is exact only for a frozen net: the rest is for what stiffens until the next look.
     double shareOfStable = 0.95;   ///< [1; 0.5..1; rule]
@@ -99,7 +99,7 @@ struct Policy {
   };
   Energy energy = {};
 
-  /// Looks at where the net is stiffest.
+  /// Looks at where the net is stiffest; see decision 010.
   struct Bound {
     double unchanged = 0.01;          ///< a smaller change of the limits is none [1; 0..1; rule]
     double longest = 4.0;             ///< patience, of the usual one [1; 1..100; rule]
@@ -109,7 +109,7 @@ struct Policy {
   };
   Bound bound = {};
 
-  /// Checks: a stretch is done twice.
+  /// Checks: a stretch is done twice; see decisions 015, 018, 019, 024 and 025.
   struct Checks {
     double finer = 1.5; ///< steps of the second run, in those of the first [1; 1.1..4; rule]
     /// Of a stretch that is done twice, if that is many steps. Where the end is known a third of the frame saves
@@ -164,7 +164,7 @@ struct Policy {
   };
   Checks checks = {};
 
-  /// Which method.
+  /// Which method; see decisions 022, 023, 025, 026, 029 and 037.
   struct Choice {
     /// Implicit steps per frame to begin with. Nets with stiffness over six decades take 25 and more; with 4 tubes
     /// and uteri of a hundred and a thousand times their stiffness went implicit where explicit steps cost a third.
@@ -199,7 +199,7 @@ struct Policy {
   };
   Choice choice = {};
 
-  /// Other methods take the stretch once, after a check.
+  /// Other methods take the stretch once, after a check; see decision 022.
   struct Probes {
     double gain = 0.7;      ///< of the present cost, below which a probe is worth it [1; 0..1; rule]
     double twinGain = 0.85; ///< the same for longer steps of its twin, at coarse tolerances [1; 0..1; fit]
@@ -215,7 +215,7 @@ struct Policy {
   };
   Probes probes = {};
 
-  /// The first moments after an event.
+  /// The first moments after an event; see decision 021.
   struct Onset {
     double error = 20.0; ///< of the budget: tells of waves that die out soon [1; 1..1000; rule]
     double parts = 16.0; ///< of the stretch, and the steps that make cutting worth while [1; 2..100; rule]
@@ -224,7 +224,7 @@ struct Policy {
   };
   Onset onset = {};
 
-  /// Where no step is both good and affordable, or a clock is kept.
+  /// Where no step is both good and affordable, or a clock is kept; see decisions 002, 004 and 037.
   struct Rough {
     int longestDescent = 64;        ///< stretches before something else is tried again [1; 1..1000; rule]
     double mostDescentSteps = 16.0; ///< of one stretch [1; 1..100; rule]
@@ -240,7 +240,7 @@ struct Policy {
   };
   Rough rough = {};
 
-  /// The watch over growing errors, see GrowthWatch.
+  /// The watch over growing errors, see GrowthWatch and decision 003.
   struct Growth {
     double firstLookCost = 12.0; ///< a guess [force passes; 1..100; rule]
     double preparation = 2.0;    ///< of a look [force passes; 0..100; bound]
@@ -267,7 +267,7 @@ struct Policy {
   };
   Growth growth = {};
 
-  /// Who rests, see RegionDriver and RestWatch.
+  /// Who rests, see RegionDriver, RestWatch and decision 035.
   struct Rest {
     int smallestDivisible = 2000; ///< nets below sleep as a whole or not at all [nodes; 1..1e6; fit]
     double largestPart = 0.6;     ///< of the nodes; above it the whole net is as cheap [1; 0..1; fit]
@@ -293,7 +293,7 @@ struct Policy {
   };
   Rest rest = {};
 
-  /// The end of a motion in one go, see Settling.
+  /// The end of a motion in one go, see Settling, decisions 033 and 035.
   struct Settling {
     double forGood =
       0.1; ///< of what may be missed for good: what the goal is off does not fade [1; 0..1; rule]
@@ -326,7 +326,7 @@ struct Policy {
   };
   Settling settling = {};
 
-  /// The search for a balance, see Equilibrium.
+  /// The search for a balance, see Equilibrium and decision 034.
   struct Balance {
     double inertia = 1e-2; ///< share of the mass in K, 1/(10 s)^2 [1/s^2; 0..1; rule]
     int iterations = 400;  ///< of gradients, for each solution [1; 1..1e4; rule]
