@@ -164,7 +164,7 @@ struct Policy {
   };
   Checks checks = {};
 
-  /// Which method; see decisions 022, 023, 025, 026, 029 and 037.
+  /// Which method; see decisions 022, 023, 025, 026, 029, 037 and 039.
   struct Choice {
     /// Implicit steps per frame to begin with. Nets with stiffness over six decades take 25 and more; with 4 tubes
     /// and uteri of a hundred and a thousand times their stiffness went implicit where explicit steps cost a third.
