@@ -254,6 +254,7 @@ Trial ControlledSteps::check(const Plan& plan, MotionState& state, double end, S
   const double workBefore = control.system->workDone();
   m_ends.x = state.x;
   m_ends.v = state.v;
+  m_ends.work = state.work - control.start.work;
   state = control.start;
   control.current().rewind(state.time);
   Trial trial;
@@ -283,6 +284,17 @@ double ControlledSteps::errorOfFirst(const MotionState& state, double ratio)
   return counted * swing(control, apart, m_ends.v, state) * ratio / (ratio - 1.0);
 }
 
+/// Where every node is held or led, all steps end at the same places, and only the work of the supports tells how
+/// coarse they are: what the first of a check's runs erred of that, over what the tolerance allows of it.
+double ControlledSteps::shareOfWork(const MotionState& state, double ratio)
+{
+  const double work = state.work - m_control.start.work;
+  const double apart = std::abs(work - m_ends.work) * ratio / (ratio - 1.0);
+  const bool isRounding =
+    apart <= m_control.policy.energy.rounding * m_control.energyBalance(state).turnedOver;
+  return isRounding ? 0.0 : apart / (m_control.request.settings.tolerance * std::abs(work));
+}
+
 /// From the error of the steps to the accurate one, for the method and for those like it; and all that judge() asks.
 void ControlledSteps::learn(const Plan& plan, const MotionState& state, Trial& trial)
 {
@@ -299,10 +311,12 @@ void ControlledSteps::learn(const Plan& plan, const MotionState& state, Trial& t
   trial.count = plan.count;
   trial.step = length / count;
   trial.coarseError = std::max(errorOfFirst(state, ratio), lost);
-  trial.error = trial.coarseError / ratio;
   control.gauge.guessLifetime(*control.system, control.start, state);
   control.rhythm.learnOverLocal(trial.coarseError, length);
   trial.allowed = control.budget(state, length);
+  const bool isLed = !(trial.coarseError > 0.0);
+  if (isLed) trial.coarseError = trial.allowed * shareOfWork(state, ratio);
+  trial.error = trial.coarseError / ratio;
   trial.unspent = control.gauge.unspent(control.request.settings.tolerance, state);
   trial.mostRough =
     policy.roughAtFloor * std::max(control.gauge.displacementOf(control.start.x), control.gauge.floor());
@@ -328,7 +342,9 @@ void ControlledSteps::learn(const Plan& plan, const MotionState& state, Trial& t
   found.length = length;
   found.power = (state.heat - control.start.heat) / length;
   found.isHeld = trial.isAuto && !dampsWaves && control.controlledStep(kFrame) > policy.held * step;
-  found.grows = policy.held * control.controlledStep(Stepper::kInfinity) > step;
+  // Nothing but checks sees what becomes of the work between them.
+  found.grows =
+    (isLed && trial.coarseError > 0.0) || policy.held * control.controlledStep(Stepper::kInfinity) > step;
   found.isSettling = control.gauge.scale().calm < policy.settlingTime;
   found.timeLeft = control.gauge.knownEnd(state.time) - state.time;
   control.rhythm.learn(found);
