@@ -105,7 +105,9 @@ private:
                    "this version of the Gmsh format is not read; save it in format 4.1 or 2.2");
     if (isBinary == 0) return {};
     if (size != 8)
-      return fault(ErrorCode::Unsupported, m_origin, 0, "a binary Gmsh file needs sizes of 8 bytes");
+      return fault(
+        ErrorCode::Unsupported, m_origin, 0,
+        "a binary Gmsh file needs sizes of 8 bytes; save it as text, or as binary in format 4.1 or 2.2");
     m_source.nextLine();
     if (m_source.rest().size() < 4) return noNumber();
     m_source.binary = std::endian::little;

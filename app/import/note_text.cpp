@@ -97,6 +97,8 @@ constexpr KnownSentence kNotes[] = {
    QT_TRANSLATE_NOOP("esm::ImportNote", "Lines with twelve numbers, read as quads: %1.")},
   {R"(Its part '(.+)' is missing here: (.+)\.)",
    QT_TRANSLATE_NOOP("esm::ImportNote", "Its part “%1” is missing here: %2.")},
+  {R"(Its part '(.+)' is missing here \(and (\d+) more\): (.+)\.)",
+   QT_TRANSLATE_NOOP("esm::ImportNote", "Its part “%1” is missing here (and %2 more): %3.")},
   {R"((\d+) more of its parts are missing\.)",
    QT_TRANSLATE_NOOP("esm::ImportNote", "More of its parts that are missing: %1.")},
   {R"(The kernel offers no seccomp, so the foreign reader of this format was not kept from the network\.)",
