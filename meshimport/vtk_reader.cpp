@@ -288,7 +288,8 @@ private:
       at += static_cast<std::size_t>(corners);
     }
     if (list.end.size() != *cells)
-      return wrong("it has fewer or more cells than it says; the file is damaged");
+      return wrong("it promises " + std::to_string(*cells) + " cells, but it has " +
+                   std::to_string(list.end.size()) + "; the file is damaged");
     return {};
   }
 
@@ -338,7 +339,8 @@ private:
     m_source.nextLine();
     std::vector<int> types;
     if (*cells != m_list.end.size())
-      return wrong("it has not as many CELL_TYPES as CELLS; the file is damaged");
+      return wrong("it has " + std::to_string(*cells) + " CELL_TYPES for " +
+                   std::to_string(m_list.end.size()) + " CELLS; the file is damaged");
     if (!m_source.numbers(Scalar::Int32, *cells, types, m_control)) return noNumber();
     m_hasTypes = true;
     return addCells(m_list, [&types](std::size_t i) { return types[i]; });

@@ -2166,14 +2166,6 @@
         <translation>die Datei ohne sie speichern</translation>
     </message>
     <message>
-        <source>it has fewer or more cells than it says</source>
-        <translation>sie hat weniger oder mehr Zellen, als sie sagt</translation>
-    </message>
-    <message>
-        <source>it has not as many CELL_TYPES as CELLS</source>
-        <translation>sie hat nicht so viele CELL_TYPES wie CELLS</translation>
-    </message>
-    <message>
         <source>its cells have no CELL_TYPES</source>
         <translation>ihre Zellen haben keine CELL_TYPES</translation>
     </message>
@@ -2262,10 +2254,6 @@
         <translation>sie verspricht %1 Punkte, es sind aber %2</translation>
     </message>
     <message>
-        <source>its cells have not as many types as offsets</source>
-        <translation>ihre Zellen haben nicht so viele Arten (types) wie Versätze (offsets)</translation>
-    </message>
-    <message>
         <source>its cells lack connectivity, offsets or types</source>
         <translation>ihren Zellen fehlen connectivity, offsets oder types</translation>
     </message>
@@ -2332,6 +2320,34 @@
     <message>
         <source>exit code %1</source>
         <translation>Rückgabewert %1</translation>
+    </message>
+    <message>
+        <source>%1 lines behind the %2 were passed over, the first is line %3</source>
+        <translation>%1 Zeilen hinter den %2 wurden übergangen, die erste ist Zeile %3</translation>
+    </message>
+    <message>
+        <source>%1 promised nodes</source>
+        <translation>%1 versprochenen Knoten</translation>
+    </message>
+    <message>
+        <source>%1 promised elements</source>
+        <translation>%1 versprochenen Elementen</translation>
+    </message>
+    <message>
+        <source>%1 promised faces</source>
+        <translation>%1 versprochenen Flächen</translation>
+    </message>
+    <message>
+        <source>it promises %1 cells, but it has %2</source>
+        <translation>sie verspricht %1 Zellen, es sind aber %2</translation>
+    </message>
+    <message>
+        <source>it has %1 CELL_TYPES for %2 CELLS</source>
+        <translation>sie hat %1 CELL_TYPES für %2 CELLS</translation>
+    </message>
+    <message>
+        <source>it has %1 types for %2 offsets of its cells</source>
+        <translation>sie hat %1 Arten (types) für %2 Versätze (offsets) ihrer Zellen</translation>
     </message>
 </context>
 <context>
@@ -6340,6 +6356,22 @@
     <message>
         <source>a patient&apos;s axes (%1)</source>
         <translation>Achsen des Patienten (%1)</translation>
+    </message>
+    <message>
+        <source>The section promises %1 nodes, but %2 are there; all of these were read.</source>
+        <translation>Der Abschnitt verspricht %1 Knoten, es sind aber %2 da; alle diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The section promises %1 elements, but %2 are there; all of these were read.</source>
+        <translation>Der Abschnitt verspricht %1 Elemente, es sind aber %2 da; alle diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The attribute %1 promises %2 cells, but %3 are there; all of these were read.</source>
+        <translation>Das Attribut %1 verspricht %2 Zellen, es sind aber %3 da; alle diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>Lines behind the %2 that were passed over: %1, the first is line %3. Is the count wrong?</source>
+        <translation>Übergangene Zeilen hinter den %2: %1, die erste ist Zeile %3. Ist die Anzahl falsch?</translation>
     </message>
 </context>
 </TS>

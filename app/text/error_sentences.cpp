@@ -497,8 +497,6 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "a cell has %1 nodes, its type wants %2"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "field data of the type '%1' before the points is not read"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "save the file without it"),
-  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has fewer or more cells than it says"),
-  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has not as many CELL_TYPES as CELLS"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "its cells have no CELL_TYPES"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it ends before OFFSETS and CONNECTIVITY of the cells"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "OFFSETS and CONNECTIVITY of the cells are missing"),
@@ -521,7 +519,6 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has no Cells"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has no Points"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it promises %1 points, but it has %2"),
-  QT_TRANSLATE_NOOP("esm::ErrorDetail", "its cells have not as many types as offsets"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "its cells lack connectivity, offsets or types"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "its compressor %1 is not read"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "save it with zlib or without compression"),
@@ -539,6 +536,13 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it refuses the file without a reason"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "its head is not that of a reply"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "exit code %1"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "%1 lines behind the %2 were passed over, the first is line %3"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "%1 promised nodes"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "%1 promised elements"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "%1 promised faces"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it promises %1 cells, but it has %2"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has %1 CELL_TYPES for %2 CELLS"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has %1 types for %2 offsets of its cells"),
 };
 // NOLINTEND(bugprone-suspicious-missing-comma)
 
