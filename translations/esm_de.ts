@@ -2349,6 +2349,50 @@
         <source>it has %1 types for %2 offsets of its cells</source>
         <translation>sie hat %1 Arten (types) für %2 Versätze (offsets) ihrer Zellen</translation>
     </message>
+    <message>
+        <source>'%1' of %2 holds something else than it should</source>
+        <translation>„%1“ von %2 enthält etwas anderes, als es sollte</translation>
+    </message>
+    <message>
+        <source>its FBX version, %1, is not read, those from 7100 (FBX 2011) on are</source>
+        <translation>ihre FBX-Version %1 wird nicht gelesen, erst die ab 7100 (FBX 2011) werden es</translation>
+    </message>
+    <message>
+        <source>its glTF version is not read, 2.0 is</source>
+        <translation>ihre glTF-Version wird nicht gelesen, 2.0 schon</translation>
+    </message>
+    <message>
+        <source>it names %1, but holds %2 of these</source>
+        <translation>sie nennt %1, enthält davon aber nur %2</translation>
+    </message>
+    <message>
+        <source>something in it is a part of itself</source>
+        <translation>etwas in ihr ist ein Teil seiner selbst</translation>
+    </message>
+    <message>
+        <source>data that are packed in it cannot be unpacked</source>
+        <translation>gepackte Daten in ihr lassen sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>its part '%1'</source>
+        <translation>ihr Teil „%1“</translation>
+    </message>
+    <message>
+        <source>its part '%1' is empty</source>
+        <translation>ihr Teil „%1“ ist leer</translation>
+    </message>
+    <message>
+        <source>its part '%1' cannot be unpacked</source>
+        <translation>ihr Teil „%1“ lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>its part '%1' is packed by method %2, which is not read</source>
+        <translation>ihr Teil „%1“ ist nach Verfahren %2 gepackt, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>its &lt;build&gt; places none of its objects</source>
+        <translation>ihr &lt;build&gt; setzt keines ihrer Objekte ein</translation>
+    </message>
 </context>
 <context>
     <name>esm::ErrorText</name>
@@ -6372,6 +6416,10 @@
     <message>
         <source>Lines behind the %2 that were passed over: %1, the first is line %3. Is the count wrong?</source>
         <translation>Übergangene Zeilen hinter den %2: %1, die erste ist Zeile %3. Ist die Anzahl falsch?</translation>
+    </message>
+    <message>
+        <source>The reading library went on after a fault, a part may be missing: %1.</source>
+        <translation>Die lesende Bibliothek fuhr nach einem Fehler fort, vielleicht fehlt ein Teil: %1.</translation>
     </message>
 </context>
 </TS>

@@ -543,6 +543,18 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it promises %1 cells, but it has %2"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has %1 CELL_TYPES for %2 CELLS"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "it has %1 types for %2 offsets of its cells"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "'%1' of %2 holds something else than it should"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail",
+                    "its FBX version, %1, is not read, those from 7100 (FBX 2011) on are"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "its glTF version is not read, 2.0 is"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "it names %1, but holds %2 of these"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "something in it is a part of itself"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "data that are packed in it cannot be unpacked"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "its part '%1'"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "its part '%1' is empty"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "its part '%1' cannot be unpacked"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "its part '%1' is packed by method %2, which is not read"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "its <build> places none of its objects"),
 };
 // NOLINTEND(bugprone-suspicious-missing-comma)
 
