@@ -3432,6 +3432,10 @@
         <translation>Gestoppt: Kraft null, Gewebe losgelassen. Mit „Kraft an“ spürt das Gerät wieder.</translation>
     </message>
     <message>
+        <source>Stopped: the tissue is released, force is zero.</source>
+        <translation>Gestoppt: Das Gewebe ist losgelassen, die Kraft ist null.</translation>
+    </message>
+    <message>
         <source>Force is zero, nothing is held.</source>
         <translation>Die Kraft ist null, nichts wird gehalten.</translation>
     </message>
