@@ -75,7 +75,9 @@ public:
                                           : "1") +
              (m_source.binary ? " (binary)" : " (ASCII)");
     notes.insert(notes.end(), m_notes.begin(), m_notes.end());
-    return m_cells.finish(m_origin, notes, m_control);
+    Result<Mesh> mesh = m_cells.finish(m_origin, notes, m_control);
+    if (mesh || mesh.error().code != ErrorCode::EmptyResult) return mesh;
+    return Error{mesh.error().code, mesh.error().detail + m_lostNodes + m_lostElements};
   }
 
 private:
@@ -243,7 +245,7 @@ private:
     Status status = m_version == Version::Four  ? newElements()
                     : m_version == Version::Two ? oldElements()
                                                 : firstElements();
-    if (status) tellBehind(m_elements, "element");
+    if (status) m_lostElements = tellBehind(m_elements, "element");
     return status;
   }
 
@@ -344,10 +346,10 @@ private:
   RawMesh m_raw;
   CellCollector m_cells;
   NodeTags m_tags;
-  std::vector<Index> m_nodes;       ///< of the current element
-  long long m_elements = 0;         ///< that were read
-  std::string m_lostNodes;          ///< what stood behind the promised ones
-  std::vector<std::string> m_notes; ///< for the user, if the file can be read
+  std::vector<Index> m_nodes;              ///< of the current element
+  long long m_elements = 0;                ///< that were read
+  std::string m_lostNodes, m_lostElements; ///< what stood behind the promised ones
+  std::vector<std::string> m_notes;        ///< for the user, if the file can be read
   Version m_version = Version::Unknown;
 };
 

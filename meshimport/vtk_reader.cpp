@@ -4,6 +4,7 @@
 
 #include "core/base/ascii_case.h"
 #include "core/base/text_encoding.h"
+#include "core/base/text_number.h"
 #include "meshimport/cells.h"
 #include "meshimport/number_source.h"
 #include "meshimport/stated_frame.h"
@@ -119,7 +120,9 @@ private:
 
   Status unknown(const std::string& keyword)
   {
-    return wrong("'" + keyword + "' is no part of a VTK mesh; is the file damaged?");
+    return wrong(parseForeignDouble(keyword)
+                   ? "'" + keyword + "' stands behind as many numbers as were promised; is a count too small?"
+                   : "'" + keyword + "' is no part of a VTK mesh; is the file damaged?");
   }
   /// Annotations of the array before, up to an empty line; but components without a name have one, too.
   void metadata(std::uint64_t components)

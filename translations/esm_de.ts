@@ -2393,6 +2393,14 @@
         <source>its &lt;build&gt; places none of its objects</source>
         <translation>ihr &lt;build&gt; setzt keines ihrer Objekte ein</translation>
     </message>
+    <message>
+        <source>'%1' stands behind as many numbers as were promised</source>
+        <translation>„%1“ steht hinter so vielen Zahlen, wie versprochen waren</translation>
+    </message>
+    <message>
+        <source>is a count too small?</source>
+        <translation>ist eine Anzahl zu klein?</translation>
+    </message>
 </context>
 <context>
     <name>esm::ErrorText</name>

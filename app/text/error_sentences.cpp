@@ -555,6 +555,8 @@ constexpr const char* kSentences[] = {
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "its part '%1' cannot be unpacked"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "its part '%1' is packed by method %2, which is not read"),
   QT_TRANSLATE_NOOP("esm::ErrorDetail", "its <build> places none of its objects"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "'%1' stands behind as many numbers as were promised"),
+  QT_TRANSLATE_NOOP("esm::ErrorDetail", "is a count too small?"),
 };
 // NOLINTEND(bugprone-suspicious-missing-comma)
 

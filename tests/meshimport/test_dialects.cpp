@@ -384,6 +384,9 @@ TEST(Dialects, whatStandsBehindACountThatIsTooSmallIsSaid)
     HasSubstr("line 13: there is no node 4, but an element uses it; 1 lines behind the 3 promised nodes "
               "were passed over, the first is line 9"));
 
+  EXPECT_THAT(told(importBytes("x.msh", oldMesh("4\n", "0\n1 2 2 0 1 1 2 4\n"))),
+              HasSubstr("face or tetrahedron; 1 lines behind the 0 promised elements were passed over"));
+
   const auto newMesh = [](const char* head, const char* blocks) {
     return std::string(
              "$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$Nodes\n1 4 1 4\n2 1 0 4\n1\n2\n3\n4\n0 0 0\n1 0 0\n0 1 "
@@ -414,6 +417,20 @@ TEST(Dialects, whatStandsBehindACountThatIsTooSmallIsSaid)
     for (const std::int32_t number : {2, 1, 0, 1, 1, 2, 3}) put(number);
   EXPECT_THAT(told(importBytes("x.msh", binary + "\n" + end)),
               HasSubstr("28 bytes behind the last element were passed over."));
+}
+
+/// In the old VTK format the next word would have to be a keyword: there is no telling where the cells begin.
+TEST(Dialects, aVtkCountThatIsTooSmallIsNamedAsWhatItIs)
+{
+  const std::string start = "# vtk DataFile Version 3.0\nx\nASCII\nDATASET POLYDATA\nPOINTS ",
+                    points = " float\n0 0 0\n1 0 0\n0 1 0\nPOLYGONS ";
+  EXPECT_THAT(told(importBytes("x.vtk", start + "2" + points + "1 4\n3 0 1 2\n")),
+              HasSubstr("line 8: '0' stands behind as many numbers as were promised; is a count too small?"));
+  EXPECT_THAT(
+    told(importBytes("x.vtk", start + "3" + points + "1 4\n3 0 1 2\n3 0 2 1\n")),
+    HasSubstr("line 11: '3' stands behind as many numbers as were promised; is a count too small?"));
+  EXPECT_THAT(told(importBytes("x.vtk", start + "3" + points + "2 4\n3 0 1 2\n")),
+              HasSubstr("it promises 2 cells, but it has 1; the file is damaged"));
 }
 
 /// VTU and VTP state their counts beside the arrays that hold the cells.
