@@ -140,7 +140,8 @@ std::optional<Error> emptyArchive(std::string_view bytes, std::string_view endin
   if (scene == entries->end()) return std::nullopt;
   const std::string text = whole(*scene);
   if (hasTornTags(text))
-    return libraryRefusal("malformed XML", text, "xml", origin + ": its part '" + shortName(scene->name) + "'");
+    return libraryRefusal("malformed XML", text, "xml",
+                          origin + ": its part '" + shortName(scene->name) + "'");
   if (ending == "3mf" && text.find("<triangle ") != text.npos)
     return damagedFile("its <build> places none of its objects", false, origin);
   return std::nullopt;
