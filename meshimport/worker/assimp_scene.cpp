@@ -169,8 +169,9 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
     return reply;
   }
   const OpenedArchive archive = openArchive(bytes, ending);
-  if (!archive.fault.empty()) {
-    reply.refusal = damagedFile(archive.fault, false, origin);
+  const std::string fault = ending == "amf" ? wrongNumber(bytes, ending) : archive.fault;
+  if (!fault.empty()) {
+    reply.refusal = damagedFile(fault, false, origin);
     return reply;
   }
   auto* ear = new ErrorEar(ending); // owned by the library

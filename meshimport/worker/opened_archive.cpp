@@ -6,6 +6,7 @@
 #include "meshimport/library_words.h"
 #include "meshimport/worker/joined_model.h"
 #include "meshimport/worker/limits.h"
+#include "meshimport/worker/scene_text.h"
 #include "meshimport/worker/zip_archive.h"
 #include "meshimport/xml_tags.h"
 
@@ -116,6 +117,9 @@ OpenedArchive openArchive(std::string_view bytes, std::string_view ending)
   auto scene = entries->begin() + (sceneOf(*entries, ending) - entries->cbegin());
   if (ending == "3mf") opened.fault = missingPart(*entries);
   if (opened.fault.empty() && scene != entries->end()) opened.fault = brokenPart({*scene});
+  if (ending == "3mf" && opened.fault.empty() && scene != entries->end())
+    if (const std::string number = wrongNumber(whole(*scene), ending); !number.empty())
+      opened.fault = "its part '" + shortName(scene->name) + "': " + number;
   if (!opened.fault.empty()) return opened;
   if (scene != entries->end()) opened.text = unpack(*scene, kMostPartText);
   if (ending != "3mf" || scene == entries->end()) return opened;

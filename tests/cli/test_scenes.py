@@ -253,11 +253,26 @@ class ScenesTest(ProgramTest):
                 (bytes(packed), model + " is packed by method 12, which is not read"),
                 (changed("</mesh>", "</mash>"), model + ": line 3: </mash> stands where </mesh> should"),
                 (changed('<item objectid="1"/>', ""), "its <build> places none of its objects"),
+                (changed('x="10"', 'x="1,5"'), model + ": line 3: 'x' of vertex holds something else than it should"),
+                (changed('v3="', 'w3="'), model + ": line 3: 'v3' of triangle holds something else than it should"),
                 (changed('objectid="1"', 'objectid="7"'), "its <build> places none of its objects")):
             self.write("a.3mf", content)
             refusal = self.refused("inspect", "a.3mf")
             self.assertIn("a.3mf: " + said, refusal)
             self.assertIn("save it as OBJ, PLY or STL", refusal)
+
+    def test_words_for_numbers_of_an_amf_are_refused(self):
+        """The library reads them as 0."""
+        def amf(x, v3):
+            corners = "".join(f"<vertex><coordinates>\n<x>{a}</x><y>{b}</y><z>0</z></coordinates></vertex>"
+                              for a, b in ((0, 0), (x, 0), (0, " 1e1\n")))
+            return f"<amf><object id='0'><mesh><vertices>{corners}</vertices><volume>\n<triangle><v1>0</v1><v2>1</v2><v3>{v3}</v3>" \
+                   "</triangle></volume></mesh></object></amf>"
+        self.check("a.amf", amf("+10.5", 2), "3/3")
+        self.write("a.amf", amf("one", 2))
+        self.assertIn("a.amf: line 3: 'one' stands where a number should be; mend it", self.refused("inspect", "a.amf"))
+        self.write("a.amf", amf("1", ""))
+        self.assertIn("a.amf: line 6: '' stands where a number should be", self.refused("inspect", "a.amf"))
 
     def test_a_crash_is_the_readers(self):
         bad = self.write("worker.sh", "#!/bin/sh\nkill -SEGV $$\n")
