@@ -33,6 +33,17 @@ constexpr const char* kFooter =
   "given up, 4 internal, or out of memory.\n"
   "Lengths are metres, forces newtons, times seconds; numbers take a point in every locale.";
 
+/// Scripts with a variable that is not set give it: an output would be left out without a word.
+void refuseEmptyValues(CLI::App& app)
+{
+  for (CLI::Option* option : app.get_options())
+    if (option->get_items_expected_max() > 0)
+      option->check([](const std::string& text) {
+        return text.empty() ? "an empty text is given; name a value, or leave the option out" : std::string();
+      });
+  for (CLI::App* command : app.get_subcommands([](CLI::App*) { return true; })) refuseEmptyValues(*command);
+}
+
 Exit run(int argc, char** argv)
 {
   CLI::App program("esm - the Elastodynamic Shape Modeler without a window", "esm");
@@ -43,6 +54,7 @@ Exit run(int argc, char** argv)
   for (const auto add : {addInspect, addImport, addInfo, addValidate, addApply, addExplain, addSimulate,
                          addReplayLog, addExport, addFuzzy, addHaptics, addLearn, addSolvers})
     add(program, work);
+  refuseEmptyValues(program);
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& fault) {

@@ -17,9 +17,14 @@ namespace esm {
 namespace {
 
 constexpr std::size_t kMostName = 30, kMostQuoted = 200; // bytes of foreign words in a message
+constexpr std::size_t kMostHeader = 4096;                // bytes that are searched for a version
 constexpr std::size_t kDeepestTags = 1'000'000;          // tags within each other that are remembered
 
 const char* const kXmlDamaged = "its XML is damaged";
+const char* const kWayOut = "; save it as OBJ, PLY or STL in the program it comes from";
+const char* const kMend = "; mend it, or save it as OBJ, PLY or STL in the program it comes from";
+const char* const kFetch =
+  "; fetch it again, it may be cut short, or save it as OBJ, PLY or STL in the program it comes from";
 
 enum class Cause {
   Memory,
@@ -28,11 +33,15 @@ enum class Cause {
   Value,
   Xml,
   Section,
+  Version,
+  Item,
+  Circle,
   Word,
   Start,
   Nothing,
   End,
   Index,
+  Packed,
   Archive,
   Syntax
 };
@@ -48,9 +57,14 @@ constexpr Sign kSigns[] = {
   {"unknown error", Cause::Silent},
   {"cannot parse string", Cause::Number},
   {"number expected", Cause::Number},
+  {"failed to parse", Cause::Number},
   {"expected a floating point number", Cause::Number},
   {"failed to convert attribute", Cause::Value},
   {"couldn't read value", Cause::Value},
+  {"was not of type", Cause::Value},
+  {"format version", Cause::Version},
+  {"array index", Cause::Item},
+  {"recursive reference", Cause::Circle},
   {"malformed xml", Cause::Xml},
   {"xml reader", Cause::Xml},
   {"parse xml", Cause::Xml},
@@ -58,6 +72,9 @@ constexpr Sign kSigns[] = {
   {"missing section", Cause::Section},
   {"dictionary found", Cause::Section},
   {"must contain not empty", Cause::Section},
+  {"did not find required element", Cause::Section},
+  {"root node", Cause::Section},
+  {"component type", Cause::Word},
   {"not recognized", Cause::Word},
   {"unknown field", Cause::Word},
   {"no suitable reader", Cause::Start},
@@ -69,6 +86,7 @@ constexpr Sign kSigns[] = {
   {"unknown lwo", Cause::Start},
   {"either empty or corrupt", Cause::Start},
   {"no mesh", Cause::Nothing},
+  {"has no faces", Cause::Nothing},
   {"scene root", Cause::Nothing},
   {"data is null", Cause::Nothing},
   {"end of file", Cause::End},
@@ -77,6 +95,8 @@ constexpr Sign kSigns[] = {
   {"premature end", Cause::End},
   {"unexpected eol", Cause::End},
   {"too small", Cause::End},
+  {"too short", Cause::End},
+  {"differs from what the file claims", Cause::End},
   {"truncated", Cause::End},
   {"chunk is too large", Cause::End},
   {"stream limit", Cause::End},
@@ -85,6 +105,7 @@ constexpr Sign kSigns[] = {
   {"points behind the file", Cause::End},
   {"bin chunk", Cause::End},
   {"exceeds size", Cause::End},
+  {"compressionfailure", Cause::Packed},
   {"out of range", Cause::Index},
   {"_m_range_check", Cause::Index},
   {"invalid face index", Cause::Index},
@@ -92,6 +113,7 @@ constexpr Sign kSigns[] = {
   {"invalid index", Cause::Index},
   {"invalid data index", Cause::Index},
   {"not found node", Cause::Index},
+  {"without valid buffer", Cause::Index},
   {"failed to open file", Cause::Archive},
   {"expected", Cause::Syntax},
 };
@@ -101,6 +123,7 @@ struct Finding {
   std::string text;
   long line = 0;
   bool mayBeCut = false;
+  bool isSound = false; ///< of a version that is not read: there is nothing to mend
 };
 
 long lineAt(std::string_view bytes, std::size_t place)
@@ -211,7 +234,33 @@ Finding jsonFault(std::string_view text)
     }
   }
   if (inText || !open.empty()) return {"it ends too early, or a length in it is wrong", 0, true};
+  if (text.find("\"asset\"") == text.npos) return {"its section 'asset' is missing"};
+  if (text.find("\"2.0\"") == text.npos) return {"its glTF version is not read, 2.0 is", 0, false, true};
   return {"its JSON is damaged"};
+}
+
+/// glTF names the object whose member is wrong: "... when reading accessors[0]".
+Finding valueFault(const std::string& name, std::string_view complaint)
+{
+  constexpr std::string_view kWhere = "when reading ";
+  const std::size_t place = complaint.find(kWhere);
+  const std::string where =
+    place == complaint.npos
+      ? ""
+      : shown(complaint.substr(place + kWhere.size(), complaint.find(" (", place) - place - kWhere.size()));
+  if (where.empty() || where == "the document") return {"'" + name + "' holds something else than it should"};
+  return {"'" + name + "' of " + where + " holds something else than it should"};
+}
+
+/// Of an FBX, whose number stands at a fixed place in binary files.
+Finding versionFault(std::string_view bytes)
+{
+  constexpr std::size_t kPlace = 23;
+  const bool isBinary = bytes.substr(0, 7) == "Kaydara" && bytes.size() >= kPlace + 4;
+  const long long version = isBinary ? loadLittle<std::uint32_t>(bytes.data() + kPlace)
+                                     : numberBehind(bytes.substr(0, kMostHeader), "fbxversion:").value_or(0);
+  return {"its FBX version, " + std::to_string(version) + ", is not read, those from 7100 (FBX 2011) on are",
+          0, false, true};
 }
 
 Finding startFault(std::string_view bytes, std::string_view ending)
@@ -255,13 +304,21 @@ Finding findingOf(Cause cause, std::string_view complaint, std::string_view byte
   case Cause::Number:
     return numberFault(complaint, bytes);
   case Cause::Value:
-    return {"'" + name + "' holds something else than it should"};
+    return valueFault(name, complaint);
   case Cause::Xml:
     return xmlFault(bytes);
   case Cause::Section:
     return {"its section '" + name + "' is missing"};
+  case Cause::Version:
+    return versionFault(bytes);
+  case Cause::Item:
+    return {"it names " + name + "[" + std::to_string(numberBehind(complaint, "index ").value_or(-1)) +
+            "], but holds " + std::to_string(numberBehind(complaint, "bounds (").value_or(0)) + " of these"};
+  case Cause::Circle:
+    return {"something in it is a part of itself"};
   case Cause::Word:
-    return {"'" + name + "' is no word of this format"};
+    return {"'" + (name.empty() ? shown(complaint.substr(complaint.rfind(' ') + 1)) : name) +
+            "' is no word of this format"};
   case Cause::Start:
     return startFault(bytes, ending);
   case Cause::Nothing:
@@ -270,6 +327,8 @@ Finding findingOf(Cause cause, std::string_view complaint, std::string_view byte
     return {"it ends too early, or a length in it is wrong", 0, true};
   case Cause::Index:
     return {"it points to data that it does not hold"};
+  case Cause::Packed:
+    return {"data that are packed in it cannot be unpacked", 0, true};
   case Cause::Archive:
     return {"its ZIP archive is damaged", 0, true};
   case Cause::Syntax:
@@ -290,6 +349,24 @@ std::optional<Cause> causeOf(std::string_view complaint, std::string_view ending
   return {};
 }
 
+/// The finding with its place before it: "line 3: ...", "byte 17: ...".
+Finding placed(Cause cause, std::string_view complaint, std::string_view bytes, std::string_view ending)
+{
+  Finding finding = findingOf(cause, complaint, bytes, ending);
+  if (finding.line == 0) finding.line = static_cast<long>(numberBehind(complaint, "line ").value_or(0));
+  const auto byte = finding.line == 0 ? numberBehind(complaint, "offset ") : std::nullopt;
+  if (finding.line > 0) finding.text = "line " + std::to_string(finding.line) + ": " + finding.text;
+  if (byte) finding.text = "byte " + std::to_string(*byte) + ": " + finding.text;
+  return finding;
+}
+
+std::string quoteOf(std::string_view complaint)
+{
+  const std::string_view first = complaint.substr(0, complaint.find('\n'));
+  return kWayOut + ("; the reading library says: " + std::string(first.substr(0, kMostQuoted))) +
+         (first.size() > kMostQuoted ? " ..." : "");
+}
+
 } // namespace
 
 bool hasTornTags(std::string_view xml)
@@ -297,26 +374,29 @@ bool hasTornTags(std::string_view xml)
   return xmlFault(xml).text != kXmlDamaged;
 }
 
+Error damagedFile(const std::string& what, bool mayBeCut, const std::string& origin)
+{
+  return fault(ErrorCode::BadFormat, origin, 0, what + (mayBeCut ? kFetch : kMend));
+}
+
+std::string libraryFinding(std::string_view complaint, std::string_view bytes, std::string_view ending)
+{
+  const std::optional<Cause> cause = causeOf(complaint, ending);
+  return cause ? placed(*cause, complaint, bytes, ending).text : std::string();
+}
+
 Error libraryRefusal(std::string_view complaint, std::string_view bytes, std::string_view ending,
                      const std::string& origin)
 {
-  const std::string wayOut = "save it as OBJ, PLY or STL in the program it comes from";
   const std::optional<Cause> cause = causeOf(complaint, ending);
-  if (!cause) {
-    const std::string_view first = complaint.substr(0, complaint.find('\n'));
-    return fault(ErrorCode::BadFormat, origin, 0,
-                 "the file cannot be read; " + wayOut + "; the reading library says: " +
-                   std::string(first.substr(0, kMostQuoted)) + (first.size() > kMostQuoted ? " ..." : ""));
-  }
-  Finding finding = findingOf(*cause, complaint, bytes, ending);
-  if (finding.line == 0) finding.line = static_cast<long>(numberBehind(complaint, "line ").value_or(0));
-  const auto byte = finding.line == 0 ? numberBehind(complaint, "offset ") : std::nullopt;
+  if (!cause) return fault(ErrorCode::BadFormat, origin, 0, "the file cannot be read" + quoteOf(complaint));
   if (cause == Cause::Memory)
-    return fault(ErrorCode::BadFormat, origin, 0, finding.text + "; the file may be damaged");
-  return fault(cause == Cause::Nothing ? ErrorCode::EmptyResult : ErrorCode::BadFormat, origin, finding.line,
-               (byte ? "byte " + std::to_string(*byte) + ": " : "") + finding.text +
-                 (finding.mayBeCut ? "; fetch it again, it may be cut short, or " : "; mend it, or ") +
-                 wayOut);
+    return fault(ErrorCode::BadFormat, origin, 0,
+                 "there is not enough memory to read it; the file may be damaged");
+  const Finding finding = placed(*cause, complaint, bytes, ending);
+  const char* const way = finding.isSound ? kWayOut : finding.mayBeCut ? kFetch : kMend;
+  return fault(cause == Cause::Nothing ? ErrorCode::EmptyResult : ErrorCode::BadFormat, origin, 0,
+               finding.text + way);
 }
 
 } // namespace esm

@@ -16,6 +16,12 @@ namespace esm {
 Error libraryRefusal(std::string_view complaint, std::string_view bytes, std::string_view ending,
                      const std::string& origin);
 
+/// The error for a file of which our own look has found what is broken, with the same ways out.
+Error damagedFile(const std::string& what, bool mayBeCut, const std::string& origin);
+
+/// The clause of libraryRefusal() alone, with its place, for a note; empty for words that are not known.
+std::string libraryFinding(std::string_view complaint, std::string_view bytes, std::string_view ending);
+
 /// Whether tags end what has not begun, or do not end: libraries may pass over all that follows.
 bool hasTornTags(std::string_view xml);
 

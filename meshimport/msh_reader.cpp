@@ -74,7 +74,10 @@ public:
               : m_version == Version::Two ? "2.2"
                                           : "1") +
              (m_source.binary ? " (binary)" : " (ASCII)");
-    return m_cells.finish(m_origin, notes, m_control);
+    notes.insert(notes.end(), m_notes.begin(), m_notes.end());
+    Result<Mesh> mesh = m_cells.finish(m_origin, notes, m_control);
+    if (mesh || mesh.error().code != ErrorCode::EmptyResult) return mesh;
+    return Error{mesh.error().code, mesh.error().detail + m_lostNodes + m_lostElements};
   }
 
 private:
@@ -88,8 +91,12 @@ private:
   void skipToEnd(const std::string& name)
   {
     const std::string start = m_version == Version::One ? "$END" : "$End";
-    const std::size_t end = m_source.rest().find(start + name);
-    m_source.skipBytes(end == std::string_view::npos ? m_source.rest().size() : end);
+    const std::size_t size = m_source.rest().size(), end = std::min(size, m_source.rest().find(start + name));
+    for (NumberSource line = m_source; !m_source.binary; m_source = line) { // lines are counted
+      line.nextLine();
+      if (line.atEnd() || line.rest().size() < size - end) break;
+    }
+    m_source.skipBytes(m_source.rest().size() - (size - end));
   }
 
   Status meshFormat()
@@ -105,7 +112,9 @@ private:
                    "this version of the Gmsh format is not read; save it in format 4.1 or 2.2");
     if (isBinary == 0) return {};
     if (size != 8)
-      return fault(ErrorCode::Unsupported, m_origin, 0, "a binary Gmsh file needs sizes of 8 bytes");
+      return fault(
+        ErrorCode::Unsupported, m_origin, 0,
+        "a binary Gmsh file needs sizes of 8 bytes; save it as text, or as binary in format 4.1 or 2.2");
     m_source.nextLine();
     if (m_source.rest().size() < 4) return noNumber();
     m_source.binary = std::endian::little;
@@ -139,10 +148,37 @@ private:
                  ", but the file is too small for them; it is cut short, fetch it again");
   }
 
+  /// Says what is left between the promised items and the end of their section.
+  /// @return the same for an error; empty if nothing is left
+  std::string tellBehind(long long promised, const std::string& item)
+  {
+    if (m_source.binary) {
+      std::string_view left = m_source.rest();
+      left = left.substr(0, left.find("$End"));
+      while (!left.empty() && (left.back() == '\n' || left.back() == '\r')) left.remove_suffix(1);
+      if (!left.empty())
+        m_notes.push_back(std::to_string(left.size()) + " bytes behind the last " + item +
+                          " were passed over.");
+      return {};
+    }
+    const std::string more = linesBehind(m_source, std::to_string(promised) + " promised " + item + "s", "$");
+    if (more.empty()) return {};
+    m_notes.push_back(more + ".");
+    return "; " + more;
+  }
+  /// Format 4.1 states the sum of its blocks, too.
+  void tellTotal(long long promised, long long there, const std::string& items)
+  {
+    if (promised != there)
+      m_notes.push_back("The section promises " + std::to_string(promised) + " " + items + ", but " +
+                        std::to_string(there) + " are there; all of these were read.");
+  }
+
   Status nodes()
   {
     if (Status status = begin(); !status) return status;
     Status status = m_version == Version::Four ? newNodes() : oldNodes();
+    if (status) m_lostNodes = tellBehind(m_raw.vertexCount(), "node");
     m_tags.finish();
     return status;
   }
@@ -199,15 +235,18 @@ private:
         if (!addNode(p[0], p[1], p[2])) return tooManyError(m_origin);
       }
     }
+    tellTotal(head[1], m_raw.vertexCount(), "nodes");
     return {};
   }
 
   Status elements()
   {
     if (Status status = begin(); !status) return status;
-    return m_version == Version::Four  ? newElements()
-           : m_version == Version::Two ? oldElements()
-                                       : firstElements();
+    Status status = m_version == Version::Four  ? newElements()
+                    : m_version == Version::Two ? oldElements()
+                                                : firstElements();
+    if (status) m_lostElements = tellBehind(m_elements, "element");
+    return status;
   }
 
   Status oldElements()
@@ -270,6 +309,7 @@ private:
         if (Status status = element(kind[2], Scalar::UInt64, i); !status) return status;
       }
     }
+    tellTotal(head[1], m_elements, "elements");
     return {};
   }
 
@@ -292,10 +332,11 @@ private:
       const Index vertex = m_tags.find(tag);
       if (vertex == kNoIndex)
         return fault(ErrorCode::InvalidValue, m_origin, m_source.binary ? 0 : m_source.line(),
-                     "there is no node " + std::to_string(tag) + ", but an element uses it");
+                     "there is no node " + std::to_string(tag) + ", but an element uses it" + m_lostNodes);
       m_nodes.push_back(vertex);
     }
     m_cells.add(*kind, m_nodes);
+    ++m_elements;
     return m_raw.isTooLarge() ? Status(tooManyError(m_origin)) : Status();
   }
 
@@ -305,7 +346,10 @@ private:
   RawMesh m_raw;
   CellCollector m_cells;
   NodeTags m_tags;
-  std::vector<Index> m_nodes; ///< of the current element
+  std::vector<Index> m_nodes;              ///< of the current element
+  long long m_elements = 0;                ///< that were read
+  std::string m_lostNodes, m_lostElements; ///< what stood behind the promised ones
+  std::vector<std::string> m_notes;        ///< for the user, if the file can be read
   Version m_version = Version::Unknown;
 };
 

@@ -33,9 +33,12 @@ public:
     if (Status status = header(); !status) return status.error();
     if (Status status = vertices(control); !status) return status.error();
     if (Status status = faces(control); !status) return status.error();
+    const std::string more = linesBehind(m_cursor, std::to_string(m_faces) + " promised faces");
     if (m_raw.isEmpty())
       return fault(ErrorCode::EmptyResult, m_origin, 0,
-                   "it holds " + std::to_string(m_vertices) + " vertices but no face");
+                   "it holds " + std::to_string(m_vertices) + " vertices but no face" +
+                     (more.empty() ? "" : "; " + more));
+    if (!more.empty()) notes.push_back(more + ".");
     return finishMesh(std::move(m_raw), m_origin, notes, control);
   }
 

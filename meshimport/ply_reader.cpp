@@ -83,8 +83,8 @@ private:
       if (isPlyGrid(element))
         return empty(text + "; a range grid is a scan that must be triangulated first, as MeshLab does");
       if (holdsLists)
-        return empty(text + " that are known, only lists in the element '" + shortName(element) +
-                     "'; save it with faces");
+        return empty(text + "; it has lists in the element '" + shortName(element) +
+                     "', which is none of those that are known; save it with faces");
     }
     return empty(text + "; a point cloud makes no net, make a surface of it first");
   }

@@ -30,11 +30,10 @@ double beyondRange(std::string_view digits)
 {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   const bool negative = digits.front() == '-';
-  const std::size_t exponent = digits.find_first_of("eEdD");
+  const std::size_t exponent = digits.find_first_of("eEdD+-", 1); // Fortran's may lack the letter
   const std::size_t significant = digits.find_first_of("123456789");
-  const bool small = exponent != std::string_view::npos && exponent + 1 < digits.size()
-                       ? digits[exponent + 1] == '-'
-                       : significant > digits.find('.');
+  const bool small = exponent != std::string_view::npos ? digits.find('-', exponent) != std::string_view::npos
+                                                        : significant > digits.find('.');
   if (small) return negative ? -0.0 : 0.0;
   return negative ? -kInfinity : kInfinity;
 }
@@ -142,6 +141,20 @@ bool TextCursor::anyCorner(long long& value)
   if (!breaksHere(to)) return false;
   m_at = to;
   return true;
+}
+
+std::string linesBehind(TextCursor cursor, const std::string& promised, std::string_view end)
+{
+  std::size_t count = 0;
+  long first = 0;
+  for (; !cursor.atEnd(); cursor.nextLine()) {
+    if (cursor.atLineEnd()) continue;
+    if (!end.empty() && cursor.rest().substr(0, end.size()) == end) break;
+    if (count++ == 0) first = cursor.line();
+  }
+  if (count == 0) return {};
+  return std::to_string(count) + " lines behind the " + promised + " were passed over, the first is line " +
+         std::to_string(first);
 }
 
 std::string TextCursor::wordForMessage()

@@ -164,6 +164,11 @@ private:
   long m_line = 1;
 };
 
+/// What to say of the lines from here up to one that begins with `end` (to the last one if that is empty), where a
+/// count promised no more than what was read; empty if there are none.
+/// @param promised "3 promised faces"
+std::string linesBehind(TextCursor cursor, const std::string& promised, std::string_view end = {});
+
 /// Nearly all numbers of mesh files: an optional minus, at most 15 digits, a point somewhere, no exponent.
 /// Both the digits and the power of ten are exact as double, so one division rounds as std::from_chars does
 /// (W. D. Clinger, How to read floating point numbers accurately, PLDI 1990), in a third of its time.

@@ -4,6 +4,7 @@
 
 #include "core/base/ascii_case.h"
 #include "core/base/text_encoding.h"
+#include "core/base/text_number.h"
 #include "meshimport/cells.h"
 #include "meshimport/number_source.h"
 #include "meshimport/stated_frame.h"
@@ -119,7 +120,9 @@ private:
 
   Status unknown(const std::string& keyword)
   {
-    return wrong("'" + keyword + "' is no part of a VTK mesh; is the file damaged?");
+    return wrong(parseForeignDouble(keyword)
+                   ? "'" + keyword + "' stands behind as many numbers as were promised; is a count too small?"
+                   : "'" + keyword + "' is no part of a VTK mesh; is the file damaged?");
   }
   /// Annotations of the array before, up to an empty line; but components without a name have one, too.
   void metadata(std::uint64_t components)
@@ -288,7 +291,8 @@ private:
       at += static_cast<std::size_t>(corners);
     }
     if (list.end.size() != *cells)
-      return wrong("it has fewer or more cells than it says; the file is damaged");
+      return wrong("it promises " + std::to_string(*cells) + " cells, but it has " +
+                   std::to_string(list.end.size()) + "; the file is damaged");
     return {};
   }
 
@@ -338,7 +342,8 @@ private:
     m_source.nextLine();
     std::vector<int> types;
     if (*cells != m_list.end.size())
-      return wrong("it has not as many CELL_TYPES as CELLS; the file is damaged");
+      return wrong("it has " + std::to_string(*cells) + " CELL_TYPES for " +
+                   std::to_string(m_list.end.size()) + " CELLS; the file is damaged");
     if (!m_source.numbers(Scalar::Int32, *cells, types, m_control)) return noNumber();
     m_hasTypes = true;
     return addCells(m_list, [&types](std::size_t i) { return types[i]; });

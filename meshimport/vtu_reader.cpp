@@ -13,6 +13,7 @@ namespace esm {
 namespace {
 
 struct Piece {
+  XmlTag tag;
   long long points = 0;
   std::vector<VtuArray> arrays;
 };
@@ -42,6 +43,7 @@ public:
       tellDone(m_control, static_cast<double>(i) / static_cast<double>(m_pieces.size()));
       if (Status status = piece(m_pieces[i]); !status) return status.error();
     }
+    story.notes.insert(story.notes.end(), m_notes.begin(), m_notes.end());
     return m_cells.finish(m_origin, story.notes, m_control);
   }
 
@@ -65,7 +67,7 @@ private:
         if (!tag.isEnd)
           if (Status status = fileTag(tag); !status) return status;
       } else if (tag.name == "Piece" && !tag.isEnd) {
-        m_pieces.push_back({parseInteger(tag.attribute("NumberOfPoints")).value_or(-1), {}});
+        m_pieces.push_back({tag, parseInteger(tag.attribute("NumberOfPoints")).value_or(-1), {}});
       } else if ((tag.name == "Array" || tag.name == "DataArray") && section == "FieldData" && !tag.isEnd &&
                  tag.attribute("Name") == kAxesArray) {
         m_axes = arrayOf(tag, tags, section, vtuScalar(tag.attribute("type")).value_or(Scalar::UInt8));
@@ -182,11 +184,22 @@ private:
     return {};
   }
 
+  /// A count that the piece states, as many leave it out, and that its arrays do not keep.
+  void tellCount(const Piece& piece, std::string_view section, std::size_t there)
+  {
+    const std::string attribute = "NumberOf" + std::string(section);
+    const std::optional<long long> promised = parseInteger(piece.tag.attribute(attribute));
+    if (promised && *promised != static_cast<long long>(there))
+      m_notes.push_back("The attribute " + attribute + " promises " + std::to_string(*promised) +
+                        " cells, but " + std::to_string(there) + " are there; all of these were read.");
+  }
+
   /// @param vtkType of all cells; 0 to read them from the array "types"
   Status cells(const Piece& piece, std::string_view section, int vtkType)
   {
     const VtuArray* const arrays[] = {find(piece, section, "connectivity"), find(piece, section, "offsets"),
                                       find(piece, section, "types")};
+    if (!arrays[0] && !arrays[1]) tellCount(piece, section, 0);
     if (!arrays[0] && !arrays[1])
       return vtkType > 0 || piece.points == 0 ? Status() : Status(wrong("it has no Cells"));
     if (!arrays[0] || !arrays[1] || (vtkType == 0 && !arrays[2]))
@@ -198,8 +211,10 @@ private:
       lists[i] = std::move(*values);
     }
     const auto& [nodes, ends, types] = lists;
+    tellCount(piece, section, ends.size());
     if (vtkType == 0 && types.size() != ends.size())
-      return wrong("its cells have not as many types as offsets");
+      return wrong("it has " + std::to_string(types.size()) + " types for " + std::to_string(ends.size()) +
+                   " offsets of its cells; the file is damaged");
     long long begin = 0;
     for (std::size_t i = 0; i < ends.size(); begin = ends[i++]) {
       if (stopWantedAt(i, ends.size(), m_control)) return cancelledError();
@@ -246,6 +261,7 @@ private:
   CellCollector m_cells;
   Index m_first = 0; ///< vertex of the current piece
   std::vector<Index> m_nodes;
+  std::vector<std::string> m_notes; ///< for the user, if the file can be read
 };
 
 bool recognisesVtu(std::string_view bytes, std::string_view)

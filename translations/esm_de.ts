@@ -1066,10 +1066,6 @@
         <translation>sie enthält keine Linie, Polylinie oder Fläche</translation>
     </message>
     <message>
-        <source>it holds no line, polyline or face, only %1 entities of other kinds</source>
-        <translation>sie enthält keine Linie, Polylinie oder Fläche, nur %1 Elemente anderer Art</translation>
-    </message>
-    <message>
         <source>here a DXF group should begin with its number</source>
         <translation>hier sollte eine DXF-Gruppe mit ihrer Nummer beginnen</translation>
     </message>
@@ -1888,6 +1884,522 @@
     <message>
         <source>a pipe that nobody reads</source>
         <translation>eine Pipe, die niemand liest</translation>
+    </message>
+    <message>
+        <source>X3D line sets are not read (the library would make polygons of them)</source>
+        <translation>X3D-Linien werden nicht gelesen (die Bibliothek machte Polygone daraus)</translation>
+    </message>
+    <message>
+        <source>save it as VRML, OBJ or PLY</source>
+        <translation>sie als VRML, OBJ oder PLY speichern</translation>
+    </message>
+    <message>
+        <source>it holds no line, polyline or face, only %1</source>
+        <translation>sie enthält keine Linie, Polylinie oder Fläche, nur %1</translation>
+    </message>
+    <message>
+        <source>%1 entities in paper space</source>
+        <translation>%1 Objekte im Papierbereich</translation>
+    </message>
+    <message>
+        <source>%1 invisible entities</source>
+        <translation>%1 unsichtbare Objekte</translation>
+    </message>
+    <message>
+        <source>%1 entities on layers that are frozen or off (%2)</source>
+        <translation>%1 Objekte auf gefrorenen oder ausgeschalteten Layern (%2)</translation>
+    </message>
+    <message>
+        <source>%1 INSERT without its block</source>
+        <translation>%1 INSERT ohne seinen Block</translation>
+    </message>
+    <message>
+        <source>external drawings ('%1')</source>
+        <translation>externe Zeichnungen („%1“)</translation>
+    </message>
+    <message>
+        <source>external drawings ('%1' ...)</source>
+        <translation>externe Zeichnungen („%1“ ...)</translation>
+    </message>
+    <message>
+        <source>convert curves to polylines in the drawing program</source>
+        <translation>Kurven im Zeichenprogramm in Polylinien wandeln</translation>
+    </message>
+    <message>
+        <source>save solids and surfaces as STL</source>
+        <translation>Körper und Flächen als STL speichern</translation>
+    </message>
+    <message>
+        <source>draw filled areas as 3DFACE or polylines</source>
+        <translation>gefüllte Flächen als 3DFACE oder Polylinien zeichnen</translation>
+    </message>
+    <message>
+        <source>bind external drawings in the drawing program</source>
+        <translation>externe Zeichnungen im Zeichenprogramm binden</translation>
+    </message>
+    <message>
+        <source>move what is wanted to model space and show it</source>
+        <translation>das Gewünschte in den Modellbereich legen und sichtbar machen</translation>
+    </message>
+    <message>
+        <source>external drawings are not read</source>
+        <translation>externe Zeichnungen werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>bind them in the drawing program</source>
+        <translation>sie im Zeichenprogramm binden</translation>
+    </message>
+    <message>
+        <source>a face of this POLYLINE uses vertex %1, but it has %2</source>
+        <translation>eine Fläche dieser POLYLINE nennt Punkt %1, sie hat aber %2</translation>
+    </message>
+    <message>
+        <source>blocks are nested too deep</source>
+        <translation>Blöcke sind zu tief geschachtelt</translation>
+    </message>
+    <message>
+        <source>is a block inside itself?</source>
+        <translation>enthält ein Block sich selbst?</translation>
+    </message>
+    <message>
+        <source>it places its blocks more often than a drawing of its size should</source>
+        <translation>sie setzt ihre Blöcke öfter ein, als es eine Zeichnung ihrer Größe sollte</translation>
+    </message>
+    <message>
+        <source>explode them first</source>
+        <translation>sie zuerst auflösen</translation>
+    </message>
+    <message>
+        <source>the file ends within this POLYLINE</source>
+        <translation>die Datei endet in dieser POLYLINE</translation>
+    </message>
+    <message>
+        <source>this %1 has a coordinate that is no finite number (numbers are written with a point)</source>
+        <translation>dieses Objekt (%1) hat eine Koordinate, die keine endliche Zahl ist (Zahlen schreibt man mit Punkt)</translation>
+    </message>
+    <message>
+        <source>this POLYLINE mesh says %1 x %2 vertices, but it has %3</source>
+        <translation>dieses POLYLINE-Netz nennt %1 x %2 Punkte, es hat aber %3</translation>
+    </message>
+    <message>
+        <source>%1 nodes</source>
+        <translation>%1 Knoten</translation>
+    </message>
+    <message>
+        <source>%1 elements</source>
+        <translation>%1 Elemente</translation>
+    </message>
+    <message>
+        <source>%1 blocks of nodes</source>
+        <translation>%1 Blöcke von Knoten</translation>
+    </message>
+    <message>
+        <source>%1 blocks of elements</source>
+        <translation>%1 Blöcke von Elementen</translation>
+    </message>
+    <message>
+        <source>%1 points</source>
+        <translation>%1 Punkte</translation>
+    </message>
+    <message>
+        <source>%1 numbers</source>
+        <translation>%1 Zahlen</translation>
+    </message>
+    <message>
+        <source>%1 values of a field</source>
+        <translation>%1 Werte eines Feldes</translation>
+    </message>
+    <message>
+        <source>a binary Gmsh file needs sizes of 8 bytes</source>
+        <translation>eine binäre Gmsh-Datei braucht Größen von 8 Byte</translation>
+    </message>
+    <message>
+        <source>save it as text, or as binary in format 4.1 or 2.2</source>
+        <translation>sie als Text oder binär im Format 4.1 oder 2.2 speichern</translation>
+    </message>
+    <message>
+        <source>an element has impossible counts</source>
+        <translation>ein Element nennt unmögliche Anzahlen</translation>
+    </message>
+    <message>
+        <source>element %1 has %2 nodes, its type wants %3</source>
+        <translation>Element %1 hat %2 Knoten, seine Art verlangt %3</translation>
+    </message>
+    <message>
+        <source>the section $MeshFormat must come first</source>
+        <translation>der Abschnitt $MeshFormat muss zuerst kommen</translation>
+    </message>
+    <message>
+        <source>$MeshFormat needs version, type and size</source>
+        <translation>$MeshFormat braucht Version, Art und Größe</translation>
+    </message>
+    <message>
+        <source>the recipe names no mesh file</source>
+        <translation>das Rezept nennt keine Netzdatei</translation>
+    </message>
+    <message>
+        <source>it may be cut short</source>
+        <translation>vielleicht ist sie abgeschnitten</translation>
+    </message>
+    <message>
+        <source>it ends early</source>
+        <translation>sie endet zu früh</translation>
+    </message>
+    <message>
+        <source>the file is cut short, fetch it again</source>
+        <translation>die Datei ist abgeschnitten, neu holen</translation>
+    </message>
+    <message>
+        <source>the file is damaged or cut short</source>
+        <translation>die Datei ist beschädigt oder abgeschnitten</translation>
+    </message>
+    <message>
+        <source>the file may be cut short</source>
+        <translation>vielleicht ist die Datei abgeschnitten</translation>
+    </message>
+    <message>
+        <source>a PLY header line begins with '%1', which is no word of PLY</source>
+        <translation>eine Zeile des PLY-Anfangs beginnt mit „%1“; das ist kein Wort von PLY</translation>
+    </message>
+    <message>
+        <source>remarks begin with the word comment</source>
+        <translation>Bemerkungen beginnen mit dem Wort comment</translation>
+    </message>
+    <message>
+        <source>a list property needs a count type that PLY knows</source>
+        <translation>eine Liste (property list) braucht eine Zählart, die PLY kennt</translation>
+    </message>
+    <message>
+        <source>a property comes before the first element</source>
+        <translation>eine Eigenschaft (property) steht vor dem ersten Element</translation>
+    </message>
+    <message>
+        <source>a property has a type that PLY does not know</source>
+        <translation>eine Eigenschaft (property) hat eine Art, die PLY nicht kennt</translation>
+    </message>
+    <message>
+        <source>a property has no name</source>
+        <translation>eine Eigenschaft (property) hat keinen Namen</translation>
+    </message>
+    <message>
+        <source>an element needs a name and a count from 0</source>
+        <translation>ein Element braucht einen Namen und eine Anzahl ab 0</translation>
+    </message>
+    <message>
+        <source>the element '%1' comes twice</source>
+        <translation>das Element „%1“ kommt zweimal</translation>
+    </message>
+    <message>
+        <source>a range grid is a scan that must be triangulated first, as MeshLab does</source>
+        <translation>ein Abstandsraster (range grid) ist eine Abtastung, die zuerst in Dreiecke zerlegt werden muss, etwa mit MeshLab</translation>
+    </message>
+    <message>
+        <source>it has lists in the element '%1', which is none of those that are known</source>
+        <translation>sie hat Listen im Element „%1“, das keines der bekannten ist</translation>
+    </message>
+    <message>
+        <source>save it with faces</source>
+        <translation>sie mit Flächen speichern</translation>
+    </message>
+    <message>
+        <source>its edges have no vertex1 and vertex2</source>
+        <translation>ihre Kanten haben kein vertex1 und vertex2</translation>
+    </message>
+    <message>
+        <source>a list of impossible length</source>
+        <translation>eine Liste unmöglicher Länge</translation>
+    </message>
+    <message>
+        <source>unknown PLY encoding</source>
+        <translation>unbekannte PLY-Kodierung</translation>
+    </message>
+    <message>
+        <source>'%1' is no number</source>
+        <translation>„%1“ ist keine Zahl</translation>
+    </message>
+    <message>
+        <source>its line has fewer numbers than the header says</source>
+        <translation>ihre Zeile hat weniger Zahlen, als der Anfang sagt</translation>
+    </message>
+    <message>
+        <source>a line of a RAW file has 9 or 12 numbers, this one has %1</source>
+        <translation>eine Zeile einer RAW-Datei hat 9 oder 12 Zahlen, diese hat %1</translation>
+    </message>
+    <message>
+        <source>it holds no triangle</source>
+        <translation>sie enthält kein Dreieck</translation>
+    </message>
+    <message>
+        <source>nor do these hold a whole number of facets, so it is no STL or damaged</source>
+        <translation>auch ergeben diese keine ganze Zahl von Facetten; sie ist also kein STL oder beschädigt</translation>
+    </message>
+    <message>
+        <source>the file ends within a facet</source>
+        <translation>die Datei endet in einer Facette</translation>
+    </message>
+    <message>
+        <source>a VTK file goes on with DATASET</source>
+        <translation>eine VTK-Datei geht mit DATASET weiter</translation>
+    </message>
+    <message>
+        <source>a cell has an impossible number of nodes</source>
+        <translation>eine Zelle hat eine unmögliche Anzahl von Knoten</translation>
+    </message>
+    <message>
+        <source>a count from 0 is missing</source>
+        <translation>eine Anzahl ab 0 fehlt</translation>
+    </message>
+    <message>
+        <source>cell %1 has %2 nodes, its type wants %3</source>
+        <translation>Zelle %1 hat %2 Knoten, ihre Art verlangt %3</translation>
+    </message>
+    <message>
+        <source>a cell has %1 nodes, its type wants %2</source>
+        <translation>eine Zelle hat %1 Knoten, ihre Art verlangt %2</translation>
+    </message>
+    <message>
+        <source>field data of the type '%1' before the points is not read</source>
+        <translation>Felddaten der Art „%1“ vor den Punkten werden nicht gelesen</translation>
+    </message>
+    <message>
+        <source>save the file without it</source>
+        <translation>die Datei ohne sie speichern</translation>
+    </message>
+    <message>
+        <source>its cells have no CELL_TYPES</source>
+        <translation>ihre Zellen haben keine CELL_TYPES</translation>
+    </message>
+    <message>
+        <source>it ends before OFFSETS and CONNECTIVITY of the cells</source>
+        <translation>sie endet vor OFFSETS und CONNECTIVITY der Zellen</translation>
+    </message>
+    <message>
+        <source>OFFSETS and CONNECTIVITY of the cells are missing</source>
+        <translation>OFFSETS und CONNECTIVITY der Zellen fehlen</translation>
+    </message>
+    <message>
+        <source>the cells have a type that VTK does not know</source>
+        <translation>die Zellen haben eine Art, die VTK nicht kennt</translation>
+    </message>
+    <message>
+        <source>the points have a type that VTK does not know</source>
+        <translation>die Punkte haben eine Art, die VTK nicht kennt</translation>
+    </message>
+    <message>
+        <source>the offsets of its cells are impossible</source>
+        <translation>die Versätze (offsets) ihrer Zellen sind unmöglich</translation>
+    </message>
+    <message>
+        <source>the third line of a VTK file says ASCII or BINARY</source>
+        <translation>die dritte Zeile einer VTK-Datei heißt ASCII oder BINARY</translation>
+    </message>
+    <message>
+        <source>they are no string</source>
+        <translation>sie sind kein Text</translation>
+    </message>
+    <message>
+        <source>the array '%1' %2</source>
+        <translation>das Feld „%1“ %2</translation>
+    </message>
+    <message>
+        <source>cannot be unpacked</source>
+        <translation>lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>ends early</source>
+        <translation>endet zu früh</translation>
+    </message>
+    <message>
+        <source>has no size</source>
+        <translation>hat keine Größe</translation>
+    </message>
+    <message>
+        <source>has no sizes</source>
+        <translation>hat keine Größen</translation>
+    </message>
+    <message>
+        <source>holds something that is no number</source>
+        <translation>enthält etwas, das keine Zahl ist</translation>
+    </message>
+    <message>
+        <source>promises more than the file holds</source>
+        <translation>verspricht mehr, als die Datei enthält</translation>
+    </message>
+    <message>
+        <source>a VTK file of the type '%1' is no mesh of cells</source>
+        <translation>eine VTK-Datei der Art „%1“ ist kein Netz aus Zellen</translation>
+    </message>
+    <message>
+        <source>save it as VTU or VTP</source>
+        <translation>sie als VTU oder VTP speichern</translation>
+    </message>
+    <message>
+        <source>an array begins before the data</source>
+        <translation>ein Feld beginnt vor den Daten</translation>
+    </message>
+    <message>
+        <source>an array has a type that VTK does not know</source>
+        <translation>ein Feld hat eine Art, die VTK nicht kennt</translation>
+    </message>
+    <message>
+        <source>it has no Cells</source>
+        <translation>sie hat keine Zellen (Cells)</translation>
+    </message>
+    <message>
+        <source>it has no Points</source>
+        <translation>sie hat keine Punkte (Points)</translation>
+    </message>
+    <message>
+        <source>it promises %1 points, but it has %2</source>
+        <translation>sie verspricht %1 Punkte, es sind aber %2</translation>
+    </message>
+    <message>
+        <source>its cells lack connectivity, offsets or types</source>
+        <translation>ihren Zellen fehlen connectivity, offsets oder types</translation>
+    </message>
+    <message>
+        <source>its compressor %1 is not read</source>
+        <translation>ihre Kompression %1 wird nicht gelesen</translation>
+    </message>
+    <message>
+        <source>save it with zlib or without compression</source>
+        <translation>sie mit zlib oder unkomprimiert speichern</translation>
+    </message>
+    <message>
+        <source>there is no point %1, its piece has points 0 to %2</source>
+        <translation>Punkt %1 gibt es nicht, ihr Stück hat die Punkte 0 bis %2</translation>
+    </message>
+    <message>
+        <source>a face uses vertex %1, but its mesh has %2</source>
+        <translation>eine Fläche nennt Punkt %1, ihr Netz hat aber %2</translation>
+    </message>
+    <message>
+        <source>a node names a mesh that the file does not hold</source>
+        <translation>ein Knoten nennt ein Netz, das die Datei nicht enthält</translation>
+    </message>
+    <message>
+        <source>the scene has more than %1 parts</source>
+        <translation>die Szene hat mehr als %1 Teile</translation>
+    </message>
+    <message>
+        <source>it needs more memory than a file of its size should</source>
+        <translation>sie braucht mehr Speicher, als es eine Datei ihrer Größe sollte</translation>
+    </message>
+    <message>
+        <source>it may be damaged, or simplify it first</source>
+        <translation>vielleicht ist sie beschädigt, oder sie zuerst vereinfachen</translation>
+    </message>
+    <message>
+        <source>the %1 library gave up on it (%2)</source>
+        <translation>die Bibliothek %1 kam nicht weiter (%2)</translation>
+    </message>
+    <message>
+        <source>the %1 library gave up on it</source>
+        <translation>die Bibliothek %1 kam nicht weiter</translation>
+    </message>
+    <message>
+        <source>a face or line of it uses a vertex that is not there or not finite</source>
+        <translation>eine Fläche oder Linie darin nennt einen Punkt, den es nicht gibt oder der nicht endlich ist</translation>
+    </message>
+    <message>
+        <source>it does not name the format</source>
+        <translation>es nennt das Format nicht</translation>
+    </message>
+    <message>
+        <source>it holds %1 bytes where its head promises %2</source>
+        <translation>es hat %1 Byte, wo der Anfang %2 verspricht</translation>
+    </message>
+    <message>
+        <source>it refuses the file without a reason</source>
+        <translation>es weist die Datei ohne Grund ab</translation>
+    </message>
+    <message>
+        <source>its head is not that of a reply</source>
+        <translation>sein Anfang ist nicht der einer Antwort</translation>
+    </message>
+    <message>
+        <source>exit code %1</source>
+        <translation>Rückgabewert %1</translation>
+    </message>
+    <message>
+        <source>%1 lines behind the %2 were passed over, the first is line %3</source>
+        <translation>%1 Zeilen hinter den %2 wurden übergangen, die erste ist Zeile %3</translation>
+    </message>
+    <message>
+        <source>%1 promised nodes</source>
+        <translation>%1 versprochenen Knoten</translation>
+    </message>
+    <message>
+        <source>%1 promised elements</source>
+        <translation>%1 versprochenen Elementen</translation>
+    </message>
+    <message>
+        <source>%1 promised faces</source>
+        <translation>%1 versprochenen Flächen</translation>
+    </message>
+    <message>
+        <source>it promises %1 cells, but it has %2</source>
+        <translation>sie verspricht %1 Zellen, es sind aber %2</translation>
+    </message>
+    <message>
+        <source>it has %1 CELL_TYPES for %2 CELLS</source>
+        <translation>sie hat %1 CELL_TYPES für %2 CELLS</translation>
+    </message>
+    <message>
+        <source>it has %1 types for %2 offsets of its cells</source>
+        <translation>sie hat %1 Arten (types) für %2 Versätze (offsets) ihrer Zellen</translation>
+    </message>
+    <message>
+        <source>'%1' of %2 holds something else than it should</source>
+        <translation>„%1“ von %2 enthält etwas anderes, als es sollte</translation>
+    </message>
+    <message>
+        <source>its FBX version, %1, is not read, those from 7100 (FBX 2011) on are</source>
+        <translation>ihre FBX-Version %1 wird nicht gelesen, erst die ab 7100 (FBX 2011) werden es</translation>
+    </message>
+    <message>
+        <source>its glTF version is not read, 2.0 is</source>
+        <translation>ihre glTF-Version wird nicht gelesen, 2.0 schon</translation>
+    </message>
+    <message>
+        <source>it names %1, but holds %2 of these</source>
+        <translation>sie nennt %1, enthält davon aber nur %2</translation>
+    </message>
+    <message>
+        <source>something in it is a part of itself</source>
+        <translation>etwas in ihr ist ein Teil seiner selbst</translation>
+    </message>
+    <message>
+        <source>data that are packed in it cannot be unpacked</source>
+        <translation>gepackte Daten in ihr lassen sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>its part '%1'</source>
+        <translation>ihr Teil „%1“</translation>
+    </message>
+    <message>
+        <source>its part '%1' is empty</source>
+        <translation>ihr Teil „%1“ ist leer</translation>
+    </message>
+    <message>
+        <source>its part '%1' cannot be unpacked</source>
+        <translation>ihr Teil „%1“ lässt sich nicht entpacken</translation>
+    </message>
+    <message>
+        <source>its part '%1' is packed by method %2, which is not read</source>
+        <translation>ihr Teil „%1“ ist nach Verfahren %2 gepackt, das nicht gelesen wird</translation>
+    </message>
+    <message>
+        <source>its &lt;build&gt; places none of its objects</source>
+        <translation>ihr &lt;build&gt; setzt keines ihrer Objekte ein</translation>
+    </message>
+    <message>
+        <source>'%1' stands behind as many numbers as were promised</source>
+        <translation>„%1“ steht hinter so vielen Zahlen, wie versprochen waren</translation>
+    </message>
+    <message>
+        <source>is a count too small?</source>
+        <translation>ist eine Anzahl zu klein?</translation>
     </message>
 </context>
 <context>
@@ -2926,6 +3438,10 @@
     <message>
         <source>Stopped: force zero, tissue released. “Force on” lets the device feel again.</source>
         <translation>Gestoppt: Kraft null, Gewebe losgelassen. Mit „Kraft an“ spürt das Gerät wieder.</translation>
+    </message>
+    <message>
+        <source>Stopped: the tissue is released, force is zero.</source>
+        <translation>Gestoppt: Das Gewebe ist losgelassen, die Kraft ist null.</translation>
     </message>
     <message>
         <source>Force is zero, nothing is held.</source>
@@ -5726,6 +6242,10 @@
         <translation>Ihr Teil „%1“ fehlt hier: %2.</translation>
     </message>
     <message>
+        <source>Its part “%1” is missing here (and %2 more): %3.</source>
+        <translation>Ihr Teil „%1“ fehlt hier (und %2 weitere): %3.</translation>
+    </message>
+    <message>
         <source>More of its parts that are missing: %1.</source>
         <translation>Weitere fehlende Teile: %1.</translation>
     </message>
@@ -5892,6 +6412,26 @@
     <message>
         <source>a patient&apos;s axes (%1)</source>
         <translation>Achsen des Patienten (%1)</translation>
+    </message>
+    <message>
+        <source>The section promises %1 nodes, but %2 are there; all of these were read.</source>
+        <translation>Der Abschnitt verspricht %1 Knoten, es sind aber %2 da; alle diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The section promises %1 elements, but %2 are there; all of these were read.</source>
+        <translation>Der Abschnitt verspricht %1 Elemente, es sind aber %2 da; alle diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>The attribute %1 promises %2 cells, but %3 are there; all of these were read.</source>
+        <translation>Das Attribut %1 verspricht %2 Zellen, es sind aber %3 da; alle diese wurden gelesen.</translation>
+    </message>
+    <message>
+        <source>Lines behind the %2 that were passed over: %1, the first is line %3. Is the count wrong?</source>
+        <translation>Übergangene Zeilen hinter den %2: %1, die erste ist Zeile %3. Ist die Anzahl falsch?</translation>
+    </message>
+    <message>
+        <source>The reading library went on after a fault, a part may be missing: %1.</source>
+        <translation>Die lesende Bibliothek fuhr nach einem Fehler fort, vielleicht fehlt ein Teil: %1.</translation>
     </message>
 </context>
 </TS>

@@ -59,8 +59,8 @@ const std::vector<Sentence>& sentences()
     for (const char* text : errorSentences()) {
       QString pattern = QRegularExpression::escape(QString::fromUtf8(text));
       static const QRegularExpression place(QStringLiteral("\\\\%\\d"));
-      // "vertex %1" names a place, and shall not swallow what follows it.
-      const bool isName = pattern.count(QLatin1String("\\ ")) == 1 && pattern.endsWith(QLatin1String("\\%1"));
+      // "vertex %1" names a place and "%1 nodes" counts: they shall not swallow what stands beside them.
+      const bool isName = pattern.count(QLatin1String("\\ ")) == 1 && pattern.contains(QLatin1String("\\%1"));
       pattern.replace(place, isName ? QStringLiteral("(\\d+)") : QStringLiteral("(.+?)"));
       made.push_back({text, QRegularExpression(QRegularExpression::anchoredPattern(pattern))});
     }
@@ -81,6 +81,17 @@ std::optional<QString> knownSentence(const QString& sentence)
     return filled(QCoreApplication::translate("esm::ErrorDetail", one.text), parts);
   }
   return std::nullopt;
+}
+
+/// "3 of these, 2 of those": what begins as a known sentence, up to a comma, and so on with the rest.
+QString listed(const QString& clause)
+{
+  const QString comma = QStringLiteral(", ");
+  for (qsizetype place = clause.indexOf(comma); place > 0; place = clause.indexOf(comma, place + 1))
+    if (const auto known = knownSentence(clause.left(place)))
+      return *known + comma + errorDetail(clause.mid(place + comma.size()));
+  const qsizetype first = clause.indexOf(comma);
+  return first < 0 ? clause : clause.left(first) + comma + errorDetail(clause.mid(first + comma.size()));
 }
 
 } // namespace
@@ -107,9 +118,8 @@ QString errorDetail(const QString& detail)
   if (const auto known = knownSentence(detail)) return *known;
   static const QRegularExpression border(QStringLiteral("[:;] "));
   const qsizetype place = detail.indexOf(border);
-  if (place <= 0) return detail;
-  return knownSentence(detail.left(place)).value_or(detail.left(place)) + detail.mid(place, 2) +
-         errorDetail(detail.mid(place + 2));
+  if (place <= 0) return listed(detail);
+  return errorDetail(detail.left(place)) + detail.mid(place, 2) + errorDetail(detail.mid(place + 2));
 }
 
 QString errorDetail(const Error& error)

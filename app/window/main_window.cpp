@@ -37,6 +37,8 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include <utility>
+
 namespace esm {
 
 MainWindow::MainWindow(LanguageSwitch* language, std::shared_ptr<DeviceSource> devices, QWidget* parent)
@@ -357,12 +359,14 @@ void MainWindow::chooseRealTime()
 
 void MainWindow::emergencyStop()
 {
-  const bool wasOn = m_controller->forceMayFlow() || m_controller->isPulling();
+  const bool wasOn = m_controller->forceMayFlow();
+  const bool wasHeld = std::exchange(m_pulledAtEscape, false) || m_controller->isPulling();
   m_controller->stop();
   m_view->letGo();
   statusBar()->showMessage(
-    wasOn ? tr("Stopped: force zero, tissue released. “Force on” lets the device feel again.")
-          : tr("Force is zero, nothing is held."), // Esc has many uses
+    wasOn     ? tr("Stopped: force zero, tissue released. “Force on” lets the device feel again.")
+    : wasHeld ? tr("Stopped: the tissue is released, force is zero.")
+              : tr("Force is zero, nothing is held."), // Esc has many uses
     6000);
 }
 
@@ -371,6 +375,8 @@ bool MainWindow::eventFilter(QObject* watched, QEvent* event)
 {
   if (event->type() == QEvent::ShortcutOverride) {
     const auto* key = static_cast<QKeyEvent*>(event);
+    // The view lets go at this key, too, and is asked before the shortcut that stops.
+    if (key->key() == Qt::Key_Escape && m_controller->isPulling()) m_pulledAtEscape = true;
     const bool pressable = qobject_cast<QAbstractButton*>(watched) != nullptr ||
                            qobject_cast<QComboBox*>(watched) != nullptr ||
                            watched->inherits("QAbstractItemView");

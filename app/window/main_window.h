@@ -154,6 +154,8 @@ private:
   QLabel* m_dropHint;
   Index m_selectedNode = kNoIndex;
   Stability m_shownStability = Stability::Idle;
+  bool m_pulledAtEscape =
+    false; ///< the mouse pulled as Esc was pressed, which emergencyStop() has not said yet
   QElapsedTimer m_lastStatus;
 };
 

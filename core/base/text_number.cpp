@@ -42,19 +42,27 @@ std::optional<double> parseForeignDouble(std::string_view text) noexcept
 
 std::from_chars_result foreignDoubleFromChars(const char* from, const char* end, double& value) noexcept
 {
+  const auto isSign = [](char c) { return c == '+' || c == '-'; };
   const std::from_chars_result plain = std::from_chars(from, end, value);
-  const char* const letter = plain.ptr;
-  if (plain.ec == std::errc::invalid_argument || letter == end || (*letter != 'D' && *letter != 'd'))
-    return plain;
-  const char* digits = letter + 1;
-  if (digits != end && (*digits == '+' || *digits == '-')) ++digits;
-  const char* behind = std::find_if(digits, end, [](char c) { return c < '0' || c > '9'; });
+  const char* const mantissaEnd = plain.ptr;
+  if (plain.ec == std::errc::invalid_argument || mantissaEnd == end) return plain;
+  const bool hasLetter = *mantissaEnd == 'D' || *mantissaEnd == 'd';
+  if (!hasLetter && !isSign(*mantissaEnd)) return plain;
+  const char* const exponent = mantissaEnd + (hasLetter ? 1 : 0);
+  const char* const digits = exponent != end && isSign(*exponent) ? exponent + 1 : exponent;
+  const char* const behind = std::find_if(digits, end, [](char c) { return c < '0' || c > '9'; });
+  // Fortran leaves the letter out where the exponent takes three digits, and never the point.
+  if (!hasLetter && (behind - digits != 3 || std::find(from, mantissaEnd, '.') == mantissaEnd)) return plain;
   char text[64]; // Fortran writes 17 digits; of longer ones the value would be another
-  if (behind == digits || behind - from > std::ssize(text)) return plain;
-  std::copy(from, behind, text);
-  text[letter - from] = 'e';
-  const std::from_chars_result result = std::from_chars(text, text + (behind - from), value);
-  return {from + (result.ptr - text), result.ec};
+  if (behind == digits || behind - from >= std::ssize(text)) return plain;
+  char* last = std::copy(from, mantissaEnd, text);
+  *last++ = 'e';
+  last = std::copy(exponent, behind, last);
+  double whole = 0.0;
+  const std::from_chars_result result = std::from_chars(text, last, whole);
+  if (result.ptr != last) return plain; // it had an exponent already
+  if (result.ec == std::errc{}) value = whole;
+  return {behind, result.ec};
 }
 
 std::optional<long long> parseInteger(std::string_view text) noexcept

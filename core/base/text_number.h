@@ -16,8 +16,8 @@ namespace esm {
 std::optional<double> parseDouble(std::string_view text) noexcept;
 std::optional<long long> parseInteger(std::string_view text) noexcept;
 
-/// The same for numbers of files that other programs write: D begins an exponent, too, as Fortran writes it
-/// (1.0D+01).
+/// The same for numbers of files that other programs write: exponents may be those of Fortran: with
+/// D (1.0D+01), or of three digits without a letter (1.0-101).
 std::optional<double> parseForeignDouble(std::string_view text) noexcept;
 
 /// std::from_chars() that knows Fortran's exponents.

@@ -3,11 +3,13 @@
 #include "core/project/motion_log_file.h"
 
 #include "core/base/file_io.h"
+#include "core/base/text_number.h"
 #include "core/base/version.h"
 #include "core/project/journal_line.h"
 #include "core/project/net_json.h"
 #include "core/project/project_io.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <charconv>
 #include <cmath>
@@ -235,6 +237,32 @@ LogEntry readEntry(const View& object, Index nodes)
   return logged::Reset{};
 }
 
+/// The first call, counted from 1, that somebody has given so long an interval that repeating it might not end; 0 if
+/// there is none. It is out of proportion to what any call has moved on by, and to what the others asked for: where a
+/// budget or a fault had ended a call early, it had asked for no more than these.
+std::size_t endlessCall(const MotionLog& log)
+{
+  constexpr double kProportion = 10.0, kLongestUnmoved = 1000.0; // [1], [s]
+  double longest = 0.0, nextLongest = 0.0, moved = 0.0, time = 0.0;
+  for (const LogEntry& entry : log) {
+    if (std::holds_alternative<logged::Reset>(entry)) time = 0.0;
+    const auto* advance = std::get_if<logged::Advance>(&entry);
+    if (!advance) continue;
+    nextLongest = std::max(nextLongest, std::min(longest, advance->interval));
+    longest = std::max(longest, advance->interval);
+    moved = std::max(moved, advance->time - time);
+    time = advance->time;
+  }
+  for (std::size_t i = 0; i < log.size(); ++i) {
+    const auto* advance = std::get_if<logged::Advance>(&log[i]);
+    if (!advance) continue;
+    const double others = advance->interval < longest ? longest : nextLongest;
+    const double unmoved = others > 0.0 ? std::min(kProportion * others, kLongestUnmoved) : kLongestUnmoved;
+    if (advance->interval > std::max(unmoved, kProportion * moved)) return i + 1;
+  }
+  return 0;
+}
+
 /// What there is of a file, piece by piece.
 class Pieces {
 public:
@@ -359,6 +387,13 @@ Result<RecordedRun> readMotionLog(const std::filesystem::path& path)
       if (!isEnded) run.log.push_back(readEntry(object, nodes));
       if (wrong.first) return *wrong.first;
     }
+    if (const std::size_t endless = endlessCall(run.log); endless > 0)
+      return Error{
+        ErrorCode::InvalidValue,
+        origin + ", entry " + std::to_string(endless) + ": its interval of " +
+          formatDouble(std::get<logged::Advance>(run.log[endless - 1]).interval, 6) +
+          " s is more than ten times what the calls of the run have moved on by: the log has been edited, "
+          "and repeating it might not end"};
     if (!isEnded) run.cut = origin + ": has no end; the run was killed, or lines are missing";
     return run;
   } catch (...) {

@@ -14,6 +14,7 @@
 
 #include <Eigen/Geometry>
 
+#include <assimp/DefaultLogger.hpp>
 #include <assimp/Importer.hpp>
 #include <assimp/config.h>
 #include <assimp/scene.h>
@@ -102,6 +103,30 @@ private:
   std::size_t m_points = 0;
 };
 
+/// Hears the errors that the library tells its log alone: it goes on without the part that has one.
+class ErrorEar : public Assimp::Logger {
+public:
+  explicit ErrorEar(std::string_view ending) : m_ending(ending) {}
+  const std::string& known() const { return m_known; } ///< the first of a kind that libraryFinding() knows
+  const std::string& first() const { return m_known.empty() ? m_first : m_known; }
+
+  bool attachStream(Assimp::LogStream*, unsigned) override { return false; }
+  bool detachStream(Assimp::LogStream*, unsigned) override { return false; }
+  void OnDebug(const char*) override {}
+  void OnVerboseDebug(const char*) override {}
+  void OnInfo(const char*) override {}
+  void OnWarn(const char*) override {}
+  void OnError(const char* message) override
+  {
+    if (m_first.empty()) m_first = message;
+    if (m_known.empty() && !libraryFinding(message, {}, m_ending).empty()) m_known = message;
+  }
+
+private:
+  std::string_view m_ending;
+  std::string m_first, m_known;
+};
+
 /// A file whose parts are missing may well be sound itself.
 Error lostPartsError(const std::vector<std::string>& lostParts, const std::string& origin)
 {
@@ -144,6 +169,13 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
     return reply;
   }
   const OpenedArchive archive = openArchive(bytes, ending);
+  const std::string fault = ending == "amf" ? wrongNumber(bytes, ending) : archive.fault;
+  if (!fault.empty()) {
+    reply.refusal = damagedFile(fault, false, origin);
+    return reply;
+  }
+  auto* ear = new ErrorEar(ending); // owned by the library
+  Assimp::DefaultLogger::set(ear);
   Assimp::Importer importer;
   importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   auto* files = new FolderFiles(origin, archive.bytes(bytes), ending, allowFor); // owned by the importer
@@ -162,10 +194,19 @@ WorkerReply readWithAssimp(std::string_view bytes, const std::string& origin, co
   const SceneStart start = startOf(*scene, archive.text.empty() ? bytes : archive.text, ending, reply.notes);
   reply.stated = start.stated;
   Result<Mesh> mesh = SceneCollector(*scene, origin).run(start.root, reply.notes);
+  const bool isEmpty = !mesh && mesh.error().code == ErrorCode::EmptyResult;
+  const std::optional<Error> broken = isEmpty ? emptyArchive(bytes, ending, origin) : std::nullopt;
+  if (mesh && !ear->known().empty())
+    reply.notes.push_back("The reading library went on after a fault, a part may be missing: " +
+                          libraryFinding(ear->known(), bytes, ending) + ".");
   if (mesh)
     reply.mesh = std::move(*mesh);
   else if ((ending == "x3d" || ending == "dae" || ending == "amf") && hasTornTags(bytes))
     reply.refusal = libraryRefusal("malformed XML", bytes, ending, origin); // of x3d it says nothing
+  else if (broken)
+    reply.refusal = *broken;
+  else if (isEmpty && reply.notes.empty() && !ear->first().empty())
+    reply.refusal = libraryRefusal(ear->first(), bytes, ending, origin);
   else
     reply.refusal = mesh.error();
   return reply;

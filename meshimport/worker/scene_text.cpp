@@ -3,16 +3,20 @@
 #include "meshimport/worker/scene_text.h"
 
 #include "core/base/ascii_case.h"
+#include "core/base/text_number.h"
 #include "meshimport/worker/edited_text.h"
 #include "meshimport/xml_tags.h"
 
 #include <algorithm>
+#include <span>
 #include <vector>
 
 namespace esm {
 
 namespace {
 
+constexpr std::string_view kBlanks = " \t\r\n";
+constexpr std::size_t kMostValue = 30; ///< bytes of a wrong value in a message
 const char* const kOtherKind = "of an X3D scene only X3D parts are read";
 const char* const kPartOfPart = "parts of parts of an X3D scene are not read";
 const char* const kItself = "it would be a part of itself";
@@ -178,6 +182,32 @@ std::string plainAmf(std::string_view text)
     }
   }
   return edited.take();
+}
+
+std::string wrongNumber(std::string_view text, std::string_view ending)
+{
+  constexpr std::string_view kValues[] = {"x", "y", "z", "v1", "v2", "v3"};
+  const auto isNumber = [](std::string_view value) {
+    value.remove_prefix(std::min(value.find_first_not_of(kBlanks), value.size()));
+    return parseDouble(value.substr(0, value.find_last_not_of(kBlanks) + 1)).has_value();
+  };
+  const auto lineOf = [&](const XmlTag& tag) {
+    return std::to_string(1 + std::count(text.data(), tag.name.data(), '\n'));
+  };
+  XmlTags tags(text);
+  for (XmlTag tag; tags.next(tag);) {
+    if (tag.isEnd) continue;
+    if (ending == "amf" && std::ranges::find(kValues, tag.name) != std::end(kValues) &&
+        !isNumber(tags.content()))
+      return "line " + lineOf(tag) + ": '" + std::string(tags.content().substr(0, kMostValue)) +
+             "' stands where a number should be";
+    if (ending != "3mf" || (tag.name != "vertex" && tag.name != "triangle")) continue;
+    for (const std::string_view name : std::span(kValues).subspan(tag.name == "vertex" ? 0 : 3, 3))
+      if (!isNumber(tag.attribute(name)))
+        return "line " + lineOf(tag) + ": '" + std::string(name) + "' of " + std::string(tag.name) +
+               " holds something else than it should";
+  }
+  return {};
 }
 
 std::string unreadableExtension(std::string_view bytes)

@@ -19,6 +19,10 @@ std::string plainX3d(std::string_view text, ModelFolder& folder, bool isPart);
 /// COLLADA: it refuses a file that takes parts from another one; they go, and are told to the folder.
 std::string plainCollada(std::string_view text, ModelFolder& folder);
 
+/// The first coordinate or corner of an AMF or of the model of a 3MF that is no number, which the library reads as 0:
+/// a sentence with its line; empty if there is none.
+std::string wrongNumber(std::string_view text, std::string_view ending);
+
 /// AMF: of the volumes of a mesh it reads the first one; their triangles come into that. What a volume is made
 /// of goes with colours and names, for an absent material or a second colour makes it refuse the file.
 std::string plainAmf(std::string_view text);

@@ -58,6 +58,26 @@ std::optional<ZipEntry> entryAt(std::string_view archive, std::string_view direc
                   directory.substr(0, recordSize), two(directory, 10), size};
 }
 
+/// Hands the unpacked bytes on, piece by piece, until there are no more, they are damaged or `take` returns false.
+template <class Take>
+void unpackTo(const ZipEntry& entry, const Take& take)
+{
+  if (entry.method == 0) take(entry.packed);
+  z_stream stream{};
+  if (entry.method != Z_DEFLATED || inflateInit2(&stream, -MAX_WBITS) != Z_OK) return;
+  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(entry.packed.data())); // it is only read
+  stream.avail_in = static_cast<uInt>(entry.packed.size());
+  std::string piece(1 << 16, '\0');
+  for (int state = Z_OK; state == Z_OK;) {
+    stream.next_out = reinterpret_cast<Bytef*>(piece.data());
+    stream.avail_out = static_cast<uInt>(piece.size());
+    state = inflate(&stream, Z_SYNC_FLUSH);
+    const std::size_t made = piece.size() - stream.avail_out;
+    if (made == 0 || !take(std::string_view(piece).substr(0, made))) break;
+  }
+  inflateEnd(&stream);
+}
+
 } // namespace
 
 std::optional<std::vector<ZipEntry>> listZip(std::string_view archive)
@@ -78,19 +98,30 @@ std::optional<std::vector<ZipEntry>> listZip(std::string_view archive)
   return entries;
 }
 
+bool canUnpack(const ZipEntry& entry) noexcept
+{
+  return entry.method == 0 || entry.method == Z_DEFLATED;
+}
+
+bool isWhole(const ZipEntry& entry)
+{
+  std::uint64_t size = 0;
+  uLong sum = ::crc32_z(0, nullptr, 0);
+  unpackTo(entry, [&](std::string_view piece) {
+    size += piece.size();
+    sum = ::crc32_z(sum, reinterpret_cast<const Bytef*>(piece.data()), piece.size());
+    return size <= entry.size;
+  });
+  return size == entry.size && sum == four(entry.record, 16);
+}
+
 std::string unpack(const ZipEntry& entry, std::size_t most)
 {
-  if (entry.method == 0) return std::string(entry.packed.substr(0, most));
-  z_stream stream{};
-  if (entry.method != Z_DEFLATED || inflateInit2(&stream, -MAX_WBITS) != Z_OK) return {};
-  std::string out(std::min<std::size_t>(most, entry.size), '\0');
-  stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(entry.packed.data())); // it is only read
-  stream.avail_in = static_cast<uInt>(entry.packed.size());
-  stream.next_out = reinterpret_cast<Bytef*>(out.data());
-  stream.avail_out = static_cast<uInt>(out.size());
-  inflate(&stream, Z_SYNC_FLUSH);
-  out.resize(out.size() - stream.avail_out);
-  inflateEnd(&stream);
+  std::string out;
+  unpackTo(entry, [&](std::string_view piece) {
+    out += piece.substr(0, most - out.size());
+    return out.size() < most;
+  });
   return out;
 }
 

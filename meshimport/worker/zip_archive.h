@@ -23,6 +23,12 @@ struct ZipEntry {
 /// that its sizes take more than 32 bits.
 std::optional<std::vector<ZipEntry>> listZip(std::string_view archive);
 
+/// Whether the entry is packed in a way that unpack() knows.
+bool canUnpack(const ZipEntry& entry) noexcept;
+
+/// Whether it unpacks to the size and the checksum that the directory states; takes little memory.
+bool isWhole(const ZipEntry& entry);
+
 /// At most the first `most` bytes of the file; shorter where the data are damaged.
 std::string unpack(const ZipEntry& entry, std::size_t most);
 

@@ -191,6 +191,41 @@ TEST_F(WindowTest, StopSaysOnlyWhatItHasDone)
   EXPECT_FALSE(said().contains("Stopped"));
 }
 
+/// What the view does at Esc, which has no hand here without OpenGL: it lets go before any shortcut is looked for.
+class LetsGoAtEscape : public QObject {
+public:
+  explicit LetsGoAtEscape(SceneView* view) : m_view(view) { view->installEventFilter(this); }
+  bool eventFilter(QObject*, QEvent* event) override
+  {
+    if (event->type() == QEvent::ShortcutOverride) emit m_view->pullEnded();
+    return false;
+  }
+
+private:
+  SceneView* m_view;
+};
+
+// The view lets go at Esc before the window's stop hears of it: what was held is said all the same.
+TEST_F(WindowTest, EscInAPullSaysThatTheTissueIsReleased)
+{
+  window->activateWindow();
+  ASSERT_TRUE(QTest::qWaitForWindowActive(window.get()));
+  SceneView* view = window->sceneView();
+  const LetsGoAtEscape hand(view);
+  const auto saidAtEscape = [&] {
+    QTest::keyClick(view, Qt::Key_Escape);
+    EXPECT_FALSE(window->controller()->isPulling());
+    return window->statusBar()->currentMessage();
+  };
+  emit view->pullStarted(27, 0.0, 0.0, 0.0);
+  ASSERT_TRUE(window->controller()->isPulling());
+  EXPECT_EQ(saidAtEscape(), "Stopped: the tissue is released, force is zero.");
+  EXPECT_EQ(saidAtEscape(), "Force is zero, nothing is held.");
+  language.set(Language::German);
+  emit view->pullStarted(27, 0.0, 0.0, 0.0);
+  EXPECT_EQ(saidAtEscape(), "Gestoppt: Das Gewebe ist losgelassen, die Kraft ist null.");
+}
+
 // The way to stop is never folded away, however narrow the window is.
 TEST_F(WindowTest, StopStaysInTheToolBarOfANarrowWindow)
 {

@@ -441,6 +441,18 @@ TEST_F(WindowTest, WhatIsWrongWithAFileIsSaidInTheWindowsLanguage)
                                "OBJ, PLY or STL")),
     "x.x: der Leser dieses Formats ist gescheitert: er ist abgestürzt (Speicherschutzfehler), durch einen "
     "eigenen Fehler oder weil die Datei beschädigt ist; die Datei in OBJ, PLY oder STL umwandeln");
+  // counted things, and lists of them
+  EXPECT_EQ(errorDetail(QStringLiteral("x.msh: line 7: it promises 90 blocks of nodes, but the file is too "
+                                       "small for them; it is cut short, fetch it again")),
+            "x.msh: Zeile 7: sie verspricht 90 Blöcke von Knoten, aber dafür ist die Datei zu klein; sie ist "
+            "abgeschnitten, neu holen");
+  EXPECT_EQ(errorDetail(QStringLiteral(
+              "x.dxf: it holds no line, polyline or face, only 2 entities on layers that are frozen or off "
+              "(a, b), 3 CIRCLE, 1 INSERT without its block; save solids and surfaces as STL, move what is "
+              "wanted to model space and show it")),
+            "x.dxf: sie enthält keine Linie, Polylinie oder Fläche, nur 2 Objekte auf gefrorenen oder "
+            "ausgeschalteten Layern (a, b), 3 CIRCLE, 1 INSERT ohne seinen Block; Körper und Flächen als STL "
+            "speichern, das Gewünschte in den Modellbereich legen und sichtbar machen");
   // what nobody knows is the library's, and said to be
   EXPECT_EQ(errorDetail(QStringLiteral(
               "x.b3d: the file cannot be read; save it as OBJ, PLY or STL in the program it comes "

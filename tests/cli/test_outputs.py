@@ -153,6 +153,15 @@ class Exports(ProgramTest):
         self.assertLess(grid["point_data"]["displacement"][3][2], 0)
         self.assertEqual(len(list((self.folder / "m_frames").iterdir())), 5)
 
+    def test_an_empty_name_is_refused_by_every_output(self):
+        for command, options in (("import tet.obj", "-o --save-recipe"), ("export p.esm", "-o"), ("apply p.esm", "-o"),
+                                 ("simulate p.esm", "-o --report --force-curve --mesh --log"),
+                                 ("learn p.esm", "-o --report"), ("replay-log r.esmlog", "--project"),
+                                 ("fuzzy eval p.esm", "-o"), ("haptics record", "-o")):
+            for option in options.split():
+                self.assertIn("an empty text is given", self.refused(*command.split(), option, "", exit_code=2), (command, option))
+        self.assertIn("an empty text is given", self.refused("inspect", "", exit_code=2))
+
     def test_raw_and_csv_hold_the_same_numbers(self):
         self.run_program("simulate", "osc.json", "-o", "m.f64")
         self.run_program("simulate", "osc.json", "-o", "m.csv")

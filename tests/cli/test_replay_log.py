@@ -35,6 +35,23 @@ class ReplayLog(ProgramTest):
         self.write("steps.esmlog", wrong)
         self.assertIn("the log says", self.run_program("replay-log", "steps.esmlog", exit_code=3).stderr)
 
+    def test_an_interval_that_was_edited_is_refused(self):
+        self.run_program("simulate", "osc.json", "--duration", "0.1", "--log", "r.esmlog")
+        text = (self.folder / "r.esmlog").read_text(encoding="utf-8")
+        intervals = list(re.finditer(r'"interval": ([\d.e-]+)', text))
+        for entry in (intervals[0], intervals[2], intervals[-1]):
+            self.write("long.esmlog", text[:entry.start(1)] + "9e5" + text[entry.end(1):])
+            refusal = self.refused("replay-log", "long.esmlog")
+            self.assertRegex(refusal, r"long\.esmlog, entry \d+: its interval of 900000 s .* might not end")
+        self.run_program("simulate", "osc.json", "--duration", "0.1", "--frames", "10", "--log", "one.esmlog")
+        for name in ("r.esmlog", "one.esmlog"):
+            text = (self.folder / name).read_text(encoding="utf-8")
+            self.write("long.esmlog", re.sub(r'"interval": [\d.e-]+', '"interval": 9e5', text))
+            self.assertIn("might not end", self.refused("replay-log", "long.esmlog"))
+        # a call that asks for more than all others, and moves on by it, is sound
+        self.run_program("simulate", "osc.json", "--duration", "50", "--frames", "0.02", "--log", "slow.esmlog")
+        self.run_program("replay-log", "slow.esmlog")
+
     def test_what_is_no_log_and_outputs_that_are_none_are_refused(self):
         self.assertIn("is no log", self.run_program("replay-log", "osc.json", exit_code=1).stderr)
         self.run_program("replay-log", "absent.esmlog", exit_code=1)

@@ -232,6 +232,48 @@ class ScenesTest(ProgramTest):
         for name in ("Metadata/thumbnail.png", "Metadata/plate.jpg", "3D/Textures/skin.PNG", "Metadata/notes.txt"):
             self.check("a.3mf", three_mf(' unit="millimeter"', [(name, png())]), "8/18")
 
+    def test_what_is_broken_in_a_3mf_is_named(self):
+        """The library crashes on most of these, or finds nothing in them."""
+        def changed(old, new):
+            return three_mf("", change=lambda name, content: content.replace(old, new))
+
+        torn = bytearray(three_mf(""))
+        place = torn.index(b"3D/3dmodel.model") + 60
+        torn[place:place + 20] = bytes(byte ^ 255 for byte in torn[place:place + 20])
+        packed = bytearray(three_mf(""))
+        packed[packed.rindex(b"PK\1\2") + 10] = 12
+        model = "its part '3D/3dmodel.model'"
+        for content, said in (
+                (three_mf("")[:-30], "its ZIP archive is damaged; fetch it again"),
+                (three_mf("", without=("_rels/.rels",)), "its part '_rels/.rels' is missing here: the archive does not hold it"),
+                (three_mf("", without=("3D/3dmodel.model",)), model + " is missing here"),
+                (changed("/3D/3dmodel", "/3D/other"), "its part '3D/other.model' is missing here"),
+                (three_mf("", change=lambda name, content: "" if name.endswith("del") else content), model + " is empty"),
+                (bytes(torn), model + " cannot be unpacked"),
+                (bytes(packed), model + " is packed by method 12, which is not read"),
+                (changed("</mesh>", "</mash>"), model + ": line 3: </mash> stands where </mesh> should"),
+                (changed('<item objectid="1"/>', ""), "its <build> places none of its objects"),
+                (changed('x="10"', 'x="1,5"'), model + ": line 3: 'x' of vertex holds something else than it should"),
+                (changed('v3="', 'w3="'), model + ": line 3: 'v3' of triangle holds something else than it should"),
+                (changed('objectid="1"', 'objectid="7"'), "its <build> places none of its objects")):
+            self.write("a.3mf", content)
+            refusal = self.refused("inspect", "a.3mf")
+            self.assertIn("a.3mf: " + said, refusal)
+            self.assertIn("save it as OBJ, PLY or STL", refusal)
+
+    def test_words_for_numbers_of_an_amf_are_refused(self):
+        """The library reads them as 0."""
+        def amf(x, v3):
+            corners = "".join(f"<vertex><coordinates>\n<x>{a}</x><y>{b}</y><z>0</z></coordinates></vertex>"
+                              for a, b in ((0, 0), (x, 0), (0, " 1e1\n")))
+            return f"<amf><object id='0'><mesh><vertices>{corners}</vertices><volume>\n<triangle><v1>0</v1><v2>1</v2><v3>{v3}</v3>" \
+                   "</triangle></volume></mesh></object></amf>"
+        self.check("a.amf", amf("+10.5", 2), "3/3")
+        self.write("a.amf", amf("one", 2))
+        self.assertIn("a.amf: line 3: 'one' stands where a number should be; mend it", self.refused("inspect", "a.amf"))
+        self.write("a.amf", amf("1", ""))
+        self.assertIn("a.amf: line 6: '' stands where a number should be", self.refused("inspect", "a.amf"))
+
     def test_a_crash_is_the_readers(self):
         bad = self.write("worker.sh", "#!/bin/sh\nkill -SEGV $$\n")
         bad.chmod(0o755)

@@ -41,7 +41,7 @@ def amf(unit):
 <volume>{faces}</volume></mesh></object></amf>"""
 
 
-def three_mf(unit, others=()):
+def three_mf(unit, others=(), without=(), change=lambda name, content: content):
     vertices = "".join(f'<vertex x="{x}" y="{y}" z="{z}"/>' for x, y, z in CORNERS)
     faces = "".join(f'<triangle v1="{a}" v2="{b}" v3="{c}"/>' for a, b, c in TRIANGLES)
     model = f"""<?xml version="1.0" encoding="UTF-8"?><model{unit} xml:lang="en-US"
@@ -60,7 +60,8 @@ xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources><ob
     archive = io.BytesIO()
     with zipfile.ZipFile(archive, "w", zipfile.ZIP_DEFLATED) as out:
         for name, content in [*parts.items(), *others]:
-            out.writestr(name, content)
+            if name not in without:
+                out.writestr(name, change(name, content))
     return archive.getvalue()
 
 

@@ -310,11 +310,12 @@ TEST(CutShort, isSaidOfFilesThatEndTooEarly)
 
 // === Numbers of any format
 
-/// Programs in Fortran write numbers of double precision with D: all text formats that have readers of their own.
+/// Programs in Fortran write numbers of double precision with D, or without a letter where the exponent has three
+/// digits: all text formats that have readers of their own.
 TEST(Dialects, exponentsAsFortranWritesThemAreRead)
 {
   const std::string a = "0.0D+00 0.0D+00 0.0D+00\n", b = "1.0D+01 0.0D+00 0.0D+00\n",
-                    c = "0.0D+00 2.5d-1 0.0D+00\n", all = a + b + c;
+                    c = "1.0-101 2.5d-1 0.0D+00\n", all = a + b + c;
   const auto oneLine = [](std::string text) {
     std::replace(text.begin(), text.end(), '\n', ' ');
     return text + "\n";
@@ -341,7 +342,7 @@ TEST(Dialects, exponentsAsFortranWritesThemAreRead)
                 "$EndNodes\n$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n"},
     {"x.raw", oneLine(all)},
     {"x.dxf", dxf("0\n3DFACE\n8\n0\n10\n0.0D+00\n20\n0.0D+00\n30\n0.0D+00\n11\n1.0D+01\n21\n0.0D+00\n31\n"
-                  "0.0D+00\n12\n0.0D+00\n22\n2.5d-1\n32\n0.0D+00\n13\n0.0D+00\n23\n2.5d-1\n33\n0.0D+00\n")}};
+                  "0.0D+00\n12\n1.0-101\n22\n2.5d-1\n32\n0.0D+00\n13\n1.0-101\n23\n2.5d-1\n33\n0.0D+00\n")}};
   for (const auto& [name, bytes] : files) {
     const auto imported = importBytes(name, bytes);
     EXPECT_EQ(summary(imported), "3/3/1") << name;

@@ -23,6 +23,20 @@ std::string saidOf(std::string_view complaint, std::string_view bytes = "", std:
   return libraryRefusal(complaint, bytes, ending, "a").detail;
 }
 
+/// An FBX of one triangle; the library goes on without a geometry that it cannot read.
+std::string fbxTriangle(const std::string& corners)
+{
+  return "; FBX 7.4.0 project file\nFBXHeaderExtension:  {\n\tFBXVersion: 7400\n}\nDefinitions:  {\n\tCount: "
+         "2\n}\n"
+         "Objects:  {\n\tGeometry: 100, \"Geometry::\", \"Mesh\" {\n\t\tVertices: *9 {\n\t\t\ta: "
+         "0,0,0,1,0,0,0,1,0\n\t\t}\n"
+         "\t\tPolygonVertexIndex: *3 {\n\t\t\ta: " +
+         corners +
+         "\n\t\t}\n\t}\n\tModel: 200, \"Model::m\", \"Mesh\" {\n\t\tVersion: 232\n\t}\n}\nConnections:  "
+         "{\n\tC: "
+         "\"OO\",100,200\n\tC: \"OO\",200,0\n}\n";
+}
+
 TEST(LibraryWords, knownOnesBecomeSentencesWithTheirPlace)
 {
   EXPECT_EQ(saidOf("FBX-Tokenize (offset 0x1ef) block offset is out of range"),
@@ -40,6 +54,25 @@ TEST(LibraryWords, knownOnesBecomeSentencesWithTheirPlace)
   EXPECT_EQ(
     saidOf("Coin read error: Unknown field \"coordIx\" in \"IndexedFaceSet\"\n\tOccurred at line    4 in x"),
     "a: line 4: 'coordIx' is no word of this format" + kMend);
+  EXPECT_EQ(saidOf("Member \"count\" was not of type \"uint\" when reading accessors[0] (accessors[0])"),
+            "a: 'count' of accessors[0] holds something else than it should" + kMend);
+  EXPECT_EQ(saidOf("Member \"scenes\" was not of type \"array\" when reading the document"),
+            "a: 'scenes' holds something else than it should" + kMend);
+  EXPECT_EQ(saidOf("GLTF: Array index 9 is out of bounds (2) for \"bufferViews\""),
+            "a: it names bufferViews[9], but holds 2 of these" + kMend);
+  EXPECT_EQ(saidOf("GLTF: Unsupported Component Type 99"), "a: '99' is no word of this format" + kMend);
+  EXPECT_EQ(saidOf("GLTF: Object at index 0 in array \"nodes\" has recursive reference to itself"),
+            "a: something in it is a part of itself" + kMend);
+  EXPECT_EQ(saidOf("FBX-Parser (TOK_KEY, line 2, col 19) did not find required element \"FBXVersion\""),
+            "a: line 2: its section 'FBXVersion' is missing" + kMend);
+  const char* const old =
+    "FBX-DOM unsupported, old format version, supported are only FBX 2011, FBX 2012 and FBX 2013";
+  const std::string oldWords =
+    "a: its FBX version, 6100, is not read, those from 7100 (FBX 2011) on are; save it as OBJ, "
+    "PLY or STL in the program it comes from";
+  EXPECT_EQ(saidOf(old, "; FBX 6.1.0\nFBXHeaderExtension: {\n FBXVersion: 6100\n}\n"), oldWords);
+  EXPECT_EQ(saidOf(old, std::string("Kaydara FBX Binary  \0\x1a\0", 23) + bytesOf(std::uint32_t{6100})),
+            oldWords);
   EXPECT_EQ(libraryRefusal("LWO: No meshes loaded", "", "lwo", "a").code, ErrorCode::EmptyResult);
 }
 
@@ -91,7 +124,11 @@ TEST(LibraryWords, noDamagedFileIsToldInTheLibrarysWords)
         {"x.lwo", "FARM", "it ends too early"},
         {"x.nff", "p 3\n0 0 0\n1 a 0\n0 1 0\n", "'a' stands where a number"},
         {"x.3ds", "no 3DS at all", "its beginning is damaged"},
-        {"x.fbx", "; FBX 7.3.0 project file\nObjects:  {\n", "cut short"}}) {
+        {"x.fbx", "; FBX 7.3.0 project file\nObjects:  {\n", "cut short"},
+        {"index.fbx", fbxTriangle("0,1,-33"), "line 13: it points to data"},
+        {"letter.fbx", fbxTriangle("0,x,-3"), "line 14: something else stands where a number"},
+        {"asset.gltf", "{\"meshes\": []}", "its section 'asset' is missing"},
+        {"version.gltf", "{\"asset\": {\"version\": \"3.0\"}}", "its glTF version is not read"}}) {
     const std::string refusal = refusalOf(name, bytes);
     EXPECT_THAT(refusal, HasSubstr(std::string(name) + ": ")) << name;
     EXPECT_THAT(refusal, HasSubstr(said)) << name;

@@ -130,7 +130,7 @@ TEST(PlyElements, whatHoldsNoFacesIsNamedForWhatItHolds)
   EXPECT_THAT(refusalOf("x.ply", squarePly(listElement("range_grid", 6), "1 0\n1 1\n0\n1 2\n1 3\n1 4\n")),
               HasSubstr("a range grid is a scan that must be triangulated first"));
   EXPECT_THAT(refusalOf("x.ply", squarePly(listElement("surfel", 1, "neighbours"), "3 0 1 2\n")),
-              HasSubstr("only lists in the element 'surfel'"));
+              HasSubstr("it has lists in the element 'surfel', which is none of those that are known"));
   EXPECT_THAT(refusalOf("x.ply", squarePly(listElement("tristrips", 1), "4 0 1 2 9\n")),
               HasSubstr("tristrips 1: there is no vertex 9"));
 }

@@ -31,6 +31,10 @@ TEST(TextCursor, readsEveryDialectOfNumbersWithAPoint)
   EXPECT_EQ(numberOf("1.0D+01\n"), 10.0); // as Fortran writes them
   EXPECT_EQ(numberOf("-2.5d-3 D"), -2.5e-3);
   EXPECT_EQ(numberOf("1D-999"), 0.0);
+  EXPECT_EQ(numberOf("1.0-101"), 1e-101); // with three digits they lack the letter
+  EXPECT_EQ(numberOf("-1.5+101 2"), -1.5e101);
+  EXPECT_EQ(numberOf("1.0-999"), 0.0);
+  EXPECT_TRUE(std::isinf(*numberOf("-1.0+999")));
   EXPECT_TRUE(std::isinf(*numberOf("1D+999")));
   EXPECT_TRUE(std::isnan(*numberOf("nan")));
 }

@@ -45,7 +45,10 @@ TEST(TextNumber, FortransExponentsAreReadInForeignFilesOnly)
   EXPECT_EQ(parseForeignDouble("+.1D0"), 0.1); // to the last bit
   EXPECT_EQ(parseForeignDouble("12345678901234567D-16"), 1.2345678901234567);
   EXPECT_EQ(parseForeignDouble("1.5e2"), 150.0);
-  for (const char* text : {"1.0D", "1.0D+", "D+01", "1.0D+01D", "1.0DE1", "1.0E1D1", "1.0 D1", "1D99999"})
+  EXPECT_EQ(parseForeignDouble("1.0-101"), 1.0e-101); // no room for the letter
+  EXPECT_EQ(parseForeignDouble("-.25+100"), -0.25e100);
+  for (const char* text : {"1.0D", "1.0D+", "D+01", "1.0D+01D", "1.0DE1", "1.0E1D1", "1.0 D1", "1D99999",
+                           "1-101", "1.0-11", "1.0-1011", "1.0-", "1.0E1-101", "1.0--101", "2024-101"})
     EXPECT_FALSE(parseForeignDouble(text)) << text;
   EXPECT_FALSE(parseDouble("1.0D+01"));
 }
