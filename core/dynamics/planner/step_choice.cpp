@@ -98,7 +98,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   m_toleranceGivenUp = m_roughAtCheck = false;
   m_floorStep = 0.0;
   findBodies(system, state);
-  m_bound.prepare(system, asksForDecay());
+  m_bound.prepare(asksForDecay());
   m_loss.prepare(system);
   m_unseen.isOpen = false;
   setBound(system, state);
@@ -170,7 +170,7 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
   }
   forget();
   findBodies(system, state);
-  setBound(system, state);
+  replaceBound(system, state, boundMatters(system));
   m_untilCheck = 0;
   m_checkGap = 1;
 }
@@ -183,16 +183,10 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   m_grown = 0.0; // what a larger part had gained could be more than all that this one has
   for (Candidate& candidate : m_candidates) candidate.prepared = false;
   findBodies(system, state);
-  m_bound.prepare(system, asksForDecay());
+  m_bound.prepare(asksForDecay());
   m_loss.prepare(system);
   m_unseen.isOpen = false;
-  // Who keeps time goes on by blocks, until the usual look at the bound tells more.
-  if (m_byBlocks) {
-    m_boundIsOld = true;
-    weighSteps(system);
-  } else {
-    setBound(system, state);
-  }
+  replaceBound(system, state, !m_byBlocks);
   giveToleranceUp(system, m_toleranceGivenUp && toleranceIsTooDear(system));
   if (!m_byBlocks) layOut(m_method, system); // nothing is, after another cut
   explain();

@@ -383,15 +383,31 @@ void StepDriver::weighSteps(const System& system)
   weighLeastCost(system);
 }
 
-/// A look at the bound costs up to thirty passes. It follows what stiffens within some frames, and what
-/// turns and bends; where it finds nothing new it comes less often.
+/// After a change. Who keeps time goes on by blocks, until the usual look at the bound tells more.
+void StepDriver::replaceBound(const System& system, const MotionState& state, bool now)
+{
+  if (now) return setBound(system, state);
+  m_boundIsOld = true;
+  weighSteps(system);
+}
+
+/// Whether a look could change anything: not while blocks take what a hand leads, nor where plain steps would cost so
+/// much more than they may that no motion brings them back.
+bool StepDriver::boundMatters(const System& system) const noexcept
+{
+  constexpr double kFarBeyond = 4.0; // a net that is stretched until its stiffness is sixteenfold
+  return !m_byBlocks || (!isLedByBlocks() && m_leastCost <= kFarBeyond * effort(system));
+}
+
+/// A look at the bound costs up to thirty passes, and where struts make many pairs of springs as much again. It
+/// follows what stiffens within some frames, and what turns and bends; where it finds nothing new it comes less often.
 void StepDriver::refreshBound(const System& system, const MotionState& state)
 {
   constexpr double kNew = 0.01;    // a larger change of the limits
   constexpr double kLongest = 4.0; // of the usual patience
   const double patience = m_method == m_implicit ? 32.0 : system.forces().isNonlinear() ? 384.0 : 768.0;
   if (m_boundIsOld && !takesBlocks()) return setBound(system, state);
-  if (m_sinceBound < m_boundPatience * patience) return;
+  if (m_sinceBound < m_boundPatience * patience || !boundMatters(system)) return;
   const FastestMode before = m_mode;
   const double longer = std::min(2.0 * m_boundPatience, kLongest);
   setBound(system, state);

@@ -176,6 +176,8 @@ private:
   bool isHeldUp() const noexcept;
   bool isDamped() const noexcept;
   void setBound(const System& system, const MotionState& state);
+  void replaceBound(const System& system, const MotionState& state, bool now);
+  bool boundMatters(const System& system) const noexcept;
   void weighSteps(const System& system);
   void weighEffort(const System& system, Candidate& candidate) const;
   void refreshBound(const System& system, const MotionState& state);
@@ -289,7 +291,7 @@ private:
   Stiffest m_stiffest; ///< as m_mode was found; its node is a place in a part that may have changed since
   double m_sinceBound = 0.0;    ///< work since m_mode was found, see refreshBound() [force passes]
   double m_boundPatience = 1.0; ///< how much longer than usual it may be
-  bool m_boundIsOld = false;    ///< of another part of the net; blocks need none
+  bool m_boundIsOld = false;    ///< of another part of the net, or before other tools; blocks need none
   bool m_fewHoldAll = false;    ///< a few nodes ask for the small steps, see StiffNodes
   bool m_toleranceGivenUp = false;
   bool m_roughAtCheck = false;          ///< the last check found more error than wanted, and left it at that

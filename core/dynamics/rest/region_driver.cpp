@@ -272,7 +272,7 @@ FastestMode RegionDriver::fastestMode()
 {
   if (m_mode == Mode::Whole) return m_driver.fastestMode(m_body.system, m_body.motion);
   StepBound bound; // asked for rarely: not worth the room of a whole net in between
-  bound.prepare(m_body.system, m_driver.asksForDecay());
+  bound.prepare(m_driver.asksForDecay());
   return bound.compute(m_body.system, m_body.motion.x, m_body.motion.v);
 }
 

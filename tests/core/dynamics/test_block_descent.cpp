@@ -214,6 +214,34 @@ TEST(BlockDescent, KeepsTimeFromTheFirstFrameOn)
   EXPECT_NE(simulation.solverName(), "block-descent");
 }
 
+// Blocks need no bound of stable steps, and what a hand does to it stays unknown while they go. Whoever comes after them
+// keeps to what is stable now: the springs have stiffened since anybody looked.
+TEST(BlockDescent, PlainStepsThatFollowKnowWhatIsStable)
+{
+  SpringNet net = stiffSheet();
+  for (SpringLaw& law : net.law) law = SpringLaw::Exponential;
+  net.lawParameter.setConstant(8.0);
+  SolverSettings settings = onTheClock();
+  settings.tolerance = 0.3;
+  settings.effort = 2e3; // far from what plain steps cost
+  Simulation simulation = simulate(net, {}, settings);
+  const double atRest = simulation.stableStep();
+  for (int frame = 1; frame <= 3; ++frame) {
+    ToolSpring hand = handAt(net, 4e-3 * frame);
+    hand.targetVelocity = Eigen::Vector3d(0, 0, 4e-3 / kFrameTime);
+    simulation.setTools({&hand, 1});
+    ASSERT_TRUE(simulation.advance(kFrameTime).good()) << simulation.why();
+    ASSERT_EQ(simulation.solverName(), "block-descent");
+  }
+  ASSERT_LT(simulation.stableStep(), 0.8 * atRest) << "or the test tells nothing";
+  simulation.setTools({});
+  ASSERT_TRUE(simulation.setAccuracy(0.3, 1e9)); // time enough
+  const StepReport report = simulation.advance(kFrameTime / 8.0);
+  ASSERT_TRUE(report.good()) << simulation.why();
+  ASSERT_NE(simulation.solverName(), "block-descent");
+  EXPECT_LE(report.smallestStep, simulation.stableStep()) << "as the springs are, a moment later";
+}
+
 // While the part that moves grows, steps by blocks keep the bound that is known. The node that it names stays that node,
 // though it has another place in another part: all that is said of it is of one node of the net.
 TEST(BlockDescent, TheStiffestNodeIsTheSameInAnyPart)
