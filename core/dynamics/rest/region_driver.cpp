@@ -205,9 +205,10 @@ void RegionDriver::look(StepReport& report)
     const bool watched = m_watch.slowCount() < all;
     const std::size_t count = watched ? m_watch.slowCount() : m_watch.calmCount();
     if (count * (m_mode == Mode::Whole ? 2 : 4) < all) return;
-    const std::vector<Index> sleepers =
-      wholeBodies(m_region.inside(watched ? m_watch.slow() : m_watch.calm(), std::max(4, edgeDepth())));
-    if (sleepers.size() * 5 >= all) letSleep(sleepers);
+    const std::size_t least = (all + 4) / 5;
+    const std::vector<Index> sleepers = wholeBodies(
+      m_region.inside(watched ? m_watch.slow() : m_watch.calm(), std::max(4, edgeDepth()), least));
+    if (sleepers.size() >= least) letSleep(sleepers);
   }
   applyChange();
 }
