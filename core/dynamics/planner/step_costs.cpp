@@ -141,7 +141,7 @@ void StepDriver::followHand(const System& system)
   const bool leads = !tools.empty() && (m_handLeads || std::any_of(tools.begin(), tools.end(), moves));
   if (std::exchange(m_handLeads, leads) == leads || !m_settings.keepsTime) return;
   m_blocksSuffice = m_settings.tolerance >= kLooseTolerance;
-  m_untilRoughCheck = kSecondBlock;
+  m_untilRoughCheck = m_roughCheckGap > kRoughCheckGap ? m_roughCheckGap : kSecondBlock;
   weighLeastCost(system);
 }
 

@@ -109,7 +109,7 @@ private:
   static constexpr int kSettling = 2; ///< checks before a method that has just been chosen may be left
   static constexpr double kGuessedRough = 0.1; ///< see m_roughOverLocal, before the first check
   static constexpr int kSecondBlock = 2;       ///< the first one has a hand that has just come
-  static constexpr int kRoughCheckGap = 16, kLeastRoughGap = 6;
+  static constexpr int kRoughCheckGap = 16, kLeastRoughGap = 6, kMostRoughGap = 256;
   static constexpr double kFiner = 1.5; ///< steps of the second run of a check, in those of the first
   /// Of a stretch that is done twice, if that is many steps [s]. Where the end is known a third of the frame
   /// saves 3 % of all passes; a quarter is too short to tell: errors of uteri and organs came out up to five
@@ -314,6 +314,7 @@ private:
   std::int64_t m_checkedSteps = 0;         ///< of a stretch, by the last check
   double m_unsweptOverLocal = 0.0, m_unswept = 0.0; ///< what the last check found beyond [1], [m]
   int m_untilRoughCheck = kSecondBlock;             ///< stretches by blocks
+  int m_roughCheckGap = kRoughCheckGap;             ///< longer where the last check was broken off
   double m_errorOverLocal = 0.0;                    ///< error of a stretch over that [1]; 0: not known
   double m_growing = 1.0;                           ///< part of it that goes on to grow
   double m_coarseWork = 0.0, m_finerWork = 0.0;     ///< of the two runs of a check [spring evaluations]

@@ -95,7 +95,6 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
     const ErrorScale coarseScale = m_gauge.scale();
     const double local = m_roughLocal;
     const std::vector<Stretch> stretches = m_stretches ? *m_stretches : std::vector<Stretch>();
-    m_untilRoughCheck = kRoughCheckGap;
     m_checkedSteps = steps;
     state = m_start; // same size: no allocation
     state.loss = lost;
@@ -105,16 +104,19 @@ StepDriver::Run StepDriver::stretchByBlocks(System& system, MotionState& state, 
       m_gauge.setScale(scale);
       keep(system, state, expectedError(state), roughError());
       report.rejectedSteps += steps;
+      m_roughCheckGap = kRoughCheckGap;
       if (isLedByBlocks() && !areBlocksWithin()) { // where plain steps can be paid for, they err less
         m_blocksSuffice = false;
         weighLeastCost(system);
       }
-    } else { // that was for nothing
+    } else { // that was for nothing: who keeps no time without checks gets none with them
+      m_roughCheckGap = std::min(2 * m_roughCheckGap, kMostRoughGap);
       state = coarse;
       if (m_stretches) *m_stretches = stretches;
       m_gauge.setScale(coarseScale);
       report.rejectedSteps += 2 * steps;
     }
+    m_untilRoughCheck = m_roughCheckGap;
   }
   report.rough = wasRough || !areBlocksWithin();
   sayRough(m_blocks, "; to keep time, it takes a few damped steps for each frame, whose error is told");

@@ -242,6 +242,36 @@ TEST(BlockDescent, PlainStepsThatFollowKnowWhatIsStable)
   EXPECT_LE(report.smallestStep, simulation.stableStep()) << "as the springs are, a moment later";
 }
 
+// Now and then a frame is done twice, so that its error can be told. Where the clock never leaves room for that, what it
+// costs is for nothing: it is tried ever more seldom.
+TEST(BlockDescent, ChecksThatFindNoRoomBecomeRare)
+{
+  const SpringNet net = stiffSheet();
+  const auto checksOf = [&](int questions) { // that a frame is granted; tried, and brought to their end
+    Simulation simulation = simulate(net, {}, onTheClock());
+    int tried = 0, done = 0;
+    for (int frame = 1; frame <= 200; ++frame) {
+      ToolSpring hand = handAt(net, 4e-3 * std::sin(0.05 * frame));
+      hand.targetVelocity = Eigen::Vector3d(0, 0, 4e-3 * 0.05 * std::cos(0.05 * frame) / kFrameTime);
+      simulation.setTools({&hand, 1});
+      int asked = 0;
+      const StepReport report =
+        simulation.advance(kFrameTime, {.isSpent = [&] { return ++asked > questions; }});
+      EXPECT_TRUE(report.good() || report.interrupted) << simulation.why();
+      tried += report.rejectedSteps > 0 ? 1 : 0;
+      done += report.rejectedSteps > 0 && asked <= questions ? 1 : 0;
+    }
+    return std::pair(tried, done);
+  };
+  const auto [triedWithRoom, doneWithRoom] = checksOf(1'000'000);
+  EXPECT_EQ(triedWithRoom, doneWithRoom);
+  EXPECT_GT(triedWithRoom, 10);
+  const auto [tried, done] = checksOf(30); // a frame asks some dozen
+  EXPECT_EQ(done, 0) << "or the test tells nothing";
+  EXPECT_GT(tried, 0);
+  EXPECT_LT(tried, triedWithRoom / 2);
+}
+
 // While the part that moves grows, steps by blocks keep the bound that is known. The node that it names stays that node,
 // though it has another place in another part: all that is said of it is of one node of the net.
 TEST(BlockDescent, TheStiffestNodeIsTheSameInAnyPart)
