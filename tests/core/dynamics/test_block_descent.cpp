@@ -340,6 +340,25 @@ TEST(BlockDescent, EveryStepHasItsShareOfTheWork)
   EXPECT_EQ(system.workLimit, limit);
 }
 
+// Where nothing pulls there is nowhere to go, and no way there to be searched for: what a hand that takes hold of a net
+// at rest asks for in its first frame.
+TEST(BlockDescent, AStepOfANetAtRestCostsALook)
+{
+  const SpringNet net = stiffSheet();
+  System system(net, {});
+  MotionState motion = startOf(net);
+  const std::unique_ptr<Integrator> blocks = makeIntegrator("block-descent");
+  blocks->prepare(system);
+  StepReport report;
+  EXPECT_EQ(blocks->step(system, motion, kFrameTime, kFrameTime, report), StepResult::Done);
+  EXPECT_EQ(motion.time, kFrameTime);
+  EXPECT_EQ(distance(motion.x, startOf(net).x), 0.0);
+  EXPECT_EQ(system.springsEvaluated, system.forces().activeSprings());
+  EXPECT_EQ(system.solverWork, 0.0);
+  EXPECT_EQ(blocks->takeLocalError(), 0.0);
+  EXPECT_FALSE(report.rough);
+}
+
 // Springs that stiffen: within the passes that a frame has for an organ of 10,000 nodes, the step comes near the least of
 // its potential, which `descent` finds with a factor for each iteration.
 TEST(BlockDescent, FollowsSpringsThatStiffen)
