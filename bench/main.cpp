@@ -18,6 +18,7 @@ int usage()
   std::fprintf(
     stderr,
     "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
+    "       esm_bench counts [SCENE...]   steps and spring evaluations of auto, the same on every machine\n"
     "       esm_bench verify [SCENE...] [TOLERANCE...]   what finer runs find of missed tolerances\n"
     "       esm_bench hand [--thread] PROJECT...   how soon a pulled organ answers, and whether it keeps "
     "time\n"
@@ -54,6 +55,7 @@ int run(const std::vector<std::string>& words)
   if (words[0] == "hand") return runHand(rest);
   if (words[0] == "hand_beside") return runHandBeside(rest);
   if (words[0] == "verify") return runVerify(rest);
+  if (words[0] == "counts") return runCounts(rest);
   if (words[0] == "watch") return runWatch(rest);
   if (words[0] == "fit") return runFit(rest);
   if (words[0] == "holdout") return runHoldout(rest);

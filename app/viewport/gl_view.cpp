@@ -51,6 +51,13 @@ void GlView::setToolForce(const Eigen::Vector3d& force)
   update();
 }
 
+/// The samples that a format asks for are gone from it once a context was made, and another window needs another one.
+bool GlView::event(QEvent* event)
+{
+  if (context() == nullptr) setFormat(glFormat(glProbe().samples));
+  return QOpenGLWidget::event(event);
+}
+
 void GlView::initializeGL()
 {
   // Moving the view to another window replaces the context; what belongs to the old one goes with it.
@@ -130,14 +137,15 @@ void GlView::drawScene(const Look& look)
   m_springsAreSlow = clock.elapsed() > kSlowScene;
 }
 
-/// A framebuffer like the widget's own, so that the driver copies it as it is.
+/// A framebuffer like the widget's own, so that the driver copies it as it is. Once it is there the widget's format
+/// says nothing of its samples.
 bool GlView::prepareToKeep(const QSize& pixels)
 {
   if (!m_canKeep) return false;
   if (m_scene && m_scene->size() == pixels) return true;
   QOpenGLFramebufferObjectFormat format;
   format.setAttachment(QOpenGLFramebufferObject::CombinedDepthStencil);
-  format.setSamples(this->format().samples());
+  format.setSamples(glProbe().samples);
   format.setInternalTextureFormat(textureFormat() != 0 ? textureFormat() : GL_RGBA8);
   m_scene = std::make_unique<QOpenGLFramebufferObject>(pixels, format);
   if (!m_scene->isValid()) {

@@ -32,6 +32,7 @@ signals:
   void failed(const QString& why); ///< the context came but cannot draw; the view must be replaced
 
 protected:
+  bool event(QEvent* event) override;
   void initializeGL() override;
   void paintGL() override;
 

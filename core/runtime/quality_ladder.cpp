@@ -108,15 +108,20 @@ void QualityLadder::build()
   m_light = 0.0;
   m_patience = kPatience;
   m_sinceRise = kRelapse;
+  m_formerRung = 0;
+  m_inMotion = 0.0;
 }
 
-bool QualityLadder::endFrame(double took, double period) noexcept
+bool QualityLadder::endFrame(double took, double period, bool isAtRest) noexcept
 {
   const double load = took / period;
   if (!(load >= 0.0) || !std::isfinite(load)) return false;
   const double passed = std::max(took, period);
   m_sinceRise += passed;
+  m_inMotion = isAtRest ? 0.0 : m_inMotion + passed;
+  if (m_inMotion > kRelapse) m_formerRung = 0; // and it is good
   if (m_unjudged > 0.0) return m_unjudged -= passed, false;
+  if (isAtRest && load < kLightLoad) return endRestingFrame(passed);
   m_heavy = load > kHeavyLoad ? m_heavy + (load > kVeryHeavyLoad ? 2 : 1) : std::max(m_heavy - 1, 0);
   // From slow motion back to the clock is no change of accuracy: no room is needed for a dearer rung.
   const double light = accuracyRises() ? kLightLoad : kHeavyLoad;
@@ -124,7 +129,7 @@ bool QualityLadder::endFrame(double took, double period) noexcept
   if (m_heavy >= kHeavyFrames && m_rung + 1 < m_rungs.size()) {
     if (std::exchange(m_sinceRise, kRelapse) < kRelapse)
       m_patience = std::min(2.0 * m_patience, kMostPatience);
-    return moveTo(m_rung + 1);
+    return moveTo(std::max(m_rung + 1, std::exchange(m_formerRung, 0)));
   }
   m_heavy = std::min(m_heavy, kHeavyFrames);
   if (m_rung == 0 || m_light < (accuracyRises() ? m_patience : kPatience)) return false;
@@ -132,6 +137,16 @@ bool QualityLadder::endFrame(double took, double period) noexcept
     if (m_sinceRise > 4.0 * m_patience) m_patience = kPatience; // the last way up was long good
     m_sinceRise = 0.0;
   }
+  return moveTo(m_rung - 1);
+}
+
+/// However often a motion was too dear: a rest is no trial, and asks for no patience.
+bool QualityLadder::endRestingFrame(double passed) noexcept
+{
+  m_heavy = 0;
+  m_light += passed;
+  if (m_rung == 0 || m_light < kPatience) return false;
+  m_formerRung = std::max(m_formerRung, m_rung);
   return moveTo(m_rung - 1);
 }
 

@@ -55,8 +55,10 @@ struct QualityState {
 ///     5  slow motion                      FrameClock lets the time go that cannot be caught up
 ///
 /// Single dear frames (the solver checks its error now and then) do not count, a series does. After each
-/// change a moment passes unjudged, for the solver to find its steps. Only arithmetic: the caller brings the
-/// times, tests bring invented ones. All times in [s].
+/// change a moment passes unjudged, for the solver to find its steps. While nothing moves it goes up a rung a
+/// second, which proves nothing: what the motion before needed is kept in mind, and where the next one is too
+/// dear again it goes back there at once. Only arithmetic: the caller brings the times, tests bring invented
+/// ones. All times in [s].
 class QualityLadder {
 public:
   QualityLadder() : QualityLadder(QualityPlan::clockOnly()) {}
@@ -67,7 +69,8 @@ public:
   void start(const SolverSettings& wanted);
 
   /// A frame of `period` has taken `took` (waiting excluded). @return whether another rung is in force now.
-  bool endFrame(double took, double period) noexcept;
+  /// @param isAtRest  nothing moved in it
+  bool endFrame(double took, double period, bool isAtRest = false) noexcept;
 
   double tolerance() const noexcept { return m_rungs[m_rung].tolerance; }
   double effort() const noexcept { return m_rungs[m_rung].effort; }
@@ -79,6 +82,7 @@ private:
     double tolerance, effort;
   };
   void build();
+  bool endRestingFrame(double passed) noexcept;
   bool moveTo(std::size_t rung) noexcept;
   bool accuracyRises() const noexcept;
 
@@ -90,7 +94,9 @@ private:
   double m_unjudged = 0.0; ///< time
   int m_heavy = 0;         ///< frames too dear, less those that were not
   double m_light = 0.0, m_patience = 0.0;
-  double m_sinceRise = 0.0; ///< since the last way up
+  double m_sinceRise = 0.0;     ///< since the last way up that was tried in motion
+  std::size_t m_formerRung = 0; ///< that the motion before a rest needed; 0: nothing is known
+  double m_inMotion = 0.0;      ///< since the last rest
 };
 
 } // namespace esm

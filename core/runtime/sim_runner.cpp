@@ -264,7 +264,8 @@ double SimRunner::runFrame(const std::function<bool()>& enough)
 
 void SimRunner::keepTime(double took)
 {
-  if (m_playing && m_simulation && m_ladder.endFrame(took, m_period)) applyAccuracy();
+  if (m_playing && m_simulation && m_ladder.endFrame(took, m_period, m_report.nothingMoved()))
+    applyAccuracy();
 }
 
 void SimRunner::applyAccuracy()

@@ -8,6 +8,7 @@
 #include "core/runtime/sim_runner.h"
 
 #include <algorithm>
+#include <atomic>
 #include <ctime>
 #include <exception>
 #include <thread>
@@ -80,6 +81,7 @@ struct SimThread::Impl {
   TripleBuffer<SimSnapshot> pictures;
   CommandQueue<SimCommand> commands;
   std::uint64_t lastGeneration = 0; ///< the caller's
+  std::atomic<bool> isLetGo{false}; ///< a Release waits: a late frame works for a hand that is gone
 
   // The simulation thread's
   SimRunner runner;
@@ -124,6 +126,7 @@ void SimThread::Impl::playFrame(const std::stop_token& stop)
 
 void SimThread::Impl::obey()
 {
+  isLetGo = false;
   commands.take(batch);
   coalesce(batch);
   for (SimCommand& command : batch) runner.apply(std::move(command));
@@ -136,7 +139,8 @@ void SimThread::Impl::runFrame(const std::stop_token& stop)
   const double before = processorTime(), begin = seconds(WallClock::now());
   const double simulated = runner.runFrame([&] {
     const double passed = seconds(WallClock::now()) - begin;
-    return stop.stop_requested() || passed >= longest || (passed >= kLongestFrame && commands.hasNews());
+    return stop.stop_requested() || passed >= longest || (passed >= kLongestFrame && commands.hasNews()) ||
+           (passed >= runner.framePeriod() && isLetGo);
   });
   const double end = seconds(WallClock::now());
   longest = simulated > 0.0 ? kLongestFrame : std::min(2.0 * longest, kLongestStep);
@@ -221,6 +225,7 @@ void SimThread::moveGrab(const Eigen::Vector3d& target)
 
 void SimThread::release()
 {
+  m_impl->isLetGo = true; // first: taken too early it is only heard later
   m_impl->commands.push(command::Release{});
 }
 

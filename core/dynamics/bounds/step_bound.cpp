@@ -33,19 +33,23 @@ double undampedSum(const FastestMode& mode, double share) noexcept
 
 } // namespace
 
-void StepBound::prepare(const System& system, bool findsDecay)
+void StepBound::prepare(bool findsDecay) noexcept
 {
   m_findsDecay = findsDecay;
-  const auto& ends = system.forces().springEnds();
-  const std::size_t nodes = system.nodeCount();
-  m_springsOf.build(nodes, [&](const auto& add) {
-    for (std::size_t s = 0; s < ends.size(); ++s)
-      for (const Index node : {ends[s].a, ends[s].b}) add(node, static_cast<std::uint32_t>(s));
-  });
-  makeRoom(system);
+  m_isLaidOut = false;
   m_stiffnessSharpness = m_dampingSharpness = Sharpness{};
   m_decayShare = 0.0; // the first guess is that nothing decays faster than it swings
   m_sinceMeasured = kLooksBetween;
+}
+
+void StepBound::layOut(const System& system)
+{
+  const auto& ends = system.forces().springEnds();
+  m_springsOf.build(system.nodeCount(), [&](const auto& add) {
+    for (std::size_t s = 0; s < ends.size(); ++s)
+      for (const Index node : {ends[s].a, ends[s].b}) add(node, static_cast<std::uint32_t>(s));
+  });
+  m_isLaidOut = true;
 }
 
 void StepBound::makeRoom(const System& system)
@@ -358,6 +362,7 @@ void StepBound::sharpen(const System& system, FastestMode& mode)
 
 FastestMode StepBound::compute(const System& system, const NodeArray& x, const NodeArray& v)
 {
+  if (!m_isLaidOut) layOut(system);
   makeRoom(system);
   system.forces().springTangents(x.data(), v.data(), m_tangents);
   sumPressure(system, x);

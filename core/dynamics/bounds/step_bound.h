@@ -50,14 +50,15 @@ inline constexpr double kRoomForMotion = 0.88;
 /// sums know only that it is no more than what the springs without dampers and the tensions make at a node.
 class StepBound {
 public:
-  /// After any change of springs; allocates.
+  /// After any change of springs. What that takes is left to the next compute(), which may never come.
   /// @param findsDecay  else FastestMode::decay stays at what it cannot exceed, `damping`.
-  void prepare(const System& system, bool findsDecay = true);
+  void prepare(bool findsDecay = true) noexcept;
   FastestMode compute(const System& system, const NodeArray& x, const NodeArray& v);
   /// What is known stays; the next compute() allocates.
   void freeRoom();
 
 private:
+  void layOut(const System& system);
   void makeRoom(const System& system);
   void sumNodes(const System& system);
   void sumSprings(const System& system);
@@ -104,6 +105,7 @@ private:
   double m_decayShare = 0.0, m_undampedShare = 1.0;
   double m_owedShare = 1.0, m_undampedByShare = 1.0; ///< the latter in sums, too
   bool m_findsDecay = true;
+  bool m_isLaidOut = false;
   int m_sinceMeasured = 0; ///< calls of compute()
 };
 

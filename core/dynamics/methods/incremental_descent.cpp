@@ -178,6 +178,11 @@ IncrementalDescent::Sums IncrementalDescent::descend(System& system, const Goal&
   double gained = 0.0;
   for (int iteration = 0; iteration < m_effort.iterations; ++iteration) {
     if (iteration > 0 && system.isExhausted()) break;
+    m_isDone = sumOfSquares(m_force) == 0.0; // a net at rest, which a hand has just touched
+    if (m_isDone) {
+      m_unsolved = 0.0;
+      break;
+    }
     ++report.newtonIterations;
     if (!setMatrix(system, m_y, m_w, goal.h, report)) break;
     m_change = m_force; // same size: no allocation

@@ -11,7 +11,7 @@
 namespace esm {
 
 /// Knows the fastest motion that the net can make, and looks again when enough has happened since. A look costs up
-/// to thirty passes. It follows what stiffens within some frames, and what turns and bends; where it finds nothing
+/// to thirty passes, and where struts make many pairs of springs as much again. It follows what stiffens within some frames, and what turns and bends; where it finds nothing
 /// new it comes less often.
 class BoundWatch {
 public:
@@ -22,8 +22,7 @@ public:
   /// Of the system's nodes in the body from the next look on; empty: it is the whole body.
   void setPlaces(std::vector<Index> places) noexcept { m_names.places = std::move(places); }
 
-  /// After any change of springs; allocates.
-  void prepare(const System& system, bool findsDecay) { m_bound.prepare(system, findsDecay); }
+  void prepare(bool findsDecay) noexcept { m_bound.prepare(findsDecay); } ///< after any change of springs
   void freeRoom() { m_bound.freeRoom(); }
   /// @param asksForFew  whether a few nodes that hold all are looked for, too
   void look(const System& system, const MotionState& state, bool asksForFew);
@@ -33,7 +32,7 @@ public:
   bool lookIfDue(const System& system, const MotionState& state, bool asksForFew, bool implicit);
   void spend(double passes) noexcept { m_since += passes; } ///< work since the last look [force passes]
   void hurry() noexcept;                                    ///< the next stretch looks
-  void setOld() noexcept { m_isOld = true; }                ///< it was of another part of the net
+  void setOld() noexcept { m_isOld = true; } ///< it was of another part of the net, or before other tools
   bool isOld() const noexcept { return m_isOld; }
 
   const FastestMode& mode() const noexcept { return m_mode; }

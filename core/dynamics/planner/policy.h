@@ -233,10 +233,13 @@ struct Policy {
     double leastPasses = 12.0;      ///< a matrix, two looks and some sweeps [force passes; 1..100; rule]
     double guessedError = 0.1;      ///< of a step's own error, before the first check [1; 0..1; fit]
     int secondBlock = 2; ///< until the first check: the first has a hand just come [stretches; 1..16; rule]
-    int checkGap = 16, leastCheckGap = 6; ///< [stretches; 1..100; rule]
+    int checkGap = 16, leastCheckGap = 6, mostCheckGap = 256; ///< [stretches; 1..1000; rule]
     double blocksErr = 2.0;     ///< distance of two runs that tells the first one's error [1; 1..4; bound]
     std::size_t fewNodes = 500; ///< a smaller net's factor costs less than a frame [nodes; 1..1e4; rule]
     double back = 0.7;          ///< of the effort, below which plain steps return [1; 0..1; rule]
+    /// Of the effort: what plain steps cost where no look at the bound is worth it, a net that has to be stretched until
+    /// its stiffness is sixteenfold.
+    double farBeyond = 4.0; ///< [1; 1..100; rule]
   };
   Rough rough = {};
 

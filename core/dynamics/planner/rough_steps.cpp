@@ -26,7 +26,8 @@ void RoughSteps::followHand()
   const bool leads = !tools.empty() && (time.handLeads || std::any_of(tools.begin(), tools.end(), moves));
   if (std::exchange(time.handLeads, leads) == leads || !m_control.request.settings.keepsTime) return;
   time.blocksSuffice = m_control.request.settings.tolerance >= m_control.policy.choice.looseTolerance;
-  m_untilCheck = m_control.policy.rough.secondBlock;
+  const Policy::Rough& policy = m_control.policy.rough;
+  m_untilCheck = m_checkGap > policy.checkGap ? m_checkGap : policy.secondBlock;
   m_control.weighLeastCost();
 }
 
@@ -109,7 +110,6 @@ void RoughSteps::check(std::int64_t steps, double affordable, double lost, Motio
   const ErrorScale coarseScale = control.gauge.scale();
   const double local = m_local;
   const std::vector<Stretch> stretches = control.stepper.recorded();
-  m_untilCheck = control.policy.rough.checkGap;
   m_checkedSteps = steps;
   state = control.start; // same size: no allocation
   state.loss = lost;
@@ -117,13 +117,16 @@ void RoughSteps::check(std::int64_t steps, double affordable, double lost, Motio
   control.system->workLimit =
     std::min(control.stepper.mostWork(), control.system->workDone() + 2.0 * affordable);
   const Run result = run(control.methods.blocks(), state, end, 2 * steps, report);
-  if (result != Run::Done || control.system->isInterrupted()) { // that was for nothing
+  if (result != Run::Done || control.system->isInterrupted()) {
+    // That was for nothing: who keeps no time without checks gets none with them.
+    m_checkGap = m_untilCheck = std::min(2 * m_checkGap, control.policy.rough.mostCheckGap);
     state = coarse;
     control.stepper.putBack(stretches);
     control.gauge.setScale(coarseScale);
     report.rejectedSteps += 2 * steps;
     return;
   }
+  m_checkGap = m_untilCheck = control.policy.rough.checkGap;
   learn(control.policy.rough.blocksErr * control.gauge.distance(coarse.x, state), local);
   control.gauge.setScale(scale);
   control.keep(state, control.expectedError(state), error());

@@ -13,6 +13,7 @@ public:
   explicit RoughSteps(StepControl& control) noexcept
     : m_control(control),
       m_overLocal(control.policy.rough.guessedError),
+      m_checkGap(control.policy.rough.checkGap),
       m_untilCheck(control.policy.rough.secondBlock)
   {}
 
@@ -37,6 +38,7 @@ private:
   double m_overLocal;                               ///< its error over that [1]
   double m_unsweptOverLocal = 0.0, m_unswept = 0.0; ///< what the last check found beyond [1], [m]
   std::int64_t m_checkedSteps = 0;                  ///< of a stretch, by the last check
+  int m_checkGap;                                   ///< stretches; longer where the last check was broken off
   int m_untilCheck;                                 ///< stretches by blocks
 };
 

@@ -89,7 +89,21 @@ void StepControl::look(const MotionState& state)
 void StepControl::lookIfDue(const MotionState& state)
 {
   if (bound.isOld() && !takesBlocks()) return look(state);
+  if (!doesBoundMatter()) return;
   if (bound.lookIfDue(*system, state, request.isAuto, isImplicit())) weighSteps();
+}
+
+void StepControl::replaceBound(const MotionState& state, bool now)
+{
+  if (now) return look(state);
+  bound.setOld();
+  weighSteps();
+}
+
+bool StepControl::doesBoundMatter() const noexcept
+{
+  return !time.isByBlocks ||
+         (!time.isLedByBlocks() && known.leastCost() <= policy.rough.farBeyond * effort());
 }
 
 void StepControl::weighSteps()

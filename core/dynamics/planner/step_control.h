@@ -77,6 +77,11 @@ struct StepControl {
 
   void look(const MotionState& state); ///< at the bound
   void lookIfDue(const MotionState& state);
+  /// After a change, now or once somebody needs it.
+  void replaceBound(const MotionState& state, bool now);
+  /// Whether a look could change anything: not while blocks take what a hand leads, nor where plain steps would cost so
+  /// much more than they may that no motion brings them back.
+  bool doesBoundMatter() const noexcept;
   void weighSteps();  ///< by the bound at hand
   void weighEffort(); ///< what steps the effort pays for
   void weighLeastCost();

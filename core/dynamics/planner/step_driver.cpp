@@ -61,7 +61,7 @@ void StepDriver::parametersChanged(System& system, const MotionState& state)
   control.rhythm.setOnset(0.0);
   control.choice = {control.choice.method};
   control.findBodies(state);
-  control.bound.prepare(system, asksForDecay());
+  control.bound.prepare(asksForDecay());
   control.loss.prepare(system);
   control.look(state);
   control.known.guessAll(control.methods,
@@ -89,7 +89,7 @@ void StepDriver::toolsChanged(System& system, const MotionState& state, bool sam
   if (sameNodes) return control.methods.toolsMoved(); // a moving hand: the checks go on in their rhythm
   control.methods.restart();
   control.findBodies(state);
-  control.look(state);
+  control.replaceBound(state, control.doesBoundMatter());
   control.rhythm.anew();
 }
 
@@ -103,15 +103,9 @@ void StepDriver::partChanged(System& system, const MotionState& state, NetPart p
   control.energy.forget(); // what a larger part had gained could be more than all that this one has
   control.methods.dropLayouts();
   control.findBodies(state);
-  control.bound.prepare(system, asksForDecay());
+  control.bound.prepare(asksForDecay());
   control.loss.prepare(system);
-  // Who keeps time goes on by blocks, until the usual look at the bound tells more.
-  if (control.time.isByBlocks) {
-    control.bound.setOld();
-    control.weighSteps();
-  } else {
-    control.look(state);
-  }
+  control.replaceBound(state, !control.time.isByBlocks);
   control.weigh([&](Weighing weighing) {
     weighing.giveUpTolerance(control.choice,
                              control.choice.isToleranceGivenUp && weighing.isToleranceTooDear());

@@ -89,27 +89,34 @@ void ActiveRegion::update(const std::vector<std::uint8_t>& fresh)
   m_radius = m_layers.empty() ? 0 : m_layers.back().depth;
 }
 
-std::vector<Index> ActiveRegion::inside(const std::vector<std::uint8_t>& isCandidate, int layers)
+std::vector<Index> ActiveRegion::inside(const std::vector<std::uint8_t>& isCandidate, int layers,
+                                        std::size_t least)
 {
   const std::uint32_t stamp = newStamp();
   std::vector<Index> front, next;
+  std::size_t left = m_list.size();
   for (const Index node : m_list) {
     const auto i = static_cast<std::size_t>(node);
     if (isCandidate[i]) continue;
     m_stamp[i] = stamp;
     front.push_back(node);
   }
+  left -= front.size();
   for (int layer = 0; layer < layers && !front.empty(); ++layer) {
     next.clear();
-    for (const Index node : front)
+    for (const Index node : front) {
+      if (left - next.size() < least) return {};
       for (const Index spring : springsOf(node)) {
         const auto i = static_cast<std::size_t>(otherEnd(spring, node));
         if (!m_awake[i] || m_stamp[i] == stamp) continue;
         m_stamp[i] = stamp;
         next.push_back(static_cast<Index>(i));
       }
+    }
+    left -= next.size();
     front.swap(next);
   }
+  if (left < least) return {};
   std::vector<Index> result;
   for (const Index node : m_list)
     if (m_stamp[static_cast<std::size_t>(node)] != stamp) result.push_back(node);

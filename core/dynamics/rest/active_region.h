@@ -46,9 +46,10 @@ public:
   /// Awake nodes by rising depth, those that no path joins to a sleeper left out.
   const std::vector<Layered>& layers() const noexcept { return m_layers; }
 
-  /// The candidates that are further than `layers` springs from every awake node that is none.
+  /// The candidates that are further than `layers` springs from every awake node that is none; none at all if they are
+  /// fewer than `least`, which struts soon tell: they join everything to everything.
   /// @param isCandidate  N flags.
-  std::vector<Index> inside(const std::vector<std::uint8_t>& isCandidate, int layers);
+  std::vector<Index> inside(const std::vector<std::uint8_t>& isCandidate, int layers, std::size_t least = 0);
 
   /// Springs of a node.
   std::span<const Index> springsOf(Index node) const noexcept

@@ -201,9 +201,10 @@ void RegionDriver::look(StepReport& report)
     const bool watched = m_watch.slowCount() < all;
     const std::size_t count = watched ? m_watch.slowCount() : m_watch.calmCount();
     if (count * (m_mode == Mode::Whole ? 2 : 4) < all) return;
-    const std::vector<Index> sleepers =
-      wholeBodies(m_region.inside(watched ? m_watch.slow() : m_watch.calm(), std::max(4, edgeDepth())));
-    if (sleepers.size() * 5 >= all) letSleep(sleepers);
+    const std::size_t least = (all + 4) / 5;
+    const std::vector<Index> sleepers = wholeBodies(
+      m_region.inside(watched ? m_watch.slow() : m_watch.calm(), std::max(4, edgeDepth()), least));
+    if (sleepers.size() >= least) letSleep(sleepers);
   }
   applyChange();
 }
@@ -268,7 +269,7 @@ FastestMode RegionDriver::fastestMode()
 {
   if (m_mode == Mode::Whole) return m_driver.fastestMode(m_body.system, m_body.motion);
   StepBound bound; // asked for rarely: not worth the room of a whole net in between
-  bound.prepare(m_body.system, m_driver.asksForDecay());
+  bound.prepare(m_driver.asksForDecay());
   return bound.compute(m_body.system, m_body.motion.x, m_body.motion.v);
 }
 

@@ -1,5 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The ESM authors
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/viewport/gl_probe.h"
 #include "app/viewport/gl_view.h"
 #include "app/viewport/scene_view.h"
 #include "core/base/colour_map.h"
@@ -425,6 +426,31 @@ TEST(SceneView, AKeptSceneIsDrawnAnewWhenItChanges)
   view.scene.resize(500, 400);
   EXPECT_TRUE(isNew());
   EXPECT_FALSE(isNew());
+}
+
+// Where the graphics takes several samples of each pixel, a pixel that the outline cuts is between both sides; with one
+// sample hardly any is.
+TEST(SceneViewGl, SamplesMakeOutlinesSmooth)
+{
+  View view;
+  view.scene.setNet(samples::sphere(4, 0.05), 1);
+  view.scene.setShown(true, false, false);
+  const QImage picture = view.scene.picture();
+  int between = 0;
+  constexpr int kRows = 100;
+  for (int y = 200; y < 200 + kRows; ++y) {
+    int edge = 1;
+    const auto jumpAt = [&](int x) {
+      return difference(colourAt(picture, x, y), colourAt(picture, x - 1, y));
+    };
+    for (int x = 1; x < 320; ++x)
+      if (jumpAt(x) > jumpAt(edge)) edge = x;
+    if (std::max(jumpAt(edge - 1), jumpAt(edge + 1)) > 20) ++between;
+  }
+  if (glProbe().samples > 0)
+    EXPECT_GT(between, kRows / 4);
+  else
+    EXPECT_LT(between, kRows / 10); // where its shade alone changes
 }
 
 // A new top-level parent replaces the OpenGL context; buffers and textures must come back.

@@ -214,6 +214,64 @@ TEST(BlockDescent, KeepsTimeFromTheFirstFrameOn)
   EXPECT_NE(simulation.solverName(), "block-descent");
 }
 
+// Blocks need no bound of stable steps, and what a hand does to it stays unknown while they go. Whoever comes after them
+// keeps to what is stable now: the springs have stiffened since anybody looked.
+TEST(BlockDescent, PlainStepsThatFollowKnowWhatIsStable)
+{
+  SpringNet net = stiffSheet();
+  for (SpringLaw& law : net.law) law = SpringLaw::Exponential;
+  net.lawParameter.setConstant(8.0);
+  SolverSettings settings = onTheClock();
+  settings.tolerance = 0.3;
+  settings.effort = 2e3; // far from what plain steps cost
+  Simulation simulation = simulate(net, {}, settings);
+  const double atRest = simulation.stableStep();
+  for (int frame = 1; frame <= 3; ++frame) {
+    ToolSpring hand = handAt(net, 4e-3 * frame);
+    hand.targetVelocity = Eigen::Vector3d(0, 0, 4e-3 / kFrameTime);
+    simulation.setTools({&hand, 1});
+    ASSERT_TRUE(simulation.advance(kFrameTime).good()) << simulation.why();
+    ASSERT_EQ(simulation.solverName(), "block-descent");
+  }
+  ASSERT_LT(simulation.stableStep(), 0.8 * atRest) << "or the test tells nothing";
+  simulation.setTools({});
+  ASSERT_TRUE(simulation.setAccuracy(0.3, 1e9)); // time enough
+  const StepReport report = simulation.advance(kFrameTime / 8.0);
+  ASSERT_TRUE(report.good()) << simulation.why();
+  ASSERT_NE(simulation.solverName(), "block-descent");
+  EXPECT_LE(report.smallestStep, simulation.stableStep()) << "as the springs are, a moment later";
+}
+
+// Now and then a frame is done twice, so that its error can be told. Where the clock never leaves room for that, what it
+// costs is for nothing: it is tried ever more seldom.
+TEST(BlockDescent, ChecksThatFindNoRoomBecomeRare)
+{
+  const SpringNet net = stiffSheet();
+  const auto checksOf = [&](int questions) { // that a frame is granted; tried, and brought to their end
+    Simulation simulation = simulate(net, {}, onTheClock());
+    int tried = 0, done = 0;
+    for (int frame = 1; frame <= 200; ++frame) {
+      ToolSpring hand = handAt(net, 4e-3 * std::sin(0.05 * frame));
+      hand.targetVelocity = Eigen::Vector3d(0, 0, 4e-3 * 0.05 * std::cos(0.05 * frame) / kFrameTime);
+      simulation.setTools({&hand, 1});
+      int asked = 0;
+      const StepReport report =
+        simulation.advance(kFrameTime, {.isSpent = [&] { return ++asked > questions; }});
+      EXPECT_TRUE(report.good() || report.interrupted) << simulation.why();
+      tried += report.rejectedSteps > 0 ? 1 : 0;
+      done += report.rejectedSteps > 0 && asked <= questions ? 1 : 0;
+    }
+    return std::pair(tried, done);
+  };
+  const auto [triedWithRoom, doneWithRoom] = checksOf(1'000'000);
+  EXPECT_EQ(triedWithRoom, doneWithRoom);
+  EXPECT_GT(triedWithRoom, 10);
+  const auto [tried, done] = checksOf(30); // a frame asks some dozen
+  EXPECT_EQ(done, 0) << "or the test tells nothing";
+  EXPECT_GT(tried, 0);
+  EXPECT_LT(tried, triedWithRoom / 2);
+}
+
 // While the part that moves grows, steps by blocks keep the bound that is known. The node that it names stays that node,
 // though it has another place in another part: all that is said of it is of one node of the net.
 TEST(BlockDescent, TheStiffestNodeIsTheSameInAnyPart)
@@ -280,6 +338,25 @@ TEST(BlockDescent, EveryStepHasItsShareOfTheWork)
   EXPECT_EQ(report.steps, 4);
   EXPECT_EQ(motion.time, 4 * kFrameTime);
   EXPECT_EQ(system.workLimit, limit);
+}
+
+// Where nothing pulls there is nowhere to go, and no way there to be searched for: what a hand that takes hold of a net
+// at rest asks for in its first frame.
+TEST(BlockDescent, AStepOfANetAtRestCostsALook)
+{
+  const SpringNet net = stiffSheet();
+  System system(net, {});
+  MotionState motion = startOf(net);
+  const std::unique_ptr<Integrator> blocks = makeIntegrator("block-descent");
+  blocks->prepare(system);
+  StepReport report;
+  EXPECT_EQ(blocks->step(system, motion, kFrameTime, kFrameTime, report), StepResult::Done);
+  EXPECT_EQ(motion.time, kFrameTime);
+  EXPECT_EQ(distance(motion.x, startOf(net).x), 0.0);
+  EXPECT_EQ(system.springsEvaluated, system.forces().activeSprings());
+  EXPECT_EQ(system.solverWork, 0.0);
+  EXPECT_EQ(blocks->takeLocalError(), 0.0);
+  EXPECT_FALSE(report.rough);
 }
 
 // Springs that stiffen: within the passes that a frame has for an organ of 10,000 nodes, the step comes near the least of

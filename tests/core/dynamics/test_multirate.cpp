@@ -181,7 +181,7 @@ TEST(Multirate, IsBoundedOrSaysSo)
     if (!MultirateLayout::plan(run.system).pays) continue; // plain Verlet
     method->prepare(run.system);
     StepBound bound;
-    bound.prepare(run.system);
+    bound.prepare();
     const FastestMode mode = bound.compute(run.system, run.state.x, run.state.v);
     const double h = std::min(0.9 * method->stableStep(mode), 1e-3), before = run.balance();
     advance(run, *method, h, 20.0 * h);

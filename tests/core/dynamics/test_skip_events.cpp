@@ -202,6 +202,8 @@ TEST(ActiveRegion, WakesByLayersAndKnowsItsDepth)
   std::vector<std::uint8_t> calm(20, 1);
   calm[6] = 0;
   EXPECT_EQ(region.inside(calm, 3), (std::vector<Index>{1, 2, 10, 11, 12, 13}));
+  EXPECT_EQ(region.inside(calm, 3, 6).size(), 6u);
+  EXPECT_TRUE(region.inside(calm, 3, 7).empty()) << "fewer are not worth it";
   region.sleep(std::vector<Index>{12, 13});
   EXPECT_FALSE(region.isAwake(12));
   EXPECT_TRUE(region.isAwake(11));

@@ -27,7 +27,7 @@ FastestMode boundOf(const SpringNet& net)
   MotionState state = startOf(net);
   system.enter(state, true);
   StepBound bound;
-  bound.prepare(system);
+  bound.prepare();
   return bound.compute(system, state.x, state.v);
 }
 
@@ -145,7 +145,7 @@ TEST(Spectrum, DecayIsMeasuredAnewWhereSpringsTurn)
   MotionState state = startOf(net);
   system.enter(state, true);
   StepBound bound;
-  bound.prepare(system);
+  bound.prepare();
   const double along = bound.compute(system, state.x, state.v).decay;
   const double fast = (c / mass + std::sqrt(c * c / mass / mass - 4.0 * k / mass)) / 2.0;
   EXPECT_GE(along, fast);
@@ -227,7 +227,7 @@ TEST(Spectrum, BoundIsMeasuredAnewWhereSpringsTurn)
   MotionState state = startOf(net);
   system.enter(state, true);
   StepBound bound;
-  bound.prepare(system);
+  bound.prepare();
   const FastestMode flat = bound.compute(system, state.x, state.v);
   EXPECT_NEAR(flat.stiffness, 1.5 * k / mass, 0.05 * k / mass); // measured values are raised by 2 %
   EXPECT_NEAR(flat.damping, 1.5 * c / mass, 0.05 * c / mass);

@@ -167,6 +167,29 @@ TEST(QualityLadder, DoesNotSwing)
   EXPECT_EQ(ladder.state().rung, 0u);
 }
 
+// Pulls that are too dear, with rests between: each one makes the next way up no slower while nothing moves, and what
+// the last one needed is found again at the first sign, not rung by rung.
+TEST(QualityLadder, WhileNothingMovesItIsSoonAsWanted)
+{
+  QualityLadder ladder = started();
+  const auto rest = [&](double seconds) {
+    for (double time = 0.0; time < seconds; time += kFrame) ladder.endFrame(0.01 * kFrame, kFrame, true);
+  };
+  changes(ladder, 3.0, 5.0);
+  for (int pull = 0; pull < 10; ++pull) {
+    rest(2.5);
+    EXPECT_EQ(ladder.state().rung, 3u) << "a rung a second";
+    EXPECT_EQ(changes(ladder, 3.0, 0.5), 1) << pull;
+    EXPECT_EQ(ladder.state().rung, 5u);
+  }
+  rest(6.0);
+  EXPECT_EQ(ladder.state().rung, 0u);
+  // A light motion forgets what others needed: then it is found out anew.
+  changes(ladder, 0.6, 4.0);
+  EXPECT_EQ(changes(ladder, 3.0, 0.2), 1);
+  EXPECT_EQ(ladder.state().rung, 1u);
+}
+
 // Whatever the frames cost: no debt builds up, and at the end of the ladder it stays.
 TEST(QualityLadder, HopelessScenesReachTheEndSoonAndStay)
 {
@@ -292,6 +315,29 @@ TEST_F(LadderRun, TheLimitOfASliceIsNoReason)
   EXPECT_EQ(draw().message, why);
   runner.runFrame([] { return true; });
   EXPECT_EQ(draw().message, why);
+}
+
+// Let go after pulls that were too heavy for the machine, and come to rest: as wanted again within some seconds.
+TEST_F(LadderRun, AtRestTheQualityComesBack)
+{
+  runner.apply(command::SetQuality{{}});
+  runner.apply(command::Load{1, chain(6, 100.0), {}, {}}); // without weight
+  runner.apply(command::Play{});
+  const auto rest = [&](int seconds) {
+    for (int frame = 0; frame < 60 * seconds; ++frame) {
+      runner.runFrame();
+      runner.keepTime(1e-4);
+    }
+  };
+  for (int pull = 0; pull < 8; ++pull) {
+    for (int frame = 0; frame < 60; ++frame) runner.keepTime(0.05);
+    EXPECT_EQ(draw().quality.rung, draw().quality.lastRung);
+    rest(4);
+  }
+  rest(2);
+  EXPECT_EQ(draw().report.nodesAwake, 0);
+  EXPECT_EQ(draw().quality.rung, 0u);
+  EXPECT_EQ(draw().stability, Stability::Good);
 }
 
 TEST_F(LadderRun, OnlyPlayingFramesCount)
