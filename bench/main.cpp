@@ -18,7 +18,9 @@ int usage()
   std::fprintf(
     stderr,
     "usage: esm_bench work_precision [SCENE...]   run time against error, competitors beside\n"
-    "       esm_bench counts [SCENE...]   steps and spring evaluations of auto, the same on every machine\n"
+    "       esm_bench counts [SCENE...] [CONSTANT...]   steps and spring evaluations of auto, the same on "
+    "every "
+    "machine, without these constants\n"
     "       esm_bench verify [SCENE...] [TOLERANCE...]   what finer runs find of missed tolerances\n"
     "       esm_bench hand [--thread] PROJECT...   how soon a pulled organ answers, and whether it keeps "
     "time\n"

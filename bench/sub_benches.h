@@ -31,7 +31,8 @@ int runHoldout(const std::vector<std::string>& words);
 /// Whether a motion multiplies errors: what the watch says of scenes that it was not made with, against two
 /// exact runs. With names of scenes: what it costs there.
 int runWatch(const std::vector<std::string>& words);
-/// Steps and spring evaluations of `auto`, which no machine changes. Words: scenes; none: those of docs/BENCHMARKS.md.
+/// Steps and spring evaluations of `auto`, which no machine changes. Words: scenes, none: those of
+/// docs/BENCHMARKS.md; and constants of the policy that are left out.
 int runCounts(const std::vector<std::string>& words);
 /// Evaluations per second of fuzzy rule bases, beside fuzzylite.
 int runFuzzy(const std::vector<std::string>& words);
