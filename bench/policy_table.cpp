@@ -20,10 +20,10 @@ constexpr std::array kConstants = {
   ESM_CONSTANT(errors.unfolding, 0.0),
   ESM_CONSTANT(errors.afterBlow, 1.0),
   ESM_CONSTANT(errors.slowerThanFirst, 1.0),
+  ESM_CONSTANT(errors.spentEarly, 1e6),
   ESM_CONSTANT(errors.leastPeak, 1.0),
   ESM_CONSTANT(errors.mostPeak, 1.4), // the least one
   ESM_CONSTANT(errors.peakOfMean, 0.0),
-  ESM_CONSTANT(errors.spentEarly, 1e6),
   ESM_CONSTANT(errors.faster, 1.0),
   ESM_CONSTANT(errors.fresh, 0.0),
   ESM_CONSTANT(errors.halving, kNever),
@@ -32,9 +32,6 @@ constexpr std::array kConstants = {
   ESM_CONSTANT(errors.leastPower, 1.0),
   ESM_CONSTANT(errors.lessPerDoubling, 0.0),
   ESM_CONSTANT(errors.leastOfAll, 0.0),
-  ESM_CONSTANT(steps.leastOnsetShare, 0.0),
-  ESM_CONSTANT(steps.smallerThanFailed, 1.0),
-  ESM_CONSTANT(bound.unchanged, 0.0),
   ESM_CONSTANT(bound.patienceNonlinear, 768.0), // as where springs do not stiffen
   ESM_CONSTANT(bound.patienceLinear, 384.0),
   ESM_CONSTANT(checks.lengthToEnd, kFrame / 2.0), // as where no end is known
@@ -47,7 +44,6 @@ constexpr std::array kConstants = {
   ESM_CONSTANT(checks.roomOfHighOrder, 0.9), // as of low order
   ESM_CONSTANT(checks.cheaper, 0.0),
   ESM_CONSTANT(checks.mostTransfer, 1.0),
-  ESM_CONSTANT(checks.settlingTime, 0.0),
   ESM_CONSTANT(checks.promisedTooMuch, 0.0),
   ESM_CONSTANT(checks.sureShare, 0.0),
   ESM_CONSTANT(checks.leastProof, 0.0),
@@ -60,7 +56,6 @@ constexpr std::array kConstants = {
   ESM_CONSTANT(choice.cautionPower, 0.0),
   ESM_CONSTANT(choice.sparingTolerance, 1e-300),
   ESM_CONSTANT(choice.sparingPower, 0.0),
-  ESM_CONSTANT(choice.patienceInJerk, 0.9), // as always
   ESM_CONSTANT(choice.patience, 1.0),
   ESM_CONSTANT(choice.settling, 0),
   ESM_CONSTANT(probes.twinGain, 0.7), // as of others

@@ -9,24 +9,6 @@
 #include <limits>
 
 namespace esm {
-namespace {
-
-/// The largest of what limits steps.
-double relativeChange(const FastestMode& before, const FastestMode& after)
-{
-  const auto change = [](double from, double to, double whole) {
-    return whole > 0.0 ? std::abs(to - from) / whole : 0.0;
-  };
-  const double stiffness = std::max(before.stiffness, after.stiffness),
-               damping = std::max(before.damping, after.damping);
-  return std::max(
-    {change(before.stiffness, after.stiffness, stiffness), change(before.undamped, after.undamped, stiffness),
-     change(before.damping, after.damping, damping), change(before.decay, after.decay, damping),
-     change(before.leastDamping, after.leastDamping, std::max(before.leastDamping, after.leastDamping))});
-}
-
-} // namespace
-
 void BoundWatch::look(const System& system, const MotionState& state, bool asksForFew)
 {
   m_mode = m_bound.compute(system, state.x, state.v);
@@ -35,7 +17,6 @@ void BoundWatch::look(const System& system, const MotionState& state, bool asksF
   if (m_mode.node != kNoIndex)
     m_stiffest = {m_names.of(m_mode.node), system.mass()[static_cast<std::size_t>(m_mode.node)]};
   m_since = 0.0;
-  m_patience = 1.0;
   m_fewHoldAll = asksForFew && !StiffNodes::find(system).empty();
 }
 
@@ -45,11 +26,8 @@ bool BoundWatch::lookIfDue(const System& system, const MotionState& state, bool 
   const double usual = implicit                        ? policy.patienceImplicit
                        : system.forces().isNonlinear() ? policy.patienceNonlinear
                                                        : policy.patienceLinear;
-  if (m_since < m_patience * usual) return false;
-  const FastestMode before = m_mode;
-  const double longer = std::min(2.0 * m_patience, policy.longest);
+  if (m_since < usual) return false;
   look(system, state, asksForFew);
-  if (relativeChange(before, m_mode) <= policy.unchanged) m_patience = longer;
   return true;
 }
 

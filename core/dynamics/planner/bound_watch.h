@@ -10,9 +10,9 @@
 
 namespace esm {
 
-/// Knows the fastest motion that the net can make, and looks again when enough has happened since. A look costs up
-/// to thirty passes, and where struts make many pairs of springs as much again. It follows what stiffens within some frames, and what turns and bends; where it finds nothing
-/// new it comes less often.
+/// Knows the fastest motion that the net can make, and looks again when enough has happened since. A look costs up to
+/// thirty passes, and where struts make many pairs of springs as much again; it follows what stiffens within some
+/// frames, and what turns and bends.
 class BoundWatch {
 public:
   /// @param names  of the body's nodes; empty: their places
@@ -54,8 +54,7 @@ private:
   StepBound m_bound;
   FastestMode m_mode;
   Stiffest m_stiffest;
-  double m_since = 0.0;    ///< work since the last look [force passes]
-  double m_patience = 1.0; ///< how much longer than usual that may be
+  double m_since = 0.0; ///< work since the last look [force passes]
   bool m_isOld = false;
   bool m_fewHoldAll = false;
 };

@@ -34,8 +34,7 @@ void CheckRhythm::learnOverLocal(double error, double length) noexcept
   m_errorOverLocal = isFirst ? found : std::sqrt(found * m_errorOverLocal);
 }
 
-/// What the effort keeps from shrinking gains nothing by checks. Motion that unfolds is looked at soon where no damper
-/// tells of it, a step that has grown at once.
+/// What the effort keeps from shrinking gains nothing by checks. A step that has grown is looked at at once.
 void CheckRhythm::learn(const Found& found) noexcept
 {
   const Policy::Checks& policy = m_policy->checks;
@@ -46,9 +45,8 @@ void CheckRhythm::learn(const Found& found) noexcept
   if (!isKept) {
     m_gap = found.isHeld ? std::min(2 * m_gap, policy.longestRoughGap) : std::max(1, m_gap / 4);
   } else {
-    const bool unfolds = found.isSettling && !(m_power > 0.0);
     const int wider = found.length < policy.leastProof ? m_gap : 2 * m_gap;
-    m_gap = std::min(wider, found.grows || unfolds ? 2 : policy.longestGap);
+    m_gap = std::min(wider, found.grows ? 2 : policy.longestGap);
   }
   m_until = isKept && found.grows ? 1 : m_gap;
   const double left = std::ceil(found.timeLeft / kFrame); // stretches

@@ -33,14 +33,13 @@ public:
 
   /// What a check has found, and so when the next one comes.
   struct Found {
-    double share = 0.0;      ///< of the budget
-    double error = 0.0;      ///< that the next steps will not exceed [m]
-    double length = 0.0;     ///< of the stretch [s]
-    double power = 0.0;      ///< of the dampers in it [W]
-    bool isHeld = false;     ///< the step cannot shrink as the error asks
-    bool grows = false;      ///< the step does
-    bool isSettling = false; ///< soon after an event
-    double timeLeft = 0.0;   ///< until the known end [s]
+    double share = 0.0;    ///< of the budget
+    double error = 0.0;    ///< that the next steps will not exceed [m]
+    double length = 0.0;   ///< of the stretch [s]
+    double power = 0.0;    ///< of the dampers in it [W]
+    bool isHeld = false;   ///< the step cannot shrink as the error asks
+    bool grows = false;    ///< the step does
+    double timeLeft = 0.0; ///< until the known end [s]
   };
   void learn(const Found& found) noexcept;
   double share() const noexcept { return m_share; } ///< of the budget, that the last check found

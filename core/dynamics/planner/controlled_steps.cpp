@@ -82,8 +82,7 @@ void ControlledSteps::limitWork(double length)
   if (m_control.rhythm.onset() <= 0.0) m_onset.affordable = usual; // it may begin here
   System& system = *m_control.system;
   system.workLimit =
-    std::min(m_control.stepper.mostWork(),
-             system.workDone() + std::clamp(m_onset.affordable, policy.leastOnsetShare * usual, usual));
+    std::min(m_control.stepper.mostWork(), system.workDone() + std::clamp(m_onset.affordable, 0.0, usual));
 }
 
 ControlledSteps::Outcome ControlledSteps::stretch(MotionState& state, double end, StepReport& report)
@@ -345,7 +344,6 @@ void ControlledSteps::learn(const Plan& plan, const MotionState& state, Trial& t
   // Nothing but checks sees what becomes of the work between them.
   found.grows =
     (isLed && trial.coarseError > 0.0) || policy.held * control.controlledStep(Stepper::kInfinity) > step;
-  found.isSettling = control.gauge.scale().calm < policy.settlingTime;
   found.timeLeft = control.gauge.knownEnd(state.time) - state.time;
   control.rhythm.learn(found);
   if (!known.isMeasured && known.accurateStep < policy.promisedTooMuch * step) control.choice.settled = 0;

@@ -154,7 +154,7 @@ void Knowledge::learnFailure(Method method, const MethodFacts& facts, double ste
 {
   MethodKnowledge& here = m_methods[method];
   here.accurateStep = m_policy->steps.afterFailure * step;
-  if (!facts.traits(method).isExplicit()) here.cheapStep = m_policy->steps.smallerThanFailed * step;
+  if (!facts.traits(method).isExplicit()) here.cheapStep = step;
 }
 
 void Knowledge::passCheck(double waited) noexcept

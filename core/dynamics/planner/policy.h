@@ -39,9 +39,8 @@ struct Policy {
     /// Of that mean, where what was struck swings out: what the first waves err lives longer than they do. With all of
     /// it organs of 890 to 2,000 nodes ended at 0.97 to 1.13 times a tolerance of 1e-2, with this at 0.82 to 1.0; with
     /// half of it they took up to twice the passes.
-    double afterBlow = 0.75; ///< [1; 0..1; fit]
-    double slowerThanFirst =
-      2.0; ///< what follows the first motion, which dampers brake most [1; 1..10; rule]
+    double afterBlow = 0.75;      ///< [1; 0..1; fit]
+    double slowerThanFirst = 2.0; ///< what follows the first motion, which dampers brake most [1; 1..10; fit]
     /// Of what may be spent: an error for some time, where the end is known and the mean up to it counts. One
     /// that fades in time T leaves a mean of sqrt(T/2t) of it over the time t, so it may be the larger the sooner
     /// it is over; of that this share is believed, and the less the more of the mean square is spent, up to this
@@ -70,10 +69,6 @@ struct Policy {
     int mostAttempts = 24;         ///< of one stretch [1; 1..100; rule]
     double mostEffort = 3.0;       ///< for one frame, before descent takes over, in efforts [1; 1..10; rule]
     double leastShare = 1.0 / 8.0; ///< of that for a stretch, however short [1; 0..1; rule]
-    double leastOnsetShare =
-      1.0 / 8.0; ///< the same when an onset's others have used theirs up [1; 0..1; rule]
-    double smallerThanFailed =
-      0.6; ///< of an implicit step without solution: the largest soon [1; 0..1; rule]
     double afterFailure = 1.0 / 4.0;   ///< of a step that failed: the next one [1; 0..1; rule]
     double mostShrinking = 1.0 / 64.0; ///< of a step at a time: beyond, errors tell of chaos [1; 0..1; rule]
     int attemptsUntilImplicit = 4;     ///< that may fail before implicit steps take over [1; 1..24; rule]
@@ -101,8 +96,6 @@ struct Policy {
 
   /// Looks at where the net is stiffest; see decision 010.
   struct Bound {
-    double unchanged = 0.01;          ///< a smaller change of the limits is none [1; 0..1; rule]
-    double longest = 4.0;             ///< patience, of the usual one [1; 1..100; rule]
     double patienceImplicit = 32.0;   ///< between two looks [force passes; 1..1e4; rule]
     double patienceNonlinear = 384.0; ///< the same where springs stiffen [force passes; 1..1e4; fit]
     double patienceLinear = 768.0;    ///< the same where they do not [force passes; 1..1e4; fit]
@@ -148,7 +141,6 @@ struct Policy {
     double cheaper = 0.9, ease = 1.15; ///< [1; 0.5..2; rule]
     double mostTransfer = 1.5;  ///< power of what is learned for methods of lower order [1; 1..4; rule]
     double leastTransfer = 0.2; ///< of a step, by another method's check [1; 0..1; rule]
-    double settlingTime = 0.15; ///< after an event, in which motion unfolds [s; 0..1; rule]
     int longestGap = 24;        ///< between checks [stretches; 1..100; rule]
     int longestRoughGap = 8; ///< while the error is beyond what the effort can mend [stretches; 1..100; rule]
     double held = 0.8; ///< of the last step: a larger one has not shrunk, a smaller not grown [1; 0..1; rule]
@@ -185,8 +177,7 @@ struct Policy {
     double cautionPower = 0.6;     ///< with 0.4 two of twelve stiff nets at 1e-3 went implicit [1; 0..1; fit]
     double sparingTolerance = 0.1; ///< below, implicit steps spend less than their budget [1; 1e-3..1; fit]
     double sparingPower = 0.3;     ///< see Weighing::spendable() [1; 0..1; fit]
-    double patience = 0.9;       ///< of the present cost, below which another method must be [1; 0..1; rule]
-    double patienceInJerk = 0.7; ///< the same where a jerk is soon over [1; 0..1; fit]
+    double patience = 0.9; ///< of the present cost, below which another method must be [1; 0..1; rule]
     double latestOnset = 0.9 * kFrame; ///< after an event, in which an onset may begin [s; 0..kFrame; rule]
     double implicitBeyond =
       4.0; ///< accurate steps over the explicit limit, to weigh implicit ones [1; 1..100; rule]

@@ -57,7 +57,7 @@ std::optional<Method> Probing::probeNext(const MotionState& state, double allowe
   const Method present = m_control.choice.method;
   double stable = 0.0;
   const Method next = m_control.weigh([&](Weighing weighing) {
-    const Method cheapest = weighing.cheapestExplicit(present, weighing.patience());
+    const Method cheapest = weighing.cheapestExplicit(present, m_control.policy.choice.patience);
     stable = weighing.stableStep(cheapest);
     return cheapest;
   });

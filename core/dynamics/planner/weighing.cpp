@@ -184,13 +184,6 @@ std::optional<Weighing::Proposal> Weighing::worthAProbe(Method present)
   return best;
 }
 
-/// What a jerk asks for is soon over in a damped net: at coarse tolerances nobody changes for a little then.
-double Weighing::patience() const noexcept
-{
-  const bool isJerk = isLoose() && m_now.calm <= m_policy.choice.latestOnset && !m_now.isOnset;
-  return isJerk && m_now.isDamped ? m_policy.choice.patienceInJerk : m_policy.choice.patience;
-}
-
 Choice Weighing::first()
 {
   const Policy::Choice& policy = m_policy.choice;
@@ -212,12 +205,12 @@ Choice Weighing::reconsider(Choice choice, std::optional<Method> proven)
   const Method before = choice.method, implicit = m_facts.implicit();
   const bool tooDear = isToleranceTooDear();
   if (before == implicit) {
-    const Method other = cheapestExplicit(before, patience());
+    const Method other = cheapestExplicit(before, m_policy.choice.patience);
     const bool isOnset = isLoose() && m_now.calm < policy.onsetOfImplicit;
     const double most = (isOnset ? policy.mostInOnset : policy.mostAfterOnset) * caution();
     if (!tooDear && cost(implicit) > most * costAtLimit(other)) choice.method = other;
   } else {
-    const Method other = proven ? *proven : cheapestExplicit(before, patience());
+    const Method other = proven ? *proven : cheapestExplicit(before, m_policy.choice.patience);
     const double price =
       proven ? 0.0 : (1.0 + m_policy.checks.finer) * checkLength() / kFrame * cost(other); // of its check
     const bool isTwin = m_facts.traits(before).sharper == other && isOutdone(before);

@@ -67,7 +67,6 @@ public:
   /// Among those that compete.
   /// @param present  the method that runs; its cost counts as a share `patience` of it: a change must pay
   Method cheapestExplicit(Method present, double patience);
-  double patience() const noexcept;
   /// Before anything has been measured.
   Choice first();
   /// After a check: would another method have done it for less?
