@@ -143,6 +143,10 @@ bool sayEnergy(const SimulateOptions& options, const RunSummary& summary, double
 {
   const EnergyReport* energy = unaccountedEnergy(summary, tolerance);
   if (energy == nullptr) return true;
+  if (!std::isfinite(energy->residual())) {
+    say(options.file + ": energy has grown beyond what numbers can hold; use a smaller --step, or none");
+    return false;
+  }
   if (energy->hasAdded(tolerance) && isBorneOut(*energy)) {
     say(options.file + ": by its own estimate the method has added " + formatDouble(-energy->loss, 3) +
         " J to the motion, beside " + formatDouble(energy->heat, 3) +

@@ -55,6 +55,18 @@ class Energy(ProgramTest):
         self.assertIn("energy is not accounted for", done.stderr)
         self.assertNotIn("has added", done.stderr)
 
+    def test_energy_beyond_all_numbers_is_said_without_one(self):
+        # A step of thirty times what is stable: places of 1e152 m are numbers, what springs of 1e6 N/m hold there is not.
+        net = {"format": "esm-net-1", "name": "wild", "duration": 0.051, "frame_rate": 1000.0, "gravity": [0, 0, 0],
+               "nodes": {"position": [0, 0, 0, 0.1, 0, 0], "mass": 1e-3, "fixed": [0]},
+               "springs": {"i": [0], "j": [1], "stiffness": 1e6, "viscosity": 0, "rest_length": 0.101}}
+        self.write("wild.json", json.dumps(net))
+        done = self.run_program("simulate", "wild.json", "--solver", "leapfrog", "--step", "1e-3", "--report", "r.json",
+                                exit_code=3)
+        self.assertIn("beyond what numbers can hold", done.stderr)
+        self.assertNotIn("nan", done.stderr)
+        self.assertIs(self.read_json("r.json")["good"], False)
+
     def test_a_vibration_that_the_method_has_eaten_is_said(self):
         # Two free nodes, 4.5 million radians a second: nothing damps them, and steps of all lengths have lost them.
         net = {"format": "esm-net-1", "name": "fast", "duration": 0.1, "frame_rate": 60.0, "gravity": [0, 0, 0],

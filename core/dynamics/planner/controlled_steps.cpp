@@ -253,7 +253,7 @@ Trial ControlledSteps::check(const Plan& plan, MotionState& state, double end, S
   const double workBefore = control.system->workDone();
   m_ends.x = state.x;
   m_ends.v = state.v;
-  m_ends.work = state.work - control.start.work;
+  m_ends.heat = state.heat - control.start.heat;
   state = control.start;
   control.current().rewind(state.time);
   Trial trial;
@@ -283,15 +283,15 @@ double ControlledSteps::errorOfFirst(const MotionState& state, double ratio)
   return counted * swing(control, apart, m_ends.v, state) * ratio / (ratio - 1.0);
 }
 
-/// Where every node is held or led, all steps end at the same places, and only the work of the supports tells how
-/// coarse they are: what the first of a check's runs erred of that, over what the tolerance allows of it.
-double ControlledSteps::shareOfWork(const MotionState& state, double ratio)
+/// Where every node is held or led, all steps end at the same places, and only the heat tells how coarse they are: what
+/// the first of a check's runs erred of it, over what the tolerance allows. The velocities of staggered steps are older
+/// than the places, so that this is of first order.
+double ControlledSteps::shareOfHeat(const MotionState& state, double finer)
 {
-  const double work = state.work - m_control.start.work;
-  const double apart = std::abs(work - m_ends.work) * ratio / (ratio - 1.0);
-  const bool isRounding =
-    apart <= m_control.policy.energy.rounding * m_control.energyBalance(state).turnedOver;
-  return isRounding ? 0.0 : apart / (m_control.request.settings.tolerance * std::abs(work));
+  const EnergyBalance balance = m_control.energyBalance(state);
+  const double apart = std::abs(balance.heat - m_ends.heat) * finer / (finer - 1.0);
+  if (apart <= m_control.policy.energy.rounding * balance.turnedOver) return 0.0;
+  return apart / (m_control.request.settings.tolerance * balance.heat);
 }
 
 /// From the error of the steps to the accurate one, for the method and for those like it; and all that judge() asks.
@@ -313,10 +313,10 @@ void ControlledSteps::learn(const Plan& plan, const MotionState& state, Trial& t
   control.gauge.guessLifetime(*control.system, control.start, state);
   control.rhythm.learnOverLocal(trial.coarseError, length);
   trial.allowed = control.budget(state, length);
-  const bool isLed = !(trial.coarseError > 0.0);
-  if (isLed) trial.coarseError = trial.allowed * shareOfWork(state, ratio);
-  trial.error = trial.coarseError / ratio;
-  trial.unspent = control.gauge.unspent(control.request.settings.tolerance, state);
+  const bool isLed = control.energy.isLedAllOver();
+  if (isLed) trial.coarseError = trial.allowed * shareOfHeat(state, finer / count);
+  trial.error = trial.coarseError / (isLed ? finer / count : ratio);
+  trial.unspent = isLed ? 0.0 : control.gauge.unspent(control.request.settings.tolerance, state);
   trial.mostRough =
     policy.roughAtFloor * std::max(control.gauge.displacementOf(control.start.x), control.gauge.floor());
   trial.floorStep = control.weigh([&](Weighing weighing) { return weighing.floorStep(control.choice); });
@@ -341,11 +341,10 @@ void ControlledSteps::learn(const Plan& plan, const MotionState& state, Trial& t
   found.length = length;
   found.power = (state.heat - control.start.heat) / length;
   found.isHeld = trial.isAuto && !dampsWaves && control.controlledStep(kFrame) > policy.held * step;
-  // Nothing but checks sees what becomes of the work between them.
-  found.grows =
-    (isLed && trial.coarseError > 0.0) || policy.held * control.controlledStep(Stepper::kInfinity) > step;
+  found.grows = policy.held * control.controlledStep(Stepper::kInfinity) > step;
   found.timeLeft = control.gauge.knownEnd(state.time) - state.time;
   control.rhythm.learn(found);
+  if (isLed) control.rhythm.atOnce(); // nothing but checks sees what becomes of the heat between them
   if (!known.isMeasured && known.accurateStep < policy.promisedTooMuch * step) control.choice.settled = 0;
   control.known.learnOthers(method, control.methods, {trial.share, step});
   control.known.learnCost(method, control.methods, trial.step, m_ends.coarseWork, m_ends.finerWork);

@@ -44,7 +44,7 @@ private:
   Trial tryOnce(const Plan& plan, MotionState& state, double end, StepReport& report);
   Trial check(const Plan& plan, MotionState& state, double end, StepReport& report);
   double errorOfFirst(const MotionState& state, double ratio);
-  double shareOfWork(const MotionState& state, double ratio);
+  double shareOfHeat(const MotionState& state, double finer);
   void learn(const Plan& plan, const MotionState& state, Trial& trial);
   void keepChecked(const Plan& plan, Verdict verdict, const Trial& trial, MotionState& state,
                    StepReport& report);

@@ -8,6 +8,13 @@
 
 namespace esm {
 
+void EnergyGuard::lookForFreeNodes(const System& system) noexcept
+{
+  m_isLedAllOver = true;
+  for (std::size_t node = 0; node < system.nodeCount() && m_isLedAllOver; ++node)
+    m_isLedAllOver = !system.isFree(node);
+}
+
 void EnergyGuard::beginStretch() noexcept
 {
   m_start.reset();
@@ -31,6 +38,7 @@ EnergyBalance EnergyGuard::balance(const System& system, const MotionState& star
 bool EnergyGuard::hasAppeared(const System& system, const EnergyBalance& balance, double extent,
                               double share) noexcept
 {
+  if (m_isLedAllOver) return false;
   // Of sums with rounding errors; and what nobody can see.
   const double least = m_policy->energy.rounding * (balance.high + system.totalMass() * extent * extent);
   const double sum = std::max(m_grown, 0.0) + balance.gained; // what came slowly is no better

@@ -17,12 +17,16 @@ struct EnergyBalance {
   double high = 0.0;       ///< size of that of weight at the start, for the rounding of its differences
 };
 
-/// Sees energy that comes from nowhere, at once or slowly over many stretches.
+/// Sees energy that comes from nowhere, at once or slowly over many stretches. Where every node is held or led there is
+/// none to come: what springs and dampers take is what the supports have been told to do.
 class EnergyGuard {
 public:
   explicit EnergyGuard(const Policy& policy) noexcept : m_policy(&policy) {}
 
   void forget() noexcept { m_grown = 0.0; }
+  /// Whether any node may go where forces take it.
+  void lookForFreeNodes(const System& system) noexcept;
+  bool isLedAllOver() const noexcept { return m_isLedAllOver; }
   void beginStretch() noexcept;
   void keepStretch() noexcept { m_grown = m_growth; }
   void takeBack() noexcept { m_growth = m_grown; } ///< the stretch is done anew
@@ -44,7 +48,8 @@ private:
     double kinetic = 0.0, elastic = 0.0, height = 0.0; ///< [J]
   };
   const Policy* m_policy;
-  std::optional<Energies> m_start;      ///< of the stretch, once somebody asked
+  std::optional<Energies> m_start; ///< of the stretch, once somebody asked
+  bool m_isLedAllOver = false;
   double m_grown = 0.0, m_growth = 0.0; ///< energy that appeared up to the present stretch, up to its end [J]
 };
 

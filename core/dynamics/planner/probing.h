@@ -9,7 +9,7 @@ namespace esm {
 /// The two runs of a check, of which the second one goes on to be the motion.
 struct CheckEnds {
   NodeArray x, v;                           ///< end of the first one
-  double work = 0.0;                        ///< that it has found the loads to do [J]
+  double heat = 0.0;                        ///< that it has found the dampers to take [J]
   double coarseWork = 0.0, finerWork = 0.0; ///< of the two [spring evaluations]
   /// Early in the stretch. No steps: none was taken.
   struct Look {

@@ -219,6 +219,13 @@ double StepControl::closeLoss(const MotionState& state)
 
 void StepControl::bookLoss(MotionState& state, Method method, double step)
 {
+  if (energy
+        .isLedAllOver()) { // nothing can be lost: what the supports have done is what there is, and the heat
+    const EnergyBalance balance = energyBalance(state);
+    state.work += balance.gained + balance.heat;
+    state.loss = start.loss;
+    return loss.drop();
+  }
   loss.book(*system, start, state, methods.at(method), step, energy, request.settings.tolerance);
 }
 
@@ -257,6 +264,7 @@ void StepControl::giveUp(Run failure, StepReport& report)
 
 void StepControl::findBodies(const MotionState& state)
 {
+  energy.lookForFreeNodes(*system);
   stepper.bodies().find(*system);
   stepper.bodies().begin(*system, state);
 }
