@@ -3,7 +3,7 @@
 
 // The work of `auto` in units that no machine changes: to be held against the same of another state of the sources.
 #include "bench/policy_table.h"
-#include "bench/scenes.h"
+#include "bench/runs.h"
 #include "bench/sub_benches.h"
 #include "core/base/text_number.h"
 #include "core/dynamics/simulation.h"
@@ -19,11 +19,7 @@ namespace {
 /// As `esm simulate` runs it: the tolerance is kept, whatever it takes.
 bool count(const Scene& scene, double tolerance, const std::shared_ptr<const Policy>& policy)
 {
-  SolverSettings settings;
-  settings.tolerance = tolerance;
-  settings.effort = 1e13;
-  settings.workLimit = 0.0;
-  settings.duration = scene.duration;
+  SolverSettings settings = settingsOf(scene, tolerance);
   settings.policy = policy;
   Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
   if (!simulation) return false;

@@ -5,8 +5,7 @@
 // it was never tuned (`holdout`), or over those by which it was (`fit`).
 #include "bench/held_out_scenes.h"
 #include "bench/policy_table.h"
-#include "bench/scene_shapes.h"
-#include "bench/skip_scenes.h"
+#include "bench/runs.h"
 #include "bench/sub_benches.h"
 #include "bench/trajectory.h"
 #include "core/base/text_number.h"
@@ -37,11 +36,7 @@ constexpr double kTolerances[] = {1e-1, 1e-2, 1e-3, 1e-4};
 
 PolicyRun run(const JudgedScene& one, double tolerance, const std::shared_ptr<const Policy>& policy)
 {
-  SolverSettings settings;
-  settings.tolerance = tolerance;
-  settings.workLimit = 0.0;
-  settings.effort = 1e13; // accuracy, whatever it costs
-  settings.duration = one.scene.duration;
+  SolverSettings settings = settingsOf(one.scene, tolerance);
   settings.policy = policy;
   Result<Simulation> simulation = Simulation::create(one.scene.net, one.scene.loads, settings);
   PolicyRun outcome;
@@ -108,12 +103,8 @@ std::vector<Scene> heldOut()
 
 Trajectory follow(const Scene& scene, const char* solver, double tolerance)
 {
-  SolverSettings settings;
+  SolverSettings settings = settingsOf(scene, tolerance);
   settings.solver = solver;
-  settings.tolerance = tolerance;
-  settings.workLimit = 0.0;
-  settings.effort = 1e13;
-  settings.duration = scene.duration;
   Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);
   Trajectory frames{simulation->state().position};
   for (long frame = 0; frame < scene.frames(); ++frame) {

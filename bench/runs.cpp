@@ -41,6 +41,16 @@ double CpuClock::seconds() const
   return m_sum;
 }
 
+SolverSettings settingsOf(const Scene& scene, double tolerance)
+{
+  SolverSettings settings;
+  settings.tolerance = tolerance;
+  settings.effort = 1e13;
+  settings.workLimit = 0.0;
+  settings.duration = scene.duration;
+  return settings;
+}
+
 namespace {
 
 /// Measures the frame off the clock. @return false to stop.
@@ -61,13 +71,9 @@ Row runEngine(const Scene& scene, const std::string& solver, double tolerance, i
   Row row{
     scene.name, solver, true, stepsPerFrame > 0, stepsPerFrame > 0 ? stepsPerFrame : tolerance, 0.0, 0.0,
     0,          true,   ""};
-  SolverSettings settings;
+  SolverSettings settings = settingsOf(scene, tolerance > 0.0 ? tolerance : 1e-3);
   settings.solver = solver;
-  settings.tolerance = tolerance > 0.0 ? tolerance : 1e-3;
   if (stepsPerFrame > 0) settings.fixedStep = 1.0 / kFrameRate / stepsPerFrame;
-  settings.effort = 1e13; // keep the tolerance, whatever it costs
-  settings.workLimit = 0.0;
-  settings.duration = scene.duration;
   ErrorMeter meter(reference);
   CpuClock clock;
   Result<Simulation> simulation = Simulation::create(scene.net, scene.loads, settings);

@@ -39,6 +39,9 @@ struct Row {
   std::string note; ///< what auto chose, or what went wrong
 };
 
+/// Of a run that keeps the tolerance, whatever it takes.
+SolverSettings settingsOf(const Scene& scene, double tolerance);
+
 /// @param cap  processor seconds after which the run is given up.
 Row runEngine(const Scene& scene, const std::string& solver, double tolerance, int stepsPerFrame,
               const Reference& reference, double cap);

@@ -3,6 +3,7 @@
 
 // What `esm simulate --verify` finds, against the reference: does it see a tolerance that is missed, does it
 // mend that, and what does it cost?
+#include "bench/runs.h"
 #include "bench/sub_benches.h"
 #include "bench/trajectory.h"
 #include "core/base/text_number.h"
@@ -54,12 +55,7 @@ struct Counts {
 
 void measure(const Scene& scene, const Reference& reference, double tolerance, Counts& counts)
 {
-  SolverSettings settings;
-  settings.tolerance = tolerance;
-  settings.effort = 1e13; // accuracy, whatever it costs
-  settings.workLimit = 0.0;
-  settings.duration = scene.duration;
-  ToleranceCheck check(settings);
+  ToleranceCheck check(settingsOf(scene, tolerance));
   const Outcome outcome = verify(scene, reference, check);
   const bool missed = outcome.first > tolerance, refined = check.resultTolerance() < tolerance;
   ++counts.runs;

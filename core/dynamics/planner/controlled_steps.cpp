@@ -16,11 +16,6 @@ void ControlledSteps::begin(const MotionState& state)
   m_probing.makeRoom(state);
 }
 
-void ControlledSteps::prepare()
-{
-  m_onset.known.resize(m_control.methods.count());
-}
-
 double ControlledSteps::longestCheck()
 {
   return esm::longestCheck(m_control.policy, m_control.observe(), m_control.known, m_control.methods,

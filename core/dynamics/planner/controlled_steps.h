@@ -16,17 +16,19 @@ namespace esm {
 /// live.
 class ControlledSteps {
 public:
-  explicit ControlledSteps(StepControl& control) noexcept : m_control(control), m_probing(control, m_ends) {}
+  explicit ControlledSteps(StepControl& control) : m_control(control), m_probing(control, m_ends)
+  {
+    m_onset.known.resize(control.methods.count());
+  }
 
   void begin(const MotionState& state); ///< room for later
-  void prepare();                       ///< another net, or other parameters
   void continueOnset();                 ///< before each stretch
   void rememberBeforeOnset();           ///< the same, once the bounds are known
   /// Longest stretch that is planned now [s].
   double longest(bool isByBlocks);
   double longestCheck();
   void spendOnset(double work) noexcept { m_onset.affordable -= work; }
-  /// From `state` on, if not shorter than asked. @return its end, or how it failed
+  /// From `state` on to `end`, or less far where a check asks for a shorter stretch. @return how it went
   enum class Outcome { Done, Failed, NoneIsGood };
   Outcome stretch(MotionState& state, double end, StepReport& report);
 

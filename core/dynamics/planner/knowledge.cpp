@@ -10,23 +10,24 @@
 namespace esm {
 namespace {
 
-/// The largest stable step, with the planner's margin [s].
-double stable(const Policy& policy, const MethodFacts& facts, Method method) noexcept
-{
-  return policy.steps.shareOfStable * facts.limit(method);
-}
-
-} // namespace
-
+/// To the step that would just spend the budget, of which the present one spends this share, over that.
 double stepGain(const Policy::Checks& policy, double share, double order) noexcept
 {
   const double room = order > policy.highOrder ? policy.roomOfHighOrder : policy.room;
   return share > 0.0 ? std::min(room * std::pow(share, -1.0 / order), policy.mostGain) : policy.mostGain;
 }
 
+/// Whether a step that spends this share of the budget stays as it is.
 bool isKept(const Policy::Checks& policy, double share) noexcept
 {
   return share >= policy.leastShareKept && share <= policy.mostShareKept;
+}
+
+} // namespace
+
+double stableStep(const Policy& policy, const MethodFacts& facts, Method method) noexcept
+{
+  return policy.steps.shareOfStable * facts.limit(method);
 }
 
 double Knowledge::mostGrowth(double order) const noexcept
@@ -38,10 +39,9 @@ void Knowledge::guessAll(const MethodFacts& facts, const Expectation& expected)
 {
   for (Method method = 0; method < m_methods.size(); ++method) {
     MethodKnowledge& here = m_methods[method];
-    const double affordable = here.affordableStep, probed = here.probedStep;
-    here = {};
-    here.affordableStep = affordable;
-    here.probedStep = probed;
+    static_cast<KnownSteps&>(here) = {};
+    here.untilProbe = 0;
+    here.probeGap = 1;
     here.accurateStep = kFrame / m_policy->choice.implicitGuess;
     if (facts.traits(method).isExplicit()) guess(method, facts, expected);
   }
@@ -82,7 +82,8 @@ void Knowledge::tellTwins(Method measured, const MethodFacts& facts) noexcept
     MethodKnowledge& other = m_methods[method];
     if (facts.traits(measured).sharper == method)
       other.accurateStep = std::max(other.accurateStep, here.accurateStep);
-    if (facts.traits(method).sharper == measured && here.accurateStep < stable(*m_policy, facts, measured))
+    if (facts.traits(method).sharper == measured &&
+        here.accurateStep < stableStep(*m_policy, facts, measured))
       other.accurateStep = std::min(other.accurateStep, here.accurateStep);
   }
 }

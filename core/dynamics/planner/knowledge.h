@@ -26,10 +26,8 @@ struct MethodKnowledge : KnownSteps {
   double probedStep = 0.0; ///< in the present check; 0: in none [s]
 };
 
-/// The share of the budget that a check has found spent, to the step that would just spend it, over the present one.
-double stepGain(const Policy::Checks& policy, double share, double order) noexcept;
-/// Whether a step that spends this share of the budget stays as it is.
-bool isKept(const Policy::Checks& policy, double share) noexcept;
+/// The largest stable step, with the planner's margin [s].
+double stableStep(const Policy& policy, const MethodFacts& facts, Method method) noexcept;
 
 /// What a guess is made from.
 struct Expectation {

@@ -9,8 +9,6 @@
 namespace esm {
 namespace {
 
-constexpr double kRounding = 1.0 - 1e-9; ///< of a quotient that is a whole number
-
 /// Whether a check may compare this step with a larger one instead of a smaller one, for less than half the
 /// work beyond that of the stretch. Not the first check of a method, which may need the smaller one; not
 /// below fourth order, where errors at half of the limit are not yet of their order; nor where dampers are weak
@@ -24,6 +22,11 @@ bool hasRoomAbove(const Policy& policy, const Observation& now, const MethodKnow
 
 } // namespace
 
+double wholeSteps(double length, double step) noexcept
+{
+  return std::ceil(length / step * (1.0 - 1e-9));
+}
+
 Plan plan(const Policy& policy, const Observation& now, Knowledge& known, MethodFacts& facts,
           const Choice& choice, double length, bool isCheckDue, bool isFirst)
 {
@@ -31,7 +34,7 @@ Plan plan(const Policy& policy, const Observation& now, Knowledge& known, Method
   Plan plan;
   plan.length = length;
   plan.step = weighing.controlledStep(choice, length);
-  plan.count = std::ceil(length / plan.step * kRounding);
+  plan.count = wholeSteps(length, plan.step);
   plan.work = plan.count * facts.stepCost(choice.method, plan.step);
   plan.isUnchecked = choice.isToleranceGivenUp && choice.method == facts.implicit();
   plan.isChecked = !plan.isUnchecked && isCheckDue;

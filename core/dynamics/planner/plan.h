@@ -8,6 +8,9 @@
 
 namespace esm {
 
+/// Equal steps, no longer than `step`, that make up `length` [s]; one too many for no rounding error.
+double wholeSteps(double length, double step) noexcept;
+
 /// How a stretch is to be done.
 struct Plan {
   double length = 0.0;      ///< of the stretch [s]

@@ -94,7 +94,7 @@ bool Probing::tryOut(Method method, double step, const MotionState& state, doubl
 {
   const double begin = m_control.start.time, length = state.time - begin;
   MethodKnowledge& known = m_control.known.of(method);
-  const double count = std::ceil(length / step * (1.0 - 1e-9));
+  const double count = wholeSteps(length, step);
   if (length / count == known.probedStep) return false; // it would err as much as before
   if (m_control.isTooDear(count * m_control.methods.stepCost(method, step))) return false;
   known.probedStep = length / count;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include "core/dynamics/planner/plan.h"
 #include "core/dynamics/planner/step_control.h"
 
 namespace esm {

@@ -66,11 +66,6 @@ double StepControl::controlledStep(double length)
   return weigh([&](Weighing weighing) { return weighing.controlledStep(choice, length); });
 }
 
-double StepControl::checkLength()
-{
-  return weigh([](Weighing weighing) { return weighing.checkLength(); });
-}
-
 /// For a frame, that the work limit bears, too. What a tolerance may ask for is told by the former alone: it
 /// may be had by other steps for less.
 double StepControl::effort() const noexcept

@@ -72,7 +72,6 @@ struct StepControl {
     return question(Weighing(policy, now, known, methods));
   }
   double controlledStep(double length);
-  double checkLength();
   double effort() const noexcept; ///< [spring evaluations a frame]
 
   void look(const MotionState& state); ///< at the bound

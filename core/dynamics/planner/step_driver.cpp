@@ -27,9 +27,7 @@ double extentOf(const System& system, const NodeArray& x)
 
 StepDriver::StepDriver(SolverSettings settings, std::vector<Index> names)
   : m_control(std::move(settings), std::move(names)), m_controlled(m_control), m_rough(m_control)
-{
-  m_controlled.prepare();
-}
+{}
 
 void StepDriver::begin(System& system, const MotionState& state)
 {
@@ -179,7 +177,7 @@ StepReport StepDriver::advance(System& system, MotionState& state, double interv
     const bool isFixed = control.request.settings.fixedStep > 0.0;
     const bool isByBlocks = takesBlocks() && control.mayTakeBlocks(); // these have checks of their own
     const double longest = isFixed ? kInfinity : m_controlled.longest(isByBlocks);
-    const double stretches = isFixed ? 1.0 : std::ceil((target - state.time) / longest * (1.0 - 1e-9));
+    const double stretches = isFixed ? 1.0 : wholeSteps(target - state.time, longest);
     const double stretchEnd = stretches > 1.0 ? state.time + (target - state.time) / stretches : target;
     const double workBefore = system.workDone();
     const bool done = isFixed ? stretchFixed(state, stretchEnd, report) : stretch(state, stretchEnd, report);
@@ -217,7 +215,7 @@ bool StepDriver::stretchFixed(MotionState& state, double end, StepReport& report
   control.lookIfDue(state);       // stages and predictions keep to what is stable now
   control.current().setSolveTolerance(control.policy.steps.solveFixed * control.gauge.extent(), false);
   const double length = end - state.time;
-  const double steps = std::max(1.0, std::ceil(length / control.request.settings.fixedStep * (1.0 - 1e-9)));
+  const double steps = std::max(1.0, wholeSteps(length, control.request.settings.fixedStep));
   control.beginStretch(state);
   const Run result = control.run(state, end, static_cast<std::int64_t>(std::min(steps, 1e15)), report);
   if (result != Run::Done) return control.giveUp(result, report), false;

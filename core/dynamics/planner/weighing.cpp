@@ -16,7 +16,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 double Weighing::stableStep(Method method) const noexcept
 {
-  return m_policy.steps.shareOfStable * m_facts.limit(method);
+  return esm::stableStep(m_policy, m_facts, method);
 }
 
 bool Weighing::isHeldUp() const noexcept
